@@ -34,7 +34,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "tool.select", "tool.transform", "tool.reshape", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
         "tool.magnetic", "tool.ellipse", "tool.rectangle", "tool.object", "shape.from_mask", "tool.feather",
         "tool.points", "tool.adjust", SEPARATOR,
-        "shape.match_edge", SEPARATOR,
+        "shape.steady", "shape.match_edge", SEPARATOR,
         "key.auto", "key.points", "key.ripple", SEPARATOR,
         "key.copy", "key.paste", "key.paste_range", SEPARATOR,
         "key.set", "key.set_points", "key.delete", "key.linear", "key.smooth", "key.hold", "key.tangents", SEPARATOR,

@@ -36,6 +36,7 @@ WORDS: Mapping[str, str] = {
     "shape.duplicate": N_("copy clone"),
     "shape.group": N_("folder layer parent"),
     "shape.delete": N_("remove erase"),
+    "shape.steady": N_("boil jitter tremble smooth stabilise stabilize temporal steadiness"),
     "shape.match_edge": N_("soften feather softness blurred focus defocus shutter width"),
     "shape.lock": N_("protect"),
     "shape.hide": N_("visibility invisible eye"),

@@ -159,6 +159,11 @@ SPECS: tuple[ActionSpec, ...] = (
     ),
     ActionSpec("layer.add", N_("New layer"), tip=N_("Add an empty layer, to drop shapes on")),
     ActionSpec(
+        "shape.steady",
+        N_("Steady the outline…"),
+        tip=N_("Move tracked keys so that their outlines boil less"),
+    ),
+    ActionSpec(
         "shape.match_edge",
         N_("Match the plate's edge"),
         tip=N_("Feather and shutter as the plate shows them, on all keys"),

@@ -29,10 +29,10 @@ from ..features.planar_tracking import PlanarTracking
 from ..features.playback import Playback
 from ..features.proposals import Proposals
 from ..features.tracking import Tracking
+from ..features.verbs.by_plate import plate_verbs
 from ..features.verbs.layers import LayerVerbs
 from ..features.verbs.masks import MaskShapes
 from ..features.verbs.objects import ObjectVerbs
-from ..features.verbs.plate_edge import PlateEdge
 from ..features.verbs.shapes import ShapeVerbs
 from ..features.verbs.splines import SplineVerbs
 from ..files.file_actions import FileActions
@@ -41,6 +41,7 @@ from ..files.recovering import Recovering
 from ..files.reopening import Reopening
 from ..files.reviewing import Reviewing
 from ..jobs import warm_up
+from ..jobs.by_plate.jobs import PlateJobs
 from ..jobs.copying import Copying
 from ..jobs.decode import PlateReader
 from ..jobs.export import Export
@@ -50,7 +51,6 @@ from ..jobs.planar import PlanarTrack
 from ..jobs.propagation import Propagation
 from ..jobs.review.job import ReviewJob
 from ..jobs.runner import Runner
-from ..jobs.softening import Softening
 from ..jobs.under_way import UnderWay
 from ..journal.journal import Journal
 from ..model.document import Document
@@ -129,10 +129,10 @@ class MainWindow(QMainWindow):
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
-        self.softening = Softening(self.document, self.solver, self.reader.engine_frame, self)
+        self.plate_jobs = PlateJobs.of(self.document, self.solver, self.reader.engine_frame, self)
         self.review_job = ReviewJob(self.document, self.writer, self.reader.engine_frame, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
-        self.under_way = UnderWay(*works, self.softening, self.review_job, parent=self)
+        self.under_way = UnderWay(*works, *self.plate_jobs.all, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -321,7 +321,7 @@ class MainWindow(QMainWindow):
             self.shape_verbs,
             MaskShapes(self, self.document, self.view_state, self.pictures),
             SplineVerbs(self.document, self.view_state),
-            PlateEdge(self.document, self.view_state, self.softening),
+            *plate_verbs(self, self.document, self.view_state, self.plate_jobs),
             tracking,
             self.proposals,
             time,
@@ -445,6 +445,6 @@ class MainWindow(QMainWindow):
         self.playback.pause()
         self.propagation.drop()
         self.planar.drop()
-        self.softening.drop()
+        self.plate_jobs.drop()
         for part in (self.solver, self.eye, self.reader, self.writer, self.saver, self.files.claim, self.journal):
             part.close()

@@ -1746,6 +1746,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Wie glatt die Kante ist: weniger folgt feineren Details</translation>
     </message>
     <message>
+        <source>How strongly tracked edges are drawn to the motion of the picture. At 50 % they boil less by a tenth on rendered figures and by a twentieth on filmed shots, about a third of what tracking adds there to a drawn mask&apos;s own; at 100 % hardly less still. At 0 % nothing moves</source>
+        <translation>Wie stark getrackte Kanten der Bewegung des Bildes folgen. Bei 50 % flimmern sie bei gerenderten Figuren um ein Zehntel und bei gefilmten Einstellungen um ein Zwanzigstel weniger, etwa ein Drittel dessen, was das Tracking dort zum Flimmern einer gezeichneten Maske hinzufügt; bei 100 % kaum noch weniger. Bei 0 % bewegt sich nichts</translation>
+    </message>
+    <message>
         <source>How the engine works</source>
         <translation>Wie die Engine arbeitet</translation>
     </message>
@@ -2295,6 +2299,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Form bewegen</translation>
     </message>
     <message>
+        <source>Move tracked keys so that their outlines boil less</source>
+        <translation>Getrackte Keyframes so bewegen, dass ihre Umrisse weniger flimmern</translation>
+    </message>
+    <message>
         <source>Move x, y</source>
         <translation>Bewegen x, y</translation>
     </message>
@@ -2445,6 +2453,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>No shape is selected; select some, or export all.</source>
         <translation>Keine Form ist ausgewählt; bitte einige auswählen oder alle exportieren.</translation>
+    </message>
+    <message>
+        <source>No tracked key could be steadied; nothing was changed.</source>
+        <translation>Kein getrackter Keyframe ließ sich beruhigen; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>No tracked key lies between in and out; track or fill the shapes first.</source>
+        <translation>Zwischen In und Out liegt kein getrackter Keyframe; bitte die Formen zuerst tracken oder füllen.</translation>
     </message>
     <message>
         <source>None</source>
@@ -2624,6 +2640,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Only a closed shape has a matte</source>
         <translation>Nur eine geschlossene Form hat eine Matte</translation>
+    </message>
+    <message>
+        <source>Only a closed shape that is not locked can be steadied; unlock or close one.</source>
+        <translation>Nur eine geschlossene Form, die nicht gesperrt ist, lässt sich beruhigen; bitte eine entsperren oder schließen.</translation>
     </message>
     <message>
         <source>Only a closed shape that is not locked has an edge to match; unlock or close one.</source>
@@ -3796,6 +3816,26 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Status</translation>
     </message>
     <message>
+        <source>Steadiness</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Beruhigen</translation>
+    </message>
+    <message>
+        <source>Steady the outline</source>
+        <translation>Umriss beruhigen</translation>
+    </message>
+    <message>
+        <source>Steady the outline…</source>
+        <translation>Umriss beruhigen…</translation>
+    </message>
+    <message>
+        <source>Steadying the outlines …</source>
+        <translation>Umrisse werden beruhigt …</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
@@ -3822,6 +3862,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Stopped; no edge was changed.</source>
         <translation>Angehalten; keine Kante wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Stopped; no key was moved.</source>
+        <translation>Angehalten; kein Keyframe wurde bewegt.</translation>
     </message>
     <message>
         <source>Stopped; pictures that are finished stay.</source>
@@ -4614,6 +4658,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Bearbeitungen lassen sich nicht ins Journal schreiben ({reason}); bitte das Projekt selbst speichern.</translation>
     </message>
     <message>
+        <source>Your keys stay as they are; tracking again replaces what is moved.</source>
+        <translation>Eigene Keyframes bleiben, wie sie sind; erneutes Tracken ersetzt, was bewegt wird.</translation>
+    </message>
+    <message>
         <source>Your own files are not changed until you save. What you leave here stays.</source>
         <translation>Die eigenen Dateien ändern sich erst beim Speichern. Was hier liegen bleibt, bleibt erhalten.</translation>
     </message>
@@ -4688,6 +4736,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>boil</source>
         <translation>Flimmern</translation>
+    </message>
+    <message>
+        <source>boil jitter tremble smooth stabilise stabilize temporal steadiness</source>
+        <translation>flimmern zittern beben glätten stabilisieren beruhigen zeitlich ruhe</translation>
     </message>
     <message>
         <source>bookmark marker flag note</source>
@@ -5662,6 +5714,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{count} Frames, von {first} bis {last}</translation>
     </message>
     <message>
+        <source>{count} key</source>
+        <translation>{count} Keyframe</translation>
+    </message>
+    <message>
+        <source>{count} keys</source>
+        <translation>{count} Keyframes</translation>
+    </message>
+    <message>
         <source>{count} layers</source>
         <translation>{count} Ebenen</translation>
     </message>
@@ -5735,6 +5795,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{keys} is the key of “{action}”.</source>
         <translation>{keys} ist die Taste von „{action}“.</translation>
+    </message>
+    <message>
+        <source>{keys} moved; boil {before:.2f} px before, {after:.2f} px now.</source>
+        <translation>{keys} bewegt; Flimmern vorher {before:.2f} px, jetzt {after:.2f} px.</translation>
+    </message>
+    <message>
+        <source>{keys} moved; their boil could not be measured.</source>
+        <translation>{keys} bewegt; ihr Flimmern ließ sich nicht messen.</translation>
     </message>
     <message>
         <source>{keys} moves the selected points; choose another key.</source>
@@ -5879,6 +5947,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{sentence}. Drag to change</source>
         <translation>{sentence}. Ziehen ändert</translation>
+    </message>
+    <message>
+        <source>{shapes}, tracked keys of frames {first} to {last}</source>
+        <translation>{shapes}, getrackte Keyframes von Frame {first} bis {last}</translation>
     </message>
     <message>
         <source>{shown}{fps:g} fps{times}</source>

@@ -23,6 +23,7 @@ COMMANDS: dict[str, str] = {
     "fill": "fill in shapes between their keys",
     "plane": "follow the surface under shapes",
     "soften": "make shapes as soft as the edge in the plate",
+    "steady": "move tracked and filled keys so that their outlines boil less",
     "export": "write a project's shapes for another program",
     "import": "read another program's shapes into a project",
     "render": "write a project's mattes",

@@ -28,13 +28,16 @@ def dense_flow(
     return cell_flow(old, new, is_exact), cell_flow(new, old, is_exact)  # each on all threads that OpenCV has
 
 
-def cell_flow(before: UInt8, after: UInt8, is_exact: bool = False) -> Float32:
-    """Flow `(rows, columns, 2)` from one grey picture `(rows, columns)` to another, as in `dense_flow`."""
+def cell_flow(before: UInt8, after: UInt8, is_exact: bool = False, finest: int = 1) -> Float32:
+    """Flow `(rows, columns, 2)` from one grey picture `(rows, columns)` to another, as in `dense_flow`.
+
+    Exact flow ends at the level `finest` of the pyramid: at 0, the cells themselves, it takes four times as long.
+    """
     rows, columns = before.shape
     # A new instance a call: it keeps buffers, and results must not depend on what it saw before.
     if is_exact:
         solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_FAST)
-        solver.setFinestScale(1)
+        solver.setFinestScale(finest)
         solver.setPatchStride(5)  # a quarter faster than the preset's 4, and as good
         solver.setVariationalRefinementIterations(0)  # they would take as long again, and gain nothing
     else:

@@ -89,6 +89,16 @@ VERBS: dict[str, Verb] = {
         (_CONFIG, _SHAPE, _ALONE),
         makes_project=True,
     ),
+    "steady": Verb(
+        "tracked and filled keys moved so that their outlines boil less",
+        (
+            Field("strength", Kind.NUMBER, "from 0, nothing, to 1"),
+            Field("start", Kind.WHOLE, "first frame (the first with a tracked key)"),
+            Field("end", Kind.WHOLE, "last frame (the last with a tracked key)"),
+            _SHAPE,
+        ),
+        makes_project=True,
+    ),
     "soften": Verb(
         "motion blur and feather as the plate's edges have them",
         (Field("by", Kind.TEXT, "what the softness becomes", ("both", "motion-blur", "feather")), _SHAPE),

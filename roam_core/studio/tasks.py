@@ -16,6 +16,7 @@ from roam_core.roto.relinking import relinked
 from roam_core.studio.jobs import Job, Jobs, Step
 
 SOLVING = ("track", "fill")
+LOOKING = ("steady", "soften")
 RECORDS = "steps"
 """The folder of a job in which the records of its steps lie."""
 
@@ -109,7 +110,7 @@ def pieces(task: Task, parts: Sequence[tuple[tuple[int, int], Sequence[str]]]) -
 def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
     clip = job.clip or str(_clip_of(job.init))
     project = job.init if job.init is not None and job.init.suffix.lower() == ".roam" else None
-    makers = [k for k, step in enumerate(job.steps) if step.verb in ("track", "fill", "soften", "import")]
+    makers = [k for k, step in enumerate(job.steps) if step.verb in ("track", "fill", "steady", "soften", "import")]
     tasks: list[Task] = []
     taken: set[str] = set()
     for k, step in enumerate(job.steps):
@@ -127,7 +128,7 @@ def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
                 tuple(words),
                 str(folder),
                 tuple(str(path) for path in reads),
-                clip if solves or step.verb == "soften" else "",
+                clip if solves or step.verb in LOOKING else "",
                 job.layer,
                 {
                     "program": __version__,
@@ -166,7 +167,7 @@ def _words(
         words = ["import", str(source), "--into", str(project), *options, "--json", "--save", str(place)]
         return [source, project], words
     assert project is not None
-    if step.verb in ("fill", "soften"):
+    if step.verb in ("fill", *LOOKING):
         return [project], [step.verb, str(project), *options, "--json", "--save", str(place)]
     if step.verb == "render":
         return [project], ["render", str(project), "--out", str(folder / _free("mattes", taken)), *options, "--json"]

@@ -18,6 +18,7 @@ from pytestqt.qtbot import QtBot
 from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.palette import Palette
 from app.features.clipboards.paste_range import PasteRangeDialog
+from app.features.verbs.steady_dialog import SteadyDialog
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
 from app.tools.edit.numbers import NumbersDialog
@@ -113,7 +114,8 @@ def dialogs_of(window: MainWindow) -> Iterator[QWidget]:
     assert palette.isVisible()
     yield palette
     palette.hide()
-    for made in (MaskDialog("masks", SIZE), PasteRangeDialog((FIRST, FIRST + COUNT)), NumbersDialog()):
+    in_out = FIRST, FIRST + COUNT
+    for made in (MaskDialog("masks", SIZE), PasteRangeDialog(in_out), SteadyDialog(2, in_out), NumbersDialog()):
         made.show()
         yield made
         made.close()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ...jobs.softening import Softening
+from ...jobs.by_plate.softening import Softening
 from ...model.document import Document
 from ...model.view_state import ViewState, shapes_in_hand
 from ...translation import tr

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import csc_array
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import SuperLU, splu
 
 from roam_core.arrays import Array, Bools, Indices
 from roam_core.geometry import bezier
@@ -83,6 +83,23 @@ def _way_back(points: Array, sample: Array, rigidity: float) -> Array:
 
     A handle that lies on its anchor stays there: corners and polygons keep their kind.
     """
+    tie, design, equations = _equations(points, sample, rigidity)
+    return np.asarray(csc_array(tie) @ equations.solve(np.ascontiguousarray(design.T)))
+
+
+def displaced(points: Array, segment: Indices, t: Array, by: Array, rigidity: float) -> Array:
+    """A closed spline `(P, 3, 2)` whose places at the pairs `(segment, t)` go by about `by (N, 2)`.
+
+    Least squares, as in a `NodeMap`; smooth points stay smooth.
+    """
+    sample = bezier.design_matrix(len(points), segment, t)
+    tie, design, equations = _equations(points, sample, rigidity)
+    moved = points.reshape(-1, 2) + csc_array(tie) @ equations.solve(csc_array(design).T @ by)
+    return bezier.aligned(moved.reshape(-1, 3, 2), smooth_points(points))
+
+
+def _equations(points: Array, sample: Array, rigidity: float) -> tuple[Array, Array, SuperLU]:
+    """The normal equations of `_way_back`: free numbers `(F,)` to control points, to places, and their factors."""
     count = len(points)
     tie = np.eye(3 * count)
     for index in range(count):
@@ -105,7 +122,7 @@ def _way_back(points: Array, sample: Array, rigidity: float) -> Array:
     # Sparse, because dense LAPACK rounds otherwise with another number of threads.
     rows, held = csc_array(design), csc_array(hold)
     normal = (rows.T @ rows + weight * (held.T @ held)).tocsc()
-    return np.asarray(csc_array(tie) @ splu(normal).solve(np.ascontiguousarray(design.T)))
+    return tie, design, splu(normal)
 
 
 def smooth_points(points: Array) -> Bools:

@@ -70,7 +70,9 @@ class Flows:
         grid = Grid.over(region, params.cells / scale)
         old, new = grid.of(before.grey), grid.of(after.grey)
         a_cell = (1.0 / grid.factor).astype(np.float32)
-        there, back = (cell_flow(*pair, is_exact=True) * a_cell for pair in ((old, new), (new, old)))
+        there, back = (
+            cell_flow(*pair, is_exact=True, finest=params.finest) * a_cell for pair in ((old, new), (new, old))
+        )
         return cls(grid, there, back)
 
     def at(self, flow: Float32, positions: Array) -> Array:
@@ -92,15 +94,32 @@ def residual(
 ) -> Array:
     """How far each place of `after` lies outside of where the picture's motion takes `before`: pixels `(N,)`.
 
-    Both are the spline `(P, 3, 2)` of one shape, the one a frame before the other; the mean of the way there and of the
-    way back. The object lies inside of it, or, where the shape `subtracts`, outside.
+    The mean of `both_ways`, up to `params.most`.
+    """
+    found = 0.5 * sum(both_ways(flows, before, after, places, params, scale, subtracts=subtracts))
+    return np.asarray(np.clip(found, -params.most * scale, params.most * scale))
+
+
+def both_ways(
+    flows: Flows,
+    before: Array,
+    after: Array,
+    places: Places,
+    params: ResidualParams,
+    scale: float,
+    *,
+    subtracts: bool = False,
+) -> tuple[Array, Array]:
+    """As `residual`, by the way back and by the way there: where these differ the flow is not to be trusted.
+
+    Both outlines are the spline `(P, 3, 2)` of one shape, the one a frame before the other. The object lies inside of
+    it, or, where the shape `subtracts`, outside.
     """
     inset = (-1.0 if subtracts else 1.0) * params.inset * scale
     (old, old_out), (new, new_out) = places.on(before), places.on(after)
     carried = old + flows.at(flows.there, old - inset * old_out)
     brought = new + flows.at(flows.back, new - inset * new_out)
-    found = 0.5 * (beyond(old, old_out, brought, params.along) - beyond(new, new_out, carried, params.along))
-    return np.asarray(np.clip(found, -params.most * scale, params.most * scale))
+    return beyond(old, old_out, brought, params.along), -beyond(new, new_out, carried, params.along)
 
 
 def beyond(positions: Array, outward: Array, ring: Array, along: int) -> Array:

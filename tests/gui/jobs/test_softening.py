@@ -11,8 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from app.features.tracking import NO_CLIP
 from app.features.verbs.plate_edge import PlateEdge
+from app.jobs.by_plate.softening import Softening
 from app.jobs.runner import Ending, Runner
-from app.jobs.softening import Softening
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.arrays import UInt8

@@ -1,0 +1,109 @@
+"""`roam steady P.roam`: tracked and filled keys moved so that their outlines boil less."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from roam_core.cancel import Progress
+from roam_core.cli.bar import bar
+from roam_core.cli.lines import print_json
+from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.plate import loaded, opened
+from roam_core.cli.stopping import cancelling
+from roam_core.cli.track import require_target
+from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
+from roam_core.interchange.targets import Sources, require_free
+from roam_core.params.steadiness import RESIDUAL, STEADINESS
+from roam_core.propagate.steadiness.steadying import Steadied, steadying, told
+from roam_core.roto import Origin, RotoShape
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument(
+        "--strength",
+        type=float,
+        default=STEADINESS.strength,
+        metavar="S",
+        help=f"from 0, nothing, to 1 (default: {STEADINESS.strength:g})",
+    )
+    parser.add_argument(
+        "--shape", action="append", metavar="NAME", help="steady only this shape, or these (may be given again)"
+    )
+    parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the first with a tracked key)")
+    parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the last with a tracked key)")
+    parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--json", action="store_true", help="print one line of JSON for each key that moved")
+    add_overwrite(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    target = arguments.project if arguments.save is None else arguments.save
+    if not 0.0 <= arguments.strength <= 1.0:
+        raise RoamError(f"--strength {arguments.strength:g} is not between 0 and 1.")
+    write = project_writer(target, arguments.project)
+    project = loaded(arguments.project)
+    asked = trackable(project, Picking(arguments.shape))
+    if not asked:
+        raise RoamError(f"{arguments.project} holds no closed, unlocked shape to steady.")
+    frames = _frames(asked, arguments.start, arguments.end, arguments.project)
+    with opened(str(project.require_clip().path), project.clip) as plate:
+        require_target(target)
+        sources = Sources.of(plate.source, arguments.project)
+        require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=arguments.project)
+        tell_of_holder(target)
+        with cancelling() as token, _progress() as progress:
+            found = steadying(
+                plate.read_or_bridge, asked, frames, arguments.strength, STEADINESS, RESIDUAL, token, progress
+            )
+    for old, new in zip(asked, found.shapes, strict=True):
+        if new is not old:
+            project = project.with_shape(new)
+    write(project)
+    if arguments.json:
+        _print_lines(found)
+    print(told(found), file=sys.stderr)
+    return 0
+
+
+def _frames(shapes: Sequence[RotoShape], start: int | None, end: int | None, path: Path) -> range:
+    """The frames whose keys may move: those asked for, or all that have a tracked key."""
+    tracked = [key.frame for shape in shapes for key in shape.keys if key.origin is Origin.ENGINE]
+    if not tracked:
+        raise RoamError(f"{path} has no tracked or filled key to steady; track or fill its shapes first.")
+    first, last = min(tracked) if start is None else start, max(tracked) if end is None else end
+    if first > last:
+        raise RoamError(f"--start {first} lies after --end {last}; give an earlier first frame.")
+    if not any(first <= frame <= last for frame in tracked):
+        raise RoamError(f"Frames {first} to {last} hold no tracked key; there are some from {min(tracked)} on.")
+    return range(first, last + 1)
+
+
+def _print_lines(found: Steadied) -> None:
+    """One line for each key that moved; null where its boil is not known."""
+    names = {shape.id: shape.name for shape in found.shapes}
+    for (shape, frame), moved in found.moved.items():
+        before, after = found.boil.get((shape, frame), (None, None))
+        print_json(
+            {
+                "shape": names[shape],
+                "frame": frame,
+                "moved": round(moved, 3),
+                "boil_before": None if before is None else round(before, 3),
+                "boil": None if after is None else round(after, 3),
+            }
+        )
+
+
+@contextmanager
+def _progress() -> Iterator[Progress]:
+    with bar(1.0) as shown:
+        yield lambda fraction, _: shown.update(fraction - shown.n)
