@@ -57,8 +57,8 @@ WITHOUT_TEXT = {
 """Distributions that hold no text of their licence, and where it lies here."""
 
 
-NAMED = {"opencolorio": "BSD-3-Clause"}
-"""Distributions that give the text of their licence where others give its name."""
+NAMED = {"opencolorio": "BSD-3-Clause", "openexr": "BSD-3-Clause"}
+"""Distributions that give the text of their licence where others give its name, or its text alone."""
 
 
 class Refused(Exception):

@@ -31,6 +31,8 @@ from ..translation import N_, tr
 from ..widgets.controls import weak_label
 
 DISTRIBUTION = "roam-roto"
+UNNAMED = {"OpenEXR": "BSD-3-Clause"}
+"""The licences of libraries whose packages hold its text and not its name."""
 GESTURES = (
     (N_("Ctrl+Alt+click"), N_("Insert a point on the outline")),
     (N_("Ctrl+drag"), N_("Break a tangent; from an anchor: pull its handles out")),
@@ -151,6 +153,8 @@ def _library(name: str) -> Library:
     about = metadata.metadata(name)
     if "License-Expression" in about:
         return Library(about["Name"], about["Version"], about["License-Expression"])
+    if about["Name"] in UNNAMED:
+        return Library(about["Name"], about["Version"], UNNAMED[about["Name"]])
     classified = [line.split(" :: ")[-1] for line in about.get_all("Classifier") or [] if line.startswith("License ::")]
     texts = about.get_all("License") or [tr("see its package")]
     licence = ", ".join(classified) or texts[0].strip().splitlines()[0]

@@ -171,7 +171,7 @@ class PlateReader(QObject):
         if self._cache is None or self._source is None:
             raise RoamError(tr("There is no plate to track in; open a clip first."))
         width, height = self._source.size
-        return PartialPicture((height, width), self._source.colour_space, None, 0, self._cache.read(frame))
+        return PartialPicture((height, width), self._source.colour_space, None, (0, 0), self._cache.read(frame))
 
     def show(self, frame: int) -> None:
         """Ask for the picture of `frame`. While one is being decoded only the last wish counts.

@@ -20,7 +20,7 @@ from typing import IO
 from roam_core import __version__
 from roam_core.atomic_write import is_alive
 
-LIBRARIES = ("PySide6-Essentials", "numpy", "numba", "opencv-python-headless", "OpenImageIO", "scipy")
+LIBRARIES = ("PySide6-Essentials", "numpy", "numba", "opencv-python-headless", "OpenEXR", "OpenImageIO", "scipy")
 MESSAGES = 20
 """How many of the last messages a report holds."""
 KEPT = 10

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from roam_core.arrays import Image
-from roam_core.media.source import PlateSource, Rows
+from roam_core.media.source import Areas, PlateSource
 
 
 @dataclass(frozen=True)
@@ -57,9 +57,9 @@ class DeclaredPlate:
         """The picture `(h, w, 3)` of a frame: the same values; what they mean is what was declared."""
         return self.source.read(frame)
 
-    def rows(self, frame: int) -> Rows | None:
-        """The rows of a frame, where some are read in less time than all."""
-        return self.source.rows(frame)
+    def areas(self, frame: int) -> Areas | None:
+        """The areas of a frame, where one is read in less time than all of it."""
+        return self.source.areas(frame)
 
     def file_of(self, frame: int) -> Path:
         """The file that holds a frame."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
@@ -13,11 +13,15 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
+from roam_core.media.area import Area
 from roam_core.media.colour_spaces import space_by_rule, space_called, space_with_primaries
 from roam_core.media.curves import LINEAR, LOG, SRGB
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of
 from roam_core.media.measure import plain_name, require_size, require_told_size
 from roam_core.media.source import DamagedFrame, ImageHeader
+
+if TYPE_CHECKING:
+    from roam_core.media.scanlines import ScanlineReader
 
 LARGEST_IMAGE_MB = 2048
 """A header that claims more uncompressed MiB, over all channels of which three are read, is taken for damaged."""
@@ -35,8 +39,9 @@ MOST_LISTED = 12
 """Layers that a message names."""
 
 _KINDS = {oiio.UINT8: "uint8", oiio.UINT16: "uint16", oiio.HALF: "half"}
-_WITH_ROWS = frozenset({"openexr", "dpx", "tiff"})
-"""Formats of which some rows are read without those before them."""
+_TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float16, "float": np.float32}
+_WITH_AREAS = frozenset({"openexr", "dpx", "tiff"})
+"""Formats of which an area is read without what lies before it."""
 _FORMATS_WITHOUT_FILES = frozenset({"null", "term"})
 _UNLIKELY_EXTENSIONS = frozenset({"z", "int", "inta", "env", "sm", "vsm"})
 """Extensions that a folder of plates uses for other things than images."""
@@ -72,37 +77,33 @@ def read_header(file: Path, layer: str = "") -> ImageHeader:
     )
 
 
-def read_image(file: Path, layer: str = "", rows: tuple[int, int] | None = None) -> Image:
+def read_image(file: Path, layer: str = "", area: Area | None = None, scanlines: ScanlineReader | None = None) -> Image:
     """Read one image as RGB `(h, w, 3)`: uint8, uint16, float16 or float32, whichever holds its values.
 
     Parameters
     ----------
     layer : the name of one of its layers (`roam_core.media.layers`); the one that is the picture itself if "".
-    rows : only those from the first to before the second, `(end - first, w, 3)`; of a file with `size_in_rows`
-        the others are not decoded. None: all.
+    area : only that of the picture, `(rows, columns, 3)`; of a file with `size_in_areas` as little is decoded beside
+        it as the format allows. None: all.
+    scanlines : reads those of an EXR, the same values in less time; what it does not give, OpenImageIO reads.
 
     Raises
     ------
     RoamError
-        when it is no image, damaged, cut short, larger than `measure.MAX_PIXELS`, or has no such layer. Of some `rows`,
-        where those are damaged.
+        when it is no image, damaged, cut short, larger than `measure.MAX_PIXELS`, or has no such layer. Of an `area`,
+        where that is damaged.
     """
     source, layers = _open(file)
     chosen = _seek(file, source, layers, layer)
-    stored = _stored_rows(source, rows)
-    first, end = min(chosen.channels), max(chosen.channels) + 1
-    if end - first > WIDEST_SPAN:  # what lies between is not read: it may be a thousand channels
-        planes = [_pixels(file, source, chosen.part, (channel, channel + 1), stored) for channel in chosen.channels]
-        return _in_display_window(np.dstack(planes), source, stored, rows)
-    pixels = _pixels(file, source, chosen.part, (first, end), stored)
-    picked = [channel - first for channel in chosen.channels]
-    if picked != list(range(end - first)):
-        pixels = np.ascontiguousarray(pixels[..., picked])
-    return _in_display_window(pixels, source, stored, rows)
+    stored = _stored_area(source, area)
+    pixels = _scanlines(file, source, chosen.part, chosen.channels, stored, scanlines)
+    if pixels is None:
+        pixels = _channels(file, source, chosen.part, chosen.channels, stored)
+    return _in_display_window(pixels, source, stored, area)
 
 
-def size_in_rows(file: Path, layer: str = "") -> tuple[int, int] | None:
-    """The picture's (width, height) where some rows of a layer are read in less time than all; None where not.
+def size_in_areas(file: Path, layer: str = "", scanlines: ScanlineReader | None = None) -> tuple[int, int] | None:
+    """The picture's (width, height) where an area of a layer is read in less time than all of it; None where not.
 
     Raises
     ------
@@ -111,10 +112,12 @@ def size_in_rows(file: Path, layer: str = "") -> tuple[int, int] | None:
     """
     source, layers = _open(file)
     chosen = _seek(file, source, layers, layer)
-    if source.format_name() not in _WITH_ROWS:
+    if source.format_name() not in _WITH_AREAS:
         return None
-    end = source.spec().height
-    _pixels(file, source, chosen.part, (chosen.channels[0], chosen.channels[0] + 1), (end - 1, end))
+    width, height = source.spec().width, source.spec().height
+    last_row, channel = Area(height - 1, height, 0, width), chosen.channels[:1]
+    if _scanlines(file, source, chosen.part, channel, last_row, scanlines) is None:
+        _channels(file, source, chosen.part, channel, last_row)
     return _display_size(source)
 
 
@@ -131,7 +134,7 @@ def read_alpha(file: Path) -> Image | None:
         channel = source.spec().alpha_channel
         if channel < 0:
             return None
-        stored = _stored_rows(source, None)
+        stored = _stored_area(source, None)
         pixels = _pixels(file, source, 0, (channel, channel + 1), stored)
     except RoamError as error:
         raise DamagedFrame(str(error)) from None
@@ -246,24 +249,58 @@ def _listed(names: Sequence[str]) -> str:
     return ", ".join(names[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
 
 
-def _pixels(file: Path, source: Any, part: int, channels: tuple[int, int], rows: tuple[int, int]) -> Image:
-    """The channels from the first to before the second of some of the rows that are stored, `(k, w, n)`."""
+def _scanlines(
+    file: Path, source: Any, part: int, channels: Sequence[int], area: Area, scanlines: ScanlineReader | None
+) -> Image | None:
+    """Channels of an area of what is stored, `(rows, columns, n)`; None where they are no scanlines that are given."""
     spec, kind = source.spec(), _kind(source)
-    first, end = rows
-    if end <= first:
-        return np.asarray(source.read_image(part, 0, *channels, kind))[:0]
-    if (first, end) == (0, spec.height) or source.format_name() not in _WITH_ROWS:
-        pixels, top = source.read_image(part, 0, *channels, kind), 0
+    if scanlines is None or not _is_exr(source) or part != 0 or spec.tile_width or area.is_empty:
+        return None
+    if any(spec.channelformat(channel).basetype not in (oiio.HALF, oiio.FLOAT) for channel in channels):
+        return None
+    return scanlines.read(file, spec, [spec.channelnames[channel] for channel in channels], kind, area)
+
+
+def _channels(file: Path, source: Any, part: int, channels: Sequence[int], area: Area) -> Image:
+    """Channels of an area of what is stored, `(rows, columns, n)`."""
+    first, end = min(channels), max(channels) + 1
+    if end - first > WIDEST_SPAN:  # what lies between is not read: it may be a thousand channels
+        return np.dstack([_pixels(file, source, part, (channel, channel + 1), area) for channel in channels])
+    pixels = _pixels(file, source, part, (first, end), area)
+    picked = [channel - first for channel in channels]
+    return pixels if picked == list(range(end - first)) else np.ascontiguousarray(pixels[..., picked])
+
+
+def _pixels(file: Path, source: Any, part: int, channels: tuple[int, int], area: Area) -> Image:
+    """The channels from the first to before the second of an area of what is stored, `(rows, columns, n)`."""
+    spec, kind = source.spec(), _kind(source)
+    top = left = 0
+    if area.is_empty:
+        return np.zeros((area.rows, area.columns, channels[1] - channels[0]), _TYPES[kind])
+    if area == _all_of(spec) or source.format_name() not in _WITH_AREAS:
+        pixels = source.read_image(part, 0, *channels, kind)
     elif spec.tile_height:
-        top, below = first - first % spec.tile_height, min(end + -end % spec.tile_height, spec.height)
-        across = spec.x, spec.x + spec.width
-        pixels = source.read_tiles(part, 0, *across, spec.y + top, spec.y + below, 0, 1, *channels, kind)
+        top, end = _whole_tiles(area.top, area.end, spec.tile_height, spec.height)
+        left, right = _whole_tiles(area.left, area.right, spec.tile_width, spec.width)
+        box = spec.x + left, spec.x + right, spec.y + top, spec.y + end
+        pixels = source.read_tiles(part, 0, *box, 0, 1, *channels, kind)
     else:
-        pixels, top = source.read_scanlines(part, 0, spec.y + first, spec.y + end, 0, *channels, kind), first
+        top = area.top
+        pixels = source.read_scanlines(part, 0, spec.y + top, spec.y + area.end, 0, *channels, kind)
     # A JPEG that is cut short still gives pixels (grey below the cut) beside its error.
     if pixels is None or source.has_error:
         raise _damaged(file, source)
-    return np.asarray(pixels)[first - top : end - top]
+    return area.cut_from(np.asarray(pixels), top, left)
+
+
+def _whole_tiles(low: int, high: int, side: int, most: int) -> tuple[int, int]:
+    """From the least multiple of `side` to the one, or the edge at `most`, that hold all from `low` to `high`."""
+    return low - low % side, min(high + -high % side, most)
+
+
+def _all_of(spec: Any) -> Area:
+    """All that a part stores."""
+    return Area(0, spec.height, 0, spec.width)
 
 
 def _damaged(file: Path, source: Any) -> RoamError:
@@ -300,29 +337,31 @@ def _corner(source: Any) -> tuple[int, int]:
     return (spec.x - spec.full_x, spec.y - spec.full_y) if _is_exr(source) else (0, 0)
 
 
-def _stored_rows(source: Any, rows: tuple[int, int] | None) -> tuple[int, int]:
-    """Those of the rows that are stored which hold some `rows` of the picture that is shown; None: all."""
-    height = source.spec().height
-    if rows is None:
-        return 0, height
-    first, end = (min(max(row - _corner(source)[1], 0), height) for row in rows)
-    return first, end
+def _stored_area(source: Any, area: Area | None) -> Area:
+    """What is stored of an `area` of the picture that is shown; None: all that is stored."""
+    everything = _all_of(source.spec())
+    if area is None:
+        return everything
+    column, row = _corner(source)
+    top, end = (min(max(each - row, 0), everything.end) for each in (area.top, area.end))
+    left, right = (min(max(each - column, 0), everything.right) for each in (area.left, area.right))
+    return Area(top, end, left, right)
 
 
-def _in_display_window(pixels: Image, source: Any, stored: tuple[int, int], rows: tuple[int, int] | None) -> Image:
-    """Some `rows` of the display window (None: all) out of the `stored` ones; zeros where it has none."""
-    spec = source.spec()
+def _in_display_window(pixels: Image, source: Any, stored: Area, area: Area | None) -> Image:
+    """An `area` of the display window (None: all of it) out of what is `stored` of it; zeros where it has none."""
     width, height = _display_size(source)
-    first, end = rows or (0, height)
-    left, top = _corner(source)
-    top += stored[0] - first
-    if (left, top, spec.width, len(pixels)) == (0, 0, width, end - first):
+    area = area or Area(0, height, 0, width)
+    column, row = _corner(source)
+    there = Area(stored.top + row, stored.end + row, stored.left + column, stored.right + column)
+    if there == area:
         return pixels
-    picture = np.zeros((end - first, width, 3), pixels.dtype)
-    x0, x1 = max(left, 0), min(left + spec.width, width)
-    y0, y1 = max(top, 0), min(top + len(pixels), end - first)
-    if x0 < x1 and y0 < y1:
-        picture[y0:y1, x0:x1] = pixels[y0 - top : y1 - top, x0 - left : x1 - left]
+    picture = np.zeros((area.rows, area.columns, 3), pixels.dtype)
+    shown = Area(
+        max(there.top, area.top), min(there.end, area.end), max(there.left, area.left), min(there.right, area.right)
+    )
+    if not shown.is_empty:
+        shown.of(picture, area.top, area.left)[:] = shown.of(pixels, there.top, there.left)
     return picture
 
 

@@ -61,7 +61,7 @@ class MoviePlate(ABC):
             raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
         return picture
 
-    def rows(self, frame: int) -> None:
+    def areas(self, frame: int) -> None:
         """None: a movie's pictures are decoded whole."""
         return None  # noqa: RET501 - that is an answer
 

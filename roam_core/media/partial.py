@@ -9,24 +9,29 @@ from functools import partial
 import numpy as np
 
 from roam_core.arrays import Image
+from roam_core.media.area import Area
 from roam_core.media.colour import ROWS_AT_ONCE, to_engine
 from roam_core.media.curves import COLOUR_SPACES
-from roam_core.media.source import MissingFrame, PlateSource, Rows
+from roam_core.media.source import Areas, MissingFrame, PlateSource
 
 ReadFrame = Callable[[int], "Image | PartialPicture"]
 """Gives the picture `(h, w, 3)` of a frame by its number, or its parts; raises `MissingFrame` in a gap."""
 
 
-class Band:
-    """The rows of a frame that were looked at: from the first to before the last, None while there are none."""
+COLUMNS_AT_ONCE = 128
+"""Columns are read in whole multiples of so many, and at least as many beyond those that are looked at on either side:
+otherwise each frame in which an object has moved would be read twice."""
+
+
+class LookedAt:
+    """The area of a frame that was looked at: the least around all of it, None while there was nothing."""
 
     def __init__(self) -> None:
-        self.rows: tuple[int, int] | None = None
+        self.area: Area | None = None
 
-    def grow(self, top: int, end: int) -> None:
-        """Some rows are looked at."""
-        first, last = self.rows or (top, end)
-        self.rows = min(first, top), max(last, end)
+    def grow(self, area: Area) -> None:
+        """An area is looked at."""
+        self.area = area if self.area is None else self.area.joined(area)
 
 
 class PartialPicture:
@@ -36,25 +41,26 @@ class PartialPicture:
 
     Parameters
     ----------
-    size : (h, w). colour_space : of the plate's values. rows : where its rows are read; None where all are held.
-    top, held : the rows `(k, w, 3)` that are there already, and which is the first of them.
-    band : is told which rows are looked at. failed : is told when rows could not be read.
+    size : (h, w). colour_space : of the plate's values. areas : where its areas are read; None where all is held.
+    corner, held : the area `(rows, columns, 3)` that is there already, and the row and column of its first pixel.
+    looked_at : is told which areas are looked at. failed : is told when one could not be read.
     """
 
     def __init__(
         self,
         size: tuple[int, int],
         colour_space: str,
-        rows: Rows | None,
-        top: int,
+        areas: Areas | None,
+        corner: tuple[int, int],
         held: Image,
-        band: Band | None = None,
+        looked_at: LookedAt | None = None,
         failed: Callable[[MissingFrame], None] | None = None,
     ) -> None:
         self.size = size
-        self._colour_space, self._rows, self._failed = colour_space, rows, failed
-        self._band = Band() if band is None else band
-        self._top, self._held = top, held
+        self._colour_space, self._areas, self._failed = colour_space, areas, failed
+        self._looked_at = LookedAt() if looked_at is None else looked_at
+        self._top, self._left = corner
+        self._held = held
         self._lock = threading.Lock()
 
     @property
@@ -73,58 +79,77 @@ class PartialPicture:
         Raises
         ------
         MissingFrame
-            where its rows cannot be read.
+            where it cannot be read.
         """
+        area = Area(top, end, left, right)
         with self._lock:
-            self._band.grow(top, end)
+            self._looked_at.grow(area)
+            strips = whole_strips(area, self.size, self._colour_space)
             try:
-                self._hold(*whole_strips(top, end, self.size[0]))
+                self._hold(strips)
             except MissingFrame as error:
                 if self._failed is not None:
                     self._failed(error)
                 raise
             if self._colour_space in COLOUR_SPACES:
-                return to_engine(self._held[top - self._top : end - self._top, left:right], self._colour_space)
+                return to_engine(area.of(self._held, self._top, self._left), self._colour_space)
             # OpenColorIO is given the very strips that it is given of the whole: it computes several pixels at a time.
-            above, below = whole_strips(top, end, self.size[0])
-            strips = to_engine(self._held[above - self._top : below - self._top], self._colour_space)
-            return strips[top - above : end - above, left:right]
+            converted = to_engine(strips.of(self._held, self._top, self._left), self._colour_space)
+            return area.of(converted, strips.top, strips.left)
 
-    def _hold(self, top: int, end: int) -> None:
-        """Have these rows at hand, and all between them and those that are."""
-        if len(self._held) == 0:
-            self._top = top
-        bottom = self._top + len(self._held)
+    def _hold(self, area: Area) -> None:
+        """Have this area at hand, and all between it and what is."""
+        if self._areas is None:
+            return
+        held = Area(self._top, self._top + self._held.shape[0], self._left, self._left + self._held.shape[1])
+        if held.is_empty or not held.spans(area):
+            wanted = with_columns_beside(area, self.size)
+            wanted = wanted if held.is_empty else wanted.joined(held)
+            self._held = self._areas.read(wanted)
+            self._top, self._left = wanted.top, wanted.left
+            return
         parts = [self._held]
-        if self._rows is not None and top < self._top:
-            parts.insert(0, self._rows.read(top, self._top))
-        if self._rows is not None and end > bottom:
-            parts.append(self._rows.read(bottom, end))
+        if area.top < held.top:
+            parts.insert(0, self._areas.read(held._replace(top=area.top, end=held.top)))
+        if area.end > held.end:
+            parts.append(self._areas.read(held._replace(top=held.end, end=area.end)))
         if len(parts) > 1:
             self._held = np.concatenate(parts)
-            self._top = min(top, self._top)
+            self._top = min(area.top, held.top)
 
 
-def whole_strips(top: int, end: int, height: int) -> tuple[int, int]:
-    """The rows of the strips, `ROWS_AT_ONCE` each, that hold the rows from `top` to before `end`."""
-    return top - top % ROWS_AT_ONCE, min(end + -end % ROWS_AT_ONCE, height)
+def whole_strips(area: Area, size: tuple[int, int], colour_space: str) -> Area:
+    """The area of the strips, `ROWS_AT_ONCE` rows each, that hold `area` of a picture (h, w).
+
+    Of a colour space that is converted by OpenColorIO they have the picture's whole width.
+    """
+    top, end = area.top - area.top % ROWS_AT_ONCE, min(area.end + -area.end % ROWS_AT_ONCE, size[0])
+    left, right = (area.left, area.right) if colour_space in COLOUR_SPACES else (0, size[1])
+    return Area(top, end, left, right)
+
+
+def with_columns_beside(area: Area, size: tuple[int, int]) -> Area:
+    """What is read of a picture (h, w) for an area: see `COLUMNS_AT_ONCE`."""
+    left, right = max(area.left - COLUMNS_AT_ONCE, 0), area.right + COLUMNS_AT_ONCE
+    left, right = left - left % COLUMNS_AT_ONCE, min(right + -right % COLUMNS_AT_ONCE, size[1])
+    return area._replace(left=left, right=right)
 
 
 class PartialFrames:
-    """A plate for a `FrameCache`: of each frame the rows are decoded that it will probably be asked for.
+    """A plate for a `FrameCache`: of each frame the area is decoded that it will probably be asked for.
 
-    They are those which were looked at of it before, or of the frame nearest to it. All are decoded while nothing was
-    looked at yet, and where the plate does not give its rows (`PlateSource.rows`). `failed` is told of a frame more of
-    whose rows were wanted and could not be read.
+    It is around that which was looked at of it before, or of the frame nearest to it. All is decoded while nothing was
+    looked at yet, and where the plate does not give its areas (`PlateSource.areas`). `failed` is told of a frame of
+    which more was wanted and could not be read.
     """
 
     def __init__(self, source: PlateSource, failed: Callable[[int, MissingFrame], None]) -> None:
         self.readers = source.readers
         self._source, self._failed = source, failed
-        self._bands: dict[int, Band] = {}
+        self._looked_at: dict[int, LookedAt] = {}
 
     def read(self, frame: int) -> PartialPicture:
-        """A frame, with the rows that it will probably be asked for.
+        """A frame, with the area that it will probably be asked for.
 
         Raises
         ------
@@ -133,14 +158,15 @@ class PartialFrames:
         """
         size, space = self._source.size[::-1], self._source.colour_space
         expected = self._expected(frame)
-        band = self._bands.setdefault(frame, Band())
-        rows = self._source.rows(frame) if expected else None
-        if rows is None or expected is None:
-            return PartialPicture(size, space, None, 0, self._source.read(frame), band)
-        top, end = whole_strips(*expected, size[0])
-        return PartialPicture(size, space, rows, top, rows.read(top, end), band, partial(self._failed, frame))
+        looked_at = self._looked_at.setdefault(frame, LookedAt())
+        areas = self._source.areas(frame) if expected else None
+        if areas is None or expected is None:
+            return PartialPicture(size, space, None, (0, 0), self._source.read(frame), looked_at)
+        area = with_columns_beside(whole_strips(expected, size, space), size)
+        failed = partial(self._failed, frame)
+        return PartialPicture(size, space, areas, (area.top, area.left), areas.read(area), looked_at, failed)
 
-    def _expected(self, frame: int) -> tuple[int, int] | None:
-        """The rows that were looked at of the frame nearest to one, or of itself; None where of no frame any were."""
-        seen = [(abs(other - frame), other) for other, band in tuple(self._bands.items()) if band.rows]
-        return self._bands[min(seen)[1]].rows if seen else None
+    def _expected(self, frame: int) -> Area | None:
+        """What was looked at of the frame nearest to one, or of itself; None where of no frame anything was."""
+        seen = [(abs(other - frame), other) for other, each in tuple(self._looked_at.items()) if each.area]
+        return self._looked_at[min(seen)[1]].area if seen else None

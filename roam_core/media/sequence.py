@@ -7,7 +7,8 @@ from pathlib import Path
 
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
-from roam_core.media.decoding import read_header, read_image, size_in_rows
+from roam_core.media.area import Area
+from roam_core.media.decoding import read_header, read_image, size_in_areas
 from roam_core.media.numbering import FileSequence
 from roam_core.media.source import DamagedFrame, ImageHeader, MissingFrame
 
@@ -58,17 +59,17 @@ class ImageSequence:
         self._require_size(file, (image.shape[1], image.shape[0]))
         return image
 
-    def rows(self, frame: int) -> FileRows | None:
-        """The rows of a frame, where some are read in less time than all."""
+    def areas(self, frame: int) -> FileAreas | None:
+        """The areas of a frame, where one is read in less time than all of it."""
         file = self._existing(frame)
         try:
-            size = size_in_rows(file, self.layer)
+            size = size_in_areas(file, self.layer)
         except RoamError as error:
             raise DamagedFrame(str(error)) from None
         if size is None:
             return None
         self._require_size(file, size)
-        return FileRows(file, self.layer)
+        return FileAreas(file, self.layer)
 
     def _existing(self, frame: int) -> Path:
         """The file of a frame that there is."""
@@ -103,19 +104,19 @@ class ImageSequence:
 
 
 @dataclass(frozen=True)
-class FileRows:
-    """The rows of one file's layer."""
+class FileAreas:
+    """The areas of one file's layer."""
 
     file: Path
     layer: str
 
-    def read(self, top: int, end: int) -> Image:
-        """The rows from `top` to before `end`, `(end - top, w, 3)`; raises `DamagedFrame`."""
-        return _read(self.file, self.layer, (top, end))
+    def read(self, area: Area) -> Image:
+        """An area `(rows, columns, 3)` of the picture; raises `DamagedFrame`."""
+        return _read(self.file, self.layer, area)
 
 
-def _read(file: Path, layer: str, rows: tuple[int, int] | None) -> Image:
+def _read(file: Path, layer: str, area: Area | None) -> Image:
     try:
-        return read_image(file, layer, rows)
+        return read_image(file, layer, area)
     except RoamError as error:
         raise DamagedFrame(str(error)) from None

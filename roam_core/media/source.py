@@ -9,21 +9,22 @@ from typing import Protocol
 
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
+from roam_core.media.area import Area
 
 ReadImage = Callable[[int], Image]
 """Gives the picture `(h, w, 3)` of a frame by its number; raises `MissingFrame` in a gap."""
 
 
-class Rows(Protocol):
-    """A frame's file whose rows can be read by themselves."""
+class Areas(Protocol):
+    """A frame's file whose areas can be read by themselves."""
 
-    def read(self, top: int, end: int) -> Image:
-        """The rows from `top` to before `end`, `(end - top, w, 3)`, as `PlateSource.read` gives them.
+    def read(self, area: Area) -> Image:
+        """An area `(rows, columns, 3)` of the picture, as it is in that which `PlateSource.read` gives.
 
         Raises
         ------
         DamagedFrame
-            where they cannot be read.
+            where it cannot be read.
         """
 
 
@@ -105,8 +106,8 @@ class PlateSource(Protocol):
             from the others.
         """
 
-    def rows(self, frame: int) -> Rows | None:
-        """The rows of a frame, where some are read in less time than all; None where not, as of a movie.
+    def areas(self, frame: int) -> Areas | None:
+        """The areas of a frame, where one is read in less time than all of it; None where not, as of a movie.
 
         Raises
         ------

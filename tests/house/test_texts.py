@@ -33,7 +33,7 @@ SHOWN = {
 """Functions whose texts are seen, a single small word, too."""
 PROGRAM_ERRORS = {"TypeError", "ValueError", "KeyError", "AssertionError", "NotImplementedError"}
 NAMES = {
-    "Nuke", "Fusion", "English", "Deutsch", "Planar", "Root", "Manta", "My keys", "OpenImageIO",
+    "Nuke", "Fusion", "English", "Deutsch", "Planar", "Root", "Manta", "My keys", "OpenImageIO", "OpenEXR",
     "PySide6-Essentials", "License-Expression",
 }  # fmt: skip
 """Names, the same in all languages: programs, libraries, what stands in files under a name."""

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roam_core.arrays import Image
+from roam_core.media.area import Area
 from roam_core.media.decoding.pool import Pool
 from roam_core.media.source import ImageHeader
 
@@ -71,22 +72,22 @@ def read_header(file: Path, layer: str = "") -> ImageHeader:
     )
 
 
-def read_image(file: Path, layer: str = "", rows: tuple[int, int] | None = None) -> Image:
-    """The pixels of an image, or some of its rows (`roam_core.media.image_file.read_image`)."""
+def read_image(file: Path, layer: str = "", area: Area | None = None) -> Image:
+    """The pixels of an image, or an area of them (`roam_core.media.image_file.read_image`)."""
     if _pool is None:
         from roam_core.media.image_file import read_image
 
-        return read_image(file, layer, rows)
-    return _pool.ask(file, "image", {"layer": layer, "rows": rows}).picture
+        return read_image(file, layer, area)
+    return _pool.ask(file, "image", {"layer": layer, "area": area}).picture
 
 
-def size_in_rows(file: Path, layer: str = "") -> tuple[int, int] | None:
-    """The size of an image that can be read in rows (`roam_core.media.image_file.size_in_rows`)."""
+def size_in_areas(file: Path, layer: str = "") -> tuple[int, int] | None:
+    """The size of an image of which areas can be read (`roam_core.media.image_file.size_in_areas`)."""
     if _pool is None:
-        from roam_core.media.image_file import size_in_rows
+        from roam_core.media.image_file import size_in_areas
 
-        return size_in_rows(file, layer)
-    told = _pool.ask(file, "size in rows", {"layer": layer})
+        return size_in_areas(file, layer)
+    told = _pool.ask(file, "size in areas", {"layer": layer})
     return None if told.fields.get("size") is None else told.size()
 
 

@@ -22,6 +22,9 @@ PATIENCE = 60.0
 """Seconds of the clock beyond those of the processor, for disks and servers that are slow, until a process is ended."""
 START_SECONDS = 60.0
 LEAVE_SECONDS = 2.0
+OF_THE_HEAP, KEPT = 8 << 20, 32 << 20
+"""Bytes up to which glibc takes memory from its heap, and of the heap that it keeps though they are free: the pages of
+what is decoded of a frame are those of the frame before. Whole pictures of 4K are larger and go back to the system."""
 _REFUSALS = {kind.__name__: kind for kind in (RoamError, MissingFrame, DamagedFrame)}
 
 
@@ -174,8 +177,17 @@ def _name_of(code: int | None) -> str:
 
 
 def _environment() -> dict[str, str]:
-    """What the process finds: no folder of the user's on the path of its modules, few threads that it needs not."""
-    return {**os.environ, "PYTHONSAFEPATH": "1", "OPENBLAS_NUM_THREADS": "1", "MALLOC_ARENA_MAX": "4"}
+    """What the process finds: no folder of the user's on the path of its modules, few threads that it needs not, memory
+    that is used again.
+    """
+    return {
+        **os.environ,
+        "PYTHONSAFEPATH": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+        "MALLOC_ARENA_MAX": "4",
+        "MALLOC_MMAP_THRESHOLD_": str(OF_THE_HEAP),
+        "MALLOC_TRIM_THRESHOLD_": str(KEPT),
+    }
 
 
 def _windows_flags() -> int:

@@ -24,6 +24,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
+from roam_core.media.area import Area
 from roam_core.media.decoding.answers import write_pixels
 from roam_core.media.image_file import (
     has_several_images,
@@ -31,9 +32,10 @@ from roam_core.media.image_file import (
     read_channels,
     read_header,
     read_image,
-    size_in_rows,
+    size_in_areas,
     software_of,
 )
+from roam_core.media.scanlines import ScanlineReader
 
 if TYPE_CHECKING:
     from roam_core.media.movie_plate import MoviePlate
@@ -53,6 +55,7 @@ class Worker:
 
     def __init__(self, shared: BinaryIO, answers: BinaryIO) -> None:
         self._shared, self._answers = shared, answers
+        self._scanlines = ScanlineReader()
         self._movies: dict[str, MoviePlate] = {}
         self._seconds, self._spoke = 0.0, 0.0
 
@@ -104,11 +107,11 @@ class Worker:
     def _header(self, file: str, layer: str) -> Result:
         return asdict(read_header(Path(file), layer)), None
 
-    def _image(self, file: str, layer: str, rows: list[int] | None) -> Result:
-        return {}, read_image(Path(file), layer, None if rows is None else (rows[0], rows[1]))
+    def _image(self, file: str, layer: str, area: list[int] | None) -> Result:
+        return {}, read_image(Path(file), layer, None if area is None else Area(*area), self._scanlines)
 
-    def _size_in_rows(self, file: str, layer: str) -> Result:
-        return {"size": size_in_rows(Path(file), layer)}, None
+    def _size_in_areas(self, file: str, layer: str) -> Result:
+        return {"size": size_in_areas(Path(file), layer, self._scanlines)}, None
 
     def _alpha(self, file: str) -> Result:
         return {}, read_alpha(Path(file))
@@ -142,7 +145,7 @@ class Worker:
     _tasks: ClassVar[dict[str, Callable[..., Result]]] = {
         "header": _header,
         "image": _image,
-        "size in rows": _size_in_rows,
+        "size in areas": _size_in_areas,
         "alpha": _alpha,
         "channels": _channels,
         "several images": _several_images,

@@ -64,6 +64,7 @@ def test_about_tells_the_version_and_every_librarys_licence(qtbot: QtBot, window
     needed = [line for line in requirements if "extra ==" not in line or "extra == 'window'" in line.replace('"', "'")]
     assert len(named) == len(needed)
     assert "LGPL" in named["pyside6_essentials"].licence
+    assert named["openexr"].licence == "BSD-3-Clause"
     assert named["numpy"].version == metadata.version("numpy")
     assert all(library.licence for library in named.values())
 

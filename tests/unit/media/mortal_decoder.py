@@ -21,7 +21,7 @@ class Mortal(worker.Worker):
         """Give the answer, or another one."""
         super().say(answer)
 
-    def _image(self, file: str, layer: str, rows: list[int] | None) -> worker.Result:
+    def _image(self, file: str, layer: str, area: list[int] | None) -> worker.Result:
         match Path(file).stem.split(".")[0]:
             case "crash":
                 os.abort()
@@ -54,7 +54,7 @@ class Mortal(worker.Worker):
                     remembered.touch()
                     os.abort()
                 return {}, np.zeros((2, 2, 3), np.uint8)
-        return super()._image(file, layer, rows)
+        return super()._image(file, layer, area)
 
     _tasks = {**worker.Worker._tasks, "image": _image}  # noqa: RUF012
 

@@ -19,6 +19,7 @@ from roam_core.cli.performing import perform_on_worker
 from roam_core.errors import RoamError
 from roam_core.matte import read_mask
 from roam_core.media import DamagedFrame, MissingFrame, decoding, open_clip
+from roam_core.media.area import Area
 from roam_core.media.decoding import pool as pools
 from roam_core.media.decoding import process as processes_of
 from roam_core.media.decoding.pool import Pool
@@ -57,18 +58,18 @@ def is_alive(process_id: int) -> bool:
 # ---- the same values ------------------------------------------------------------------------------------------------
 
 
-def test_layers_rows_alpha_and_masks_come_as_they_do_here(tmp_path: Path, apart: Callable[[], None]) -> None:
+def test_layers_areas_alpha_and_masks_come_as_they_do_here(tmp_path: Path, apart: Callable[[], None]) -> None:
     parts = write_parts(tmp_path / "p.1001.exr", [("depth", "", ("Z",)), ("beauty", "", ("R", "G", "B", "A"))])
     mask = write_image(tmp_path / "mask.png", picture(3, 4), "uint16", oiio__UnassociatedAlpha=1)
     flat = write_image(tmp_path / "flat.exr", picture(4), "half")
 
     def all_read() -> list[object]:
         plate = open_clip(parts, "depth.Z")
-        rows = open_clip(flat).rows(1)
-        assert rows is not None
+        areas = open_clip(flat).areas(1)
+        assert areas is not None
         alpha = decoding.read_alpha(mask)
         assert alpha is not None
-        arrays = (plate.read(1001), rows.read(3, 9), alpha, read_mask(mask))
+        arrays = (plate.read(1001), areas.read(Area(3, 9, 2, 11)), alpha, read_mask(mask))
         return [plate.layers, plate.layer, *((array.dtype, array.shape, array.tobytes()) for array in arrays)]
 
     here = all_read()
