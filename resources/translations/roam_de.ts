@@ -1750,6 +1750,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Wie stark getrackte Kanten der Bewegung des Bildes folgen. Bei 50 % flimmern sie bei gerenderten Figuren um ein Zehntel und bei gefilmten Einstellungen um ein Zwanzigstel weniger, etwa ein Drittel dessen, was das Tracking dort zum Flimmern einer gezeichneten Maske hinzufügt; bei 100 % kaum noch weniger. Bei 0 % bewegt sich nichts</translation>
     </message>
     <message>
+        <source>How strongly what is filled between two keys is drawn to the motion of the picture: as it is, edges boil less by a tenth on rendered figures; at 0 they stay as they were found</source>
+        <translation>Wie stark das, was zwischen zwei Keyframes gefüllt wird, der Bewegung des Bildes folgt: so, wie es ist, flimmern Kanten bei gerenderten Figuren um ein Zehntel weniger; bei 0 bleiben sie, wie sie gefunden wurden</translation>
+    </message>
+    <message>
         <source>How the engine works</source>
         <translation>Wie die Engine arbeitet</translation>
     </message>

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from roam_core.params.evidence import KeyColoursParams
 from roam_core.params.stamped import later
+from roam_core.params.steadiness import STEADINESS
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,8 @@ class SpanParams:
         from which a pass by poses has come to it.
     apart : pixels of a 480-line image between the estimates of a point at which half the trust in it is gone.
     places : places along two outlines by which they are laid on each other.
+    steadiness : strength, in [0, 1], by which what was merged is drawn to the motion of the picture
+        (`propagate.steadiness.steadied`).
     endpoint_consistency : of what both passes are believed by. key_colours : of what the colours of both keys say.
     """
 
@@ -67,5 +70,6 @@ class SpanParams:
     arrived: float = 0.6
     apart: float = 4.0
     places: int = later(64)
+    steadiness: float = later(STEADINESS.strength)
     endpoint_consistency: EndpointConsistencyParams = later(EndpointConsistencyParams())
     key_colours: KeyColoursParams = later(KeyColoursParams())

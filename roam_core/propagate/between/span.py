@@ -17,6 +17,7 @@ from roam_core.features import PreparedFrame
 from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
+from roam_core.params.steadiness import STEADINESS
 from roam_core.propagate.between.directional_pass import DirectionalPass, directional_pass
 from roam_core.propagate.between.endpoint_consistency import Key, Span
 from roam_core.propagate.between.merge import Colours, Merged, merged
@@ -24,6 +25,7 @@ from roam_core.propagate.frame.result import Part
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import near, stacked, units
 from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 from roam_core.threads import each
@@ -46,13 +48,14 @@ def fill_span(
     Each gap between two neighbouring artist keys is one span: the object is carried forward from the first and
     backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
     piece, each believed as far as it met the other key (`propagate.between.endpoint_consistency`), and with what the
-    colours of both keys say (`proposal.cues.key_colours`). Shapes of one object with the same keys are filled together.
-    A shape that ends between two keys of its object is carried on from its last key; one that begins or ends on a key
-    gets no keys, but tells how much of the object the others do not show there.
+    colours of both keys say (`proposal.cues.key_colours`). Then each outline is drawn to the motion of the picture
+    beside it (`propagate.steadiness.steadied`), the artist's keys fixed. Shapes of one object with the same keys are
+    filled together. A shape that ends between two keys of its object is carried on from its last key; one that begins or
+    ends on a key gets no keys, but tells how much of the object the others do not show there.
 
     Parameters
     ----------
-    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for three times,
+    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for four times,
         in no particular order, by one thread at a time. A `MissingFrame` is passed over.
     only : the ids of the shapes that get keys; None: all. The others take part all the same.
     alone : each shape is filled as if there were no others.
@@ -103,12 +106,15 @@ class Reader:
         self._lock = threading.Lock()
 
     def __call__(self, frame: int) -> PreparedFrame:
+        return PreparedFrame(self.image(frame))
+
+    def image(self, frame: int) -> NDArray[Any] | PartialPicture:
+        """The picture as it was given."""
         with self._lock:
             try:
-                image = self._images[frame]
+                return self._images[frame]
             except KeyError:
                 raise RoamError(f"There is no image of frame {frame}; every frame of a span is looked at.") from None
-        return PreparedFrame(image)
 
 
 class _Meter:
@@ -158,7 +164,23 @@ class Filling:
                     if found is not None:
                         inputs = stamps.filled(k, gap, self.params, self.alone)
                         made[k].append(_engine_key(shapes[k], frame, found, inputs))
+            made |= self._steadied({k: shapes[k] for _, k in wanted}, made, gap)
         return made
+
+    def _steadied(
+        self, shapes: Mapping[int, RotoShape], made: Mapping[int, list[Keyframe]], gap: tuple[int, int]
+    ) -> dict[int, list[Keyframe]]:
+        """The keys that were made for each of the `shapes`, steadied between the two keys of the gap, by no others."""
+        region = self.params.region
+        if region is None:
+            return {}
+        alone = [
+            replace(shape, keys=(*(key for key in shape.keys if key.frame in gap), *made[k]))
+            for k, shape in shapes.items()
+        ]
+        between, strength = range(gap[0] + 1, gap[1]), region.span.steadiness
+        moved = steadied(self.read.image, alone, between, strength, STEADINESS, self.token)
+        return {k: [key for key in each.keys if key.frame in between] for k, each in zip(shapes, moved, strict=True)}
 
     @cached_property
     def finer(self) -> RoamParams:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -16,8 +16,12 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.matte.compose import render_matte
 from roam_core.media.source import MissingFrame
 from roam_core.params import CONFIGS
+from roam_core.params.steadiness import RESIDUAL
+from roam_core.propagate.between.endpoint_consistency import Span
+from roam_core.propagate.between.merge import Colours, Merged, merged
 from roam_core.propagate.between.span import Reader, spans
 from roam_core.propagate.shapes import provenance
+from roam_core.propagate.steadiness.boil import boil
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from tests.golden.shots import Shot, blob, outline_distance, pose
 from tests.narrow import Narrow
@@ -74,6 +78,37 @@ def test_filling_a_reversed_clip_gives_the_same_outlines(shot: Shot) -> None:
     [other] = fill_span(pictures(turned), [keyed(turned, FIRST, LAST)], FIRST, LAST)
     for frame in BETWEEN:
         assert outline_distance(one.at(frame).points, other.at(FIRST + LAST - frame).points) < 1e-6
+
+
+def trembling(span: Span, frame: int, alive: Collection[int] | None, colours: Colours | None) -> list[Merged | None]:
+    """What is merged, a hundredth larger on every other frame, and as much smaller on the others."""
+    factor = 1.01 if frame % 2 else 0.99
+    outlines = merged(span, frame, alive, colours)
+    middles = [None if each is None else each.points[:, 0].mean(axis=0) for each in outlines]
+    return [
+        None if each is None else replace(each, points=middle + factor * (each.points - middle))
+        for each, middle in zip(outlines, middles, strict=True)
+    ]
+
+
+def test_what_is_filled_is_steadied(shot: Shot, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("roam_core.propagate.between.span.merged", trembling)
+    shape = keyed(shot, FIRST, LAST)
+    [found] = fill_span(pictures(shot), [replace(shape, id="found")], FIRST, LAST, "best+steadiness=0")
+    [steady] = fill_span(pictures(shot), [shape], FIRST, LAST, "best")
+    boils = boil(shot.read, [found, steady], range(FIRST, LAST + 1), RESIDUAL)
+    before, after = (np.mean([boils[name, frame].pixels for frame in BETWEEN]) for name in ("found", shape.id))
+    assert before > 0.3
+    assert after < 0.7 * before
+    assert [steady.key_at(frame) for frame in (FIRST, LAST)] == list(shape.keys)
+
+
+def test_what_is_filled_is_steadied_between_its_own_two_keys(shot: Shot) -> None:
+    shape = keyed(shot, FIRST, FIRST + 4, LAST)
+    [whole] = fill_span(pictures(shot), [shape], FIRST, LAST)
+    [half] = fill_span(pictures(shot), [shape], FIRST, FIRST + 4)
+    [both] = fill_span(pictures(shot), [half], FIRST + 4, LAST)  # keys of the other gap say nothing
+    assert both == whole
 
 
 def test_an_artist_key_inside_divides_the_span(shot: Shot) -> None:
