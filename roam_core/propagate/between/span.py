@@ -50,8 +50,8 @@ def fill_span(
     piece, each believed as far as it met the other key (`propagate.between.endpoint_consistency`), and with what the
     colours of both keys say (`proposal.cues.key_colours`). Then each outline is drawn to the motion of the picture
     beside it (`propagate.steadiness.steadied`), the artist's keys fixed. Shapes of one object with the same keys are
-    filled together. A shape that ends between two keys of its object is carried on from its last key; one that begins or
-    ends on a key gets no keys, but tells how much of the object the others do not show there.
+    filled together. A shape that ends between two keys of its object is carried on from its last key; one that begins
+    or ends on a key gets no keys, but tells how much of the object the others do not show there.
 
     Parameters
     ----------
