@@ -11,7 +11,8 @@ from roam_core.arrays import Array
 from roam_core.cancel import CancelToken, Progress
 from roam_core.features import PreparedFrame
 from roam_core.geometry.simple import crossing_segments, untied
-from roam_core.media.source import MissingFrame, ReadImage
+from roam_core.media.partial import ReadFrame
+from roam_core.media.source import MissingFrame
 from roam_core.params import UNTYING, scale_for
 from roam_core.params.steadiness import SteadinessParams
 from roam_core.propagate.frame.nodes import displaced
@@ -22,7 +23,7 @@ from roam_core.roto import control_points as controls
 
 
 def steadied(
-    read: ReadImage,
+    read: ReadFrame,
     shapes: Sequence[RotoShape],
     frames: range,
     strength: float,
@@ -40,8 +41,9 @@ def steadied(
 
     Parameters
     ----------
-    read : gives a frame's picture (h, w, 3) RGB, uint8, or floats in [0, 1]; raises `MissingFrame`. Each is asked for
-        once, in order, with up to `params.reach` of those on either side of the range, whose keys hold those in it.
+    read : gives a frame's picture (h, w, 3) RGB, uint8, or floats in [0, 1], or its parts; raises `MissingFrame`. Each
+        is asked for once, in order, with up to `params.reach` of those on either side of the range, whose keys hold
+        those in it.
     shapes : in plate space. only : ids of those that may be moved; None: all. Open shapes never are.
     frames : in steps of one. strength : in [0, 1]; 0 gives the very same shapes.
 
@@ -128,7 +130,7 @@ class _Path:
 
 
 def _watched(
-    read: ReadImage,
+    read: ReadFrame,
     shapes: Sequence[RotoShape],
     frames: range,
     params: SteadinessParams,
