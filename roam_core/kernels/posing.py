@@ -242,7 +242,15 @@ def _energies(  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def _slopes(matrices, bones, pose, skin, i, place_x, place_y, slopes):  # type: ignore[no-untyped-def]
+def _axes(bones, pose, axes):  # type: ignore[no-untyped-def]
+    """The directions `(K, 2)` of the bones' axes under a pose."""
+    for k in range(len(bones)):
+        angle = bones[k, ANGLE] + pose[2 + k]
+        axes[k, 0], axes[k, 1] = np.cos(angle), np.sin(angle)
+
+
+@njit(nogil=True, cache=True)
+def _slopes(matrices, axes, bones, skin, i, place_x, place_y, slopes):  # type: ignore[no-untyped-def]
     """Where place `i` is carried, and the derivatives `(2, P)` of that by the pose."""
     count = len(bones)
     slopes[:] = 0.0
@@ -261,7 +269,7 @@ def _slopes(matrices, bones, pose, skin, i, place_x, place_y, slopes):  # type: 
             v = matrices[m, 1, 0] * away_x + matrices[m, 1, 1] * away_y
             slopes[0, 2 + m] -= share * v
             slopes[1, 2 + m] += share * u
-            c, s = np.cos(bones[m, ANGLE] + pose[2 + m]), np.sin(bones[m, ANGLE] + pose[2 + m])
+            c, s = axes[m, 0], axes[m, 1]
             ahead, aside = c * u + s * v, c * v - s * u
             slopes[0, 2 + count] += share * c * ahead
             slopes[1, 2 + count] += share * s * ahead
@@ -281,15 +289,17 @@ def _system(  # type: ignore[no-untyped-def]
     """The cost without prior and ties; `normal (P, P)` and `right (P,)` are made those of Gauss and Newton."""
     rows, columns, channels = image.shape
     size = len(pose)
-    matrices, slopes, errors = np.empty((len(bones), 2, 3)), np.empty((2, size)), np.empty(channels)
+    matrices, axes = np.empty((len(bones), 2, 3)), np.empty((len(bones), 2))
+    slopes, errors = np.empty((2, size)), np.empty(channels)
     _affines(bones, pose, matrices)
+    _axes(bones, pose, axes)
     normal[:] = 0.0
     right[:] = 0.0
     like2, beside2 = like * like, 2.0 * beside * beside
     cost = 0.0
     for i in range(len(places)):
         weight = weights[i]
-        x, y = _slopes(matrices, bones, pose, skin, i, places[i, 0], places[i, 1], slopes)
+        x, y = _slopes(matrices, axes, bones, skin, i, places[i, 0], places[i, 1], slopes)
         x, y = (x - left) * scale_x - 0.5, (y - top) * scale_y - 0.5
         unseen = _unseen(hidden, x, y, RIM, behind, beyond)
         if unseen >= 0.0:
@@ -343,10 +353,11 @@ def _tie_system(bones, pose, tied, tied_skin, targets, springs, reach, normal, r
     size, cost = len(pose), 0.0
     if len(tied) == 0:
         return cost
-    matrices, slopes = np.empty((len(bones), 2, 3)), np.empty((2, size))
+    matrices, axes, slopes = np.empty((len(bones), 2, 3)), np.empty((len(bones), 2)), np.empty((2, size))
     _affines(bones, pose, matrices)
+    _axes(bones, pose, axes)
     for m in range(len(tied)):
-        x, y = _slopes(matrices, bones, pose, tied_skin, m, tied[m, 0], tied[m, 1], slopes)
+        x, y = _slopes(matrices, axes, bones, tied_skin, m, tied[m, 0], tied[m, 1], slopes)
         x, y = x - targets[m, 0], y - targets[m, 1]
         away, bound = x * x + y * y, reach * reach
         cost += springs[m] * away / (away + bound)
