@@ -240,9 +240,9 @@ class Search:
         Far away is looked only where the pose is not found, as sure as can be, where it is expected.
         """
         rough = self._closer([self.prior.expected, self.before.values])
-        if rough[0][1] > self.params.sure:
+        if rough[0][1] > self._sure(rough[0][0]):
             rough = sorted([*rough, *self._closer(self._coarse())], key=_cost)
-        values, cost = min((self._refined(start, 0) for start, _ in rough[:2]), key=_cost)
+        values, cost = min((self._refined(start, 0) for start, _ in self._distinct(rough, 2)), key=_cost)
         blurred = self.template.blurred(values, values - self.before.values)
         if blurred is self.template:
             return values, cost
@@ -253,8 +253,27 @@ class Search:
         """The poses that these lead to before the last level, and their costs; the best first."""
         rough = sorted((self._refined(start, self.template.coarsest) for start in starts), key=_cost)
         return sorted(
-            (self._refined(start, self.template.coarsest - 1) for start, _ in rough[: self.params.followed]), key=_cost
+            (
+                self._refined(start, self.template.coarsest - 1)
+                for start, _ in self._distinct(rough, self.params.followed)
+            ),
+            key=_cost,
         )
+
+    def _distinct(self, found: Sequence[tuple[Array, float]], most: int) -> list[tuple[Array, float]]:
+        """The first ones of poses, the best first, that are not the same as a better one."""
+        kept: list[tuple[Array, float]] = []
+        for each in found:
+            if len(kept) < most and all(self._is_apart(each[0], other) for other, _ in kept):
+                kept.append(each)
+        return kept
+
+    def _sure(self, values: Array) -> float:
+        """What a pose `(P,)` may cost to be taken without a search; what is hidden of a found part asks none."""
+        if self.before.since > 0:
+            return self.params.sure
+        seen = self.look(values).seen
+        return self.params.sure * seen + self._costs(0).hidden * (1.0 - seen)
 
     def look(self, values: Array) -> Look:
         """What is seen of the part under a pose `(P,)`."""

@@ -76,6 +76,8 @@ class RegionParams:
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
         to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near : pixels of a 480-line image within
         which its patches must lie of where the pose has them. pose_agreed : the share of them that must.
+        pose_kept : the pose of a large shape that is no longer held to it is looked for as long as anything is clearly
+        as on the key: a fill may take it.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
     whole_cells : cells, at most, after which a whole pixel begins.
@@ -139,6 +141,7 @@ class RegionParams:
     pose_steady_seam: float = later(0.03)
     pose_near: float = later(2.0)
     pose_agreed: float = later(0.75)
+    pose_kept: bool = later(False)
     motion_agreed: float = later(2.5)
     key_sigma: float = later(1.5)
     prior_reach: float = later(20.0)

@@ -156,39 +156,39 @@ class Filling:
             if not any(shape.exists_at(frame) for shape in ours for frame in between):
                 continue
             span = self.passed(ours, gap, size)
-            wanted = [(place, k) for place, k in enumerate(members) if k in asked]
-            made |= {k: [] for _, k in wanted}
-            for frame, solved in zip(between, each(partial(self.solved, span, ours), between), strict=True):
-                for place, k in wanted:
-                    found = solved[place]
-                    if found is not None:
-                        inputs = stamps.filled(k, gap, self.params, self.alone)
-                        made[k].append(_engine_key(shapes[k], frame, found, inputs))
-            made |= self._steadied({k: shapes[k] for _, k in wanted}, made, gap)
-        return made
+            found = list(zip(between, each(partial(self.solved, span, ours), between), strict=True))
+            for place, k in enumerate(members):
+                inputs = stamps.filled(k, gap, self.params, self.alone) if k in asked else ""
+                outlines = [(frame, solved[place]) for frame, solved in found]
+                made[k] = [_engine_key(shapes[k], frame, each, inputs) for frame, each in outlines if each is not None]
+            made |= self._steadied({k: shapes[k] for k in members if made[k]}, made, gap)
+        return {k: keys for k, keys in made.items() if k in asked}
 
     def _steadied(
         self, shapes: Mapping[int, RotoShape], made: Mapping[int, list[Keyframe]], gap: tuple[int, int]
     ) -> dict[int, list[Keyframe]]:
-        """The keys that were made for each of the `shapes`, steadied between the two keys of the gap, by no others."""
+        """The keys that were made for the `shapes` of an object, steadied between the two keys of the gap.
+
+        Those that nobody asked for are among them: the motion of the picture is that beside all of them.
+        """
         region = self.params.region
         if region is None:
             return {}
+        between, strength = range(gap[0] + 1, gap[1]), region.span.steadiness
         alone = [
             replace(shape, keys=(*(key for key in shape.keys if key.frame in gap), *made[k]))
             for k, shape in shapes.items()
         ]
-        between, strength = range(gap[0] + 1, gap[1]), region.span.steadiness
         moved = steadied(self.read.image, alone, between, strength, STEADINESS, self.token)
         return {k: [key for key in each.keys if key.frame in between] for k, each in zip(shapes, moved, strict=True)}
 
     @cached_property
     def finer(self) -> RoamParams:
-        """The parameters for cells as they are between keys."""
+        """The parameters of the passes between keys: finer cells, and poses that the merging may take."""
         region = self.params.region
         if region is None:
             return self.params
-        return replace(self.params, region=replace(region, grid_factor=region.fill_factor))
+        return replace(self.params, region=replace(region, grid_factor=region.fill_factor, pose_kept=True))
 
     def solved(self, span: Span, shapes: Sequence[RotoShape], frame: int) -> list[Merged | None]:
         """The outlines of an object's shapes on a frame between its keys; None for those that are not there."""

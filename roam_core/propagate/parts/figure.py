@@ -15,6 +15,7 @@ from typing import TypeVar
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roam_core.arrays import Array, Float32, UInt8
 from roam_core.cancel import CancelToken
@@ -210,7 +211,12 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
         Part(shape.keys[0].points + window.origin, shape.blend is BlendMode.SUBTRACT)
         for shape in shapes_from_mask(covered)
     )
-    return region.begin(frame, outlines, replace(params, pose=None)) if outlines else None
+    return region.begin(frame, outlines, _of_union(params)) if outlines else None
+
+
+def _of_union(params: RegionParams) -> RegionParams:
+    """The parameters of the parts as one object: where each of its pieces lies the parts know better."""
+    return replace(params, pose=None, patches=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -235,7 +241,7 @@ def step(
     assert params.part is not None
     scale, union = scale_for(frame.size), state.union
     if union is not None:
-        union = region.step(union, frame, replace(params, pose=None), token).state
+        union = region.step(union, frame, _of_union(params), token).state
     spots = np.vstack([limb.expected(params.part) for limb in state.limbs])
     reach = max((limb.pose.reach(params.part) for limb in state.limbs if limb.pose is not None), default=1.0)
     window = Region.around(spots, (params.figure.margin + params.part.search_move * reach) * scale, frame.size)
@@ -268,6 +274,7 @@ class _Solving:
         self.region_params, self.params, self.scale = params, params.part, scale_for(frame.size)
         self.limbs: dict[int, Limb] = {}
         self.wholes: dict[tuple[int, ...], RegionStep] = {}
+        self.outlined: dict[int, UInt8] = {}
         self.hidden: tuple[UInt8, ...] = () if pyramid is None else pyramid.nothing
         self.moved = np.eye(3) if union is None or state.union is None else _moved(state.union, union)
         self.union = union if union is not None and union.trust >= params.figure.trusted else None
@@ -286,6 +293,7 @@ class _Solving:
         if self.pyramid is None:
             return
         filled, gaps = self.pyramid.outlined(solved.lines), self.pyramid.outlined(solved.gaps)
+        self.outlined[k] = filled[0]
         there = [np.where(gap > 0, 0, fill).astype(np.uint8) for fill, gap in zip(filled, gaps, strict=True)]
         self.hidden = tuple(np.maximum(*each) for each in zip(self.hidden, there, strict=True))
         if self.needs is not None and not limb.is_occluder:
@@ -296,14 +304,18 @@ class _Solving:
         limb = self.limbs[k]
         if self.union is None or self.pyramid is None or limb.pose is None or limb.unit.role is not Role.PART:
             return limb
-        others = [line for j, other in self.limbs.items() if j != k for line in other.lines]
-        covered = self.pyramid.outlined(others)[0]
+        covered = (self.covering - self.outlined[k] > 0).astype(np.uint8)
         solid, *holes = limb.parts
         points = drawn_to(self.border, solid.points, covered)
         result, *rest = limb.results
         return replace(
             limb, parts=(replace(solid, points=points), *holes), results=(replace(result, points=points), *rest)
         )
+
+    @cached_property
+    def covering(self) -> NDArray[np.uint16]:
+        """How many limbs cover each cell of the finest level."""
+        return np.asarray(np.sum(list(self.outlined.values()), axis=0, dtype=np.uint16))
 
     @cached_property
     def border(self) -> Border:

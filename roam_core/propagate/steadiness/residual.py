@@ -68,7 +68,7 @@ class Flows:
         if region.is_empty:
             return None
         grid = Grid.over(region, params.cells / scale)
-        old, new = grid.of(before.grey), grid.of(after.grey)
+        old, new = grid.grey_of(before), grid.grey_of(after)
         a_cell = (1.0 / grid.factor).astype(np.float32)
         there, back = (
             cell_flow(*pair, is_exact=True, finest=params.finest) * a_cell for pair in ((old, new), (new, old))

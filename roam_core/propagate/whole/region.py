@@ -310,14 +310,14 @@ def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
     """A large shape lies by its pose while it has looked as on its key on all frames, its free edges at the region.
 
     Behind that the region goes on with points of its own: once the pose no longer holds they lie as if it never had.
-    Once nothing looks clearly as on the key the pose is looked for no more; until then it may serve a fill.
+    Then the pose is looked for no more, but for a fill while anything looks clearly as on the key.
     """
     state, pose, found = stepped.state, stepped.state.pose, stepped.state.region
     if pose is None or posed.is_small(pose, params):
         return stepped
     is_steady = state.is_steady and posed.is_steady(pose, params)
     if not is_steady or not patched.go_with(pose, state.patches, state.patch_motion, params):
-        kept = pose if posed.is_clear(pose, params) else None
+        kept = pose if params.pose_kept and posed.is_clear(pose, params) else None
         return replace(stepped, state=replace(state, is_steady=False, pose=kept))
     parts = posed.carried(pose, stepped.begun.drawn)
     parts = posed.at_the_edges(parts, found, scale_for(stepped.state.frame.size), params.figure.free_edges)
