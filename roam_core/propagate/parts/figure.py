@@ -211,12 +211,7 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
         Part(shape.keys[0].points + window.origin, shape.blend is BlendMode.SUBTRACT)
         for shape in shapes_from_mask(covered)
     )
-    return region.begin(frame, outlines, _of_union(params)) if outlines else None
-
-
-def _of_union(params: RegionParams) -> RegionParams:
-    """The parameters of the parts as one object: where each of its pieces lies the parts know better."""
-    return replace(params, pose=None, patches=None)
+    return region.begin(frame, outlines, replace(params, pose=None)) if outlines else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,7 +236,7 @@ def step(
     assert params.part is not None
     scale, union = scale_for(frame.size), state.union
     if union is not None:
-        union = region.step(union, frame, _of_union(params), token).state
+        union = region.step(union, frame, replace(params, pose=None), token).state
     spots = np.vstack([limb.expected(params.part) for limb in state.limbs])
     reach = max((limb.pose.reach(params.part) for limb in state.limbs if limb.pose is not None), default=1.0)
     window = Region.around(spots, (params.figure.margin + params.part.search_move * reach) * scale, frame.size)
