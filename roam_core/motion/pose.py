@@ -273,7 +273,7 @@ class Search:
         if self.before.since > 0:
             return self.params.sure
         seen = self.look(values).seen
-        return self.params.sure * seen + self._costs(0).hidden * (1.0 - seen)
+        return self.params.sure * seen + self._costs[0].hidden * (1.0 - seen)
 
     def look(self, values: Array) -> Look:
         """What is seen of the part under a pose `(P,)`."""
@@ -315,8 +315,8 @@ class Search:
     def _energies(self, poses: Array, samples: Samples) -> Array:
         """What `poses (m, P)` cost on the coarsest level, by some samples."""
         level = self.template.coarsest
-        bones, costs = self.template.chain.bones, self._costs(level)
-        return energies(self._view(level), samples, bones, poses, costs, self.prior, self._ties)
+        bones, costs = self.template.chain.bones, self._costs[level]
+        return energies(self._views[level], samples, bones, poses, costs, self.prior, self._ties)
 
     def _is_apart(self, a: Array, b: Array) -> bool:
         step = self.params.search_step * self.template.scale
@@ -330,7 +330,7 @@ class Search:
         template = self.template if template is None else template
         rounds = self.params.rounds // 2 if level == self.template.coarsest else self.params.rounds
         return refined(
-            self._view(level), template.levels[level], template.chain.bones, start, self._costs(level), self.prior,
+            self._views[level], template.levels[level], template.chain.bones, start, self._costs[level], self.prior,
             self._ties, rounds,
         )  # fmt: skip
 
@@ -339,7 +339,12 @@ class Search:
         count = self.template.chain.count
         return self.around.ties or Ties(np.zeros((0, 2)), np.zeros((0, count)), np.zeros((0, 2)), np.zeros(0), 1.0)
 
-    def _view(self, level: int) -> View:
+    @cached_property
+    def _views(self) -> tuple[View, ...]:
+        """The picture at each level."""
+        return tuple(self._view_at(level) for level in range(len(self.template.levels)))
+
+    def _view_at(self, level: int) -> View:
         pyramid, needs = self.around.pyramid, self.around.needs
         scale, corner = pyramid.scale_at(level), pyramid.corner
         return View(
@@ -347,7 +352,12 @@ class Search:
             self.around.hidden[level], (pyramid.blank if needs is None else needs)[level],
         )  # fmt: skip
 
-    def _costs(self, level: int) -> Costs:
+    @cached_property
+    def _costs(self) -> tuple[Costs, ...]:
+        """What a pose is charged at each level."""
+        return tuple(self._costs_at(level) for level in range(len(self.template.levels)))
+
+    def _costs_at(self, level: int) -> Costs:
         params = self.params
         like = max(params.like_roughly, self.before.like) if level == self.template.coarsest else self.before.like
         costs = Costs(like, params.beside_like, params.unseen, params.unseen)

@@ -62,12 +62,12 @@ class Limb:
     def is_occluder(self) -> bool:
         return self.unit.role is Role.OCCLUDER
 
-    @property
+    @cached_property
     def lines(self) -> list[Array]:
         """The outlines of what is solid in it, closed polylines `(K, 2)`."""
         return [bezier.flatten(part.points) for part in self.parts if self.is_occluder or not part.subtracts]
 
-    @property
+    @cached_property
     def gaps(self) -> list[Array]:
         """The outlines of its holes."""
         return [bezier.flatten(part.points) for part in self.parts if part.subtracts and not self.is_occluder]
@@ -287,9 +287,11 @@ class _Solving:
         self.limbs[k] = solved
         if self.pyramid is None:
             return
-        filled, gaps = self.pyramid.outlined(solved.lines), self.pyramid.outlined(solved.gaps)
-        self.outlined[k] = filled[0]
-        there = [np.where(gap > 0, 0, fill).astype(np.uint8) for fill, gap in zip(filled, gaps, strict=True)]
+        there = self.pyramid.outlined(solved.lines)
+        self.outlined[k] = there[0]
+        if solved.gaps:
+            gaps = self.pyramid.outlined(solved.gaps)
+            there = tuple(np.where(gap > 0, 0, fill).astype(np.uint8) for fill, gap in zip(there, gaps, strict=True))
         self.hidden = tuple(np.maximum(*each) for each in zip(self.hidden, there, strict=True))
         if self.needs is not None and not limb.is_occluder:
             self.needs = np.asarray(self.needs * (1.0 - there[0]), dtype=np.float32)
