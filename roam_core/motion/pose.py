@@ -18,7 +18,7 @@ from scipy.spatial import cKDTree
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features.pyramid import Pyramid
 from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, energies, refined
-from roam_core.motion.template import Template, contrasts, every_other
+from roam_core.motion.template import Template, contrasts, one_in
 from roam_core.params import PoseParams
 
 
@@ -302,7 +302,8 @@ class Search:
         poses[:, 1] += y
         poses[:, 2 : 2 + self.template.chain.count] += turn[:, None]
         samples = self.template.levels[self.template.coarsest]
-        rough = np.argsort(self._energies(poses, every_other(samples)), kind="stable")[: params.looked_at]
+        glance = self._energies(poses, one_in(params.glanced_at, samples))
+        rough = np.argsort(glance, kind="stable")[: params.looked_at]
         poses = poses[rough]
         chosen: list[Array] = []
         for k in np.argsort(self._energies(poses, samples), kind="stable"):

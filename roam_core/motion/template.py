@@ -150,9 +150,10 @@ def contrast(own: Array, there: Array, params: PoseParams) -> Array:
     return np.asarray(1.0 - np.exp(-((own - there) ** 2).sum(axis=1) / (2.0 * params.beside_like**2)))
 
 
-def every_other(samples: Samples) -> Samples:
-    """Half of the samples, with twice the weight."""
-    return Samples(samples.places[::2], samples.colours[::2], 2.0 * samples.weights[::2], samples.skin[::2])
+def one_in(count: int, samples: Samples) -> Samples:
+    """One of so many samples, with as many times the weight."""
+    places, colours, weights, skin = (each[::count] for each in samples)
+    return Samples(places, colours, count * weights, skin)
 
 
 def contrasts(samples: Samples, params: PoseParams) -> Array:
