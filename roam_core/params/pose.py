@@ -87,7 +87,8 @@ class PoseParams:
         costs where the object is and no other part. tie, tie_reach : weight of a joint, and pixels at which it gives.
     search_move, search_step, search_turn, search_turns : how far around the expected pose, in which steps, and through
         which turns in how many steps, poses are tried. glanced_at : one of so many samples tells them apart at first.
-        looked_at, candidates : of how many of the best how many, apart from each other, are followed up. rounds : of the descent on each level.
+        looked_at, candidates : of how many of the best how many, apart from each other, are followed up.
+    rounds : of the descent on each level.
     followed : of these, and of two from the last frame, how many beyond the coarsest level. sure : cost up to which
         the pose near the last one is taken without a search.
     momentum : share of the last frame's motion that is expected to go on.
