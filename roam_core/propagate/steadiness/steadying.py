@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from roam_core.cancel import CancelToken, Progress
+from roam_core.geometry import bezier
 from roam_core.media.source import ReadImage
 from roam_core.params.steadiness import ResidualParams, SteadinessParams
 from roam_core.propagate.steadiness.boil import Spot, boil
@@ -87,10 +88,18 @@ def told(found: Steadied) -> str:
     keys = _counted(len(found.moved))
     if not found.boil:
         return sentence("{keys} moved; their boil could not be measured.", keys=keys)
-    before, after = np.mean(list(found.boil.values()), axis=0)
+    # By what there is of each outline: of one that is a few pixels long the measure tells nothing.
+    lengths = [_length(found.shapes, spot) for spot in found.boil]
+    before, after = np.average(list(found.boil.values()), axis=0, weights=lengths)
     return sentence(
         "{keys} moved; boil {before:.2f} px before, {after:.2f} px now.", keys=keys, before=before, after=after
     )
+
+
+def _length(shapes: Sequence[RotoShape], spot: Spot) -> float:
+    """Pixels along the outline of a shape, by its id, on a frame."""
+    shape = next(each for each in shapes if each.id == spot[0])
+    return max(float(bezier.segment_lengths(shape.at(spot[1]).points).sum()), 1e-6)
 
 
 def _counted(count: int) -> str:
