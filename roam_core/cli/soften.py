@@ -4,21 +4,11 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
-from roam_core.cancel import Progress
-from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.picking import Picking, trackable
-from roam_core.cli.plate import loaded, opened
-from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import require_target
-from roam_core.errors import RoamError
-from roam_core.interchange.authorship import Kind
-from roam_core.interchange.targets import Sources, require_free
+from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.plate_task import PlateTask
 from roam_core.matte.softening import matched, told
 from roam_core.matte.softness import Softness, measured
 from roam_core.params.softness import SOFTNESS
@@ -48,28 +38,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    target = arguments.project if arguments.save is None else arguments.save
-    write = project_writer(target, arguments.project)
-    project = loaded(arguments.project)
-    asked = trackable(project, Picking(arguments.shape))
-    if not asked:
-        raise RoamError(f"{arguments.project} holds no closed, unlocked shape to soften.")
-    with opened(str(project.require_clip().path), project.clip) as plate:
-        require_target(target)
-        sources = Sources.of(plate.source, arguments.project)
-        require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=arguments.project)
-        tell_of_holder(target)
-        with cancelling() as token, _progress() as progress:
-            found = measured(plate.read_or_bridge, asked, project.shapes, SOFTNESS, token, progress)
+    task = PlateTask.of(arguments, "soften")
+    found = task.look(
+        lambda read, token, progress: measured(read, task.asked, task.project.shapes, SOFTNESS, token, progress)
+    )
     blur, feather = WAYS[arguments.by]
-    soft = [matched(shape, found, SOFTNESS, blur=blur, feather=feather) for shape in asked]
-    for shape in soft:
-        project = project.with_shape(shape)
-    write(project)
+    soft = [matched(shape, found, SOFTNESS, blur=blur, feather=feather) for shape in task.asked]
+    task.write(soft)
     if arguments.json:
-        for shape in asked:
+        for shape in task.asked:
             _print_lines(shape, found)
-    print(told(found, asked, soft), file=sys.stderr)
+    print(told(found, task.asked, soft), file=sys.stderr)
     return 0
 
 
@@ -86,9 +65,3 @@ def _print_lines(shape: RotoShape, found: Softness) -> None:
                     "shutter": None if found.shutter is None else round(found.shutter, 3),
                 }
             )
-
-
-@contextmanager
-def _progress() -> Iterator[Progress]:
-    with bar(1.0) as shown:
-        yield lambda fraction, _: shown.update(fraction - shown.n)

@@ -4,21 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 
-from roam_core.cancel import Progress
-from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.picking import Picking, trackable
-from roam_core.cli.plate import loaded, opened
-from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import require_target
+from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.plate_task import PlateTask
 from roam_core.errors import RoamError
-from roam_core.interchange.authorship import Kind
-from roam_core.interchange.targets import Sources, require_free
 from roam_core.params.steadiness import RESIDUAL, STEADINESS
 from roam_core.propagate.steadiness.steadying import Steadied, steadying, told
 from roam_core.roto import Origin, RotoShape
@@ -46,28 +38,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    target = arguments.project if arguments.save is None else arguments.save
-    if not 0.0 <= arguments.strength <= 1.0:
-        raise RoamError(f"--strength {arguments.strength:g} is not between 0 and 1.")
-    write = project_writer(target, arguments.project)
-    project = loaded(arguments.project)
-    asked = trackable(project, Picking(arguments.shape))
-    if not asked:
-        raise RoamError(f"{arguments.project} holds no closed, unlocked shape to steady.")
-    frames = _frames(asked, arguments.start, arguments.end, arguments.project)
-    with opened(str(project.require_clip().path), project.clip) as plate:
-        require_target(target)
-        sources = Sources.of(plate.source, arguments.project)
-        require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=arguments.project)
-        tell_of_holder(target)
-        with cancelling() as token, _progress() as progress:
-            found = steadying(
-                plate.read_or_bridge, asked, frames, arguments.strength, STEADINESS, RESIDUAL, token, progress
-            )
-    for old, new in zip(asked, found.shapes, strict=True):
-        if new is not old:
-            project = project.with_shape(new)
-    write(project)
+    strength = arguments.strength
+    if not 0.0 <= strength <= 1.0:
+        raise RoamError(f"--strength {strength:g} is not between 0 and 1.")
+    task = PlateTask.of(arguments, "steady")
+    frames = _frames(task.asked, arguments.start, arguments.end, arguments.project)
+    found = task.look(
+        lambda read, token, progress: steadying(
+            read, task.asked, frames, strength, STEADINESS, RESIDUAL, token, progress
+        )
+    )
+    task.write(found.shapes)
     if arguments.json:
         _print_lines(found)
     print(told(found), file=sys.stderr)
@@ -101,9 +82,3 @@ def _print_lines(found: Steadied) -> None:
                 "boil": None if after is None else round(after, 3),
             }
         )
-
-
-@contextmanager
-def _progress() -> Iterator[Progress]:
-    with bar(1.0) as shown:
-        yield lambda fraction, _: shown.update(fraction - shown.n)

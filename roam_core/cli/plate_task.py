@@ -1,0 +1,89 @@
+"""What the commands share that change the shapes of a project by what its plate shows."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeVar
+
+from roam_core.cancel import CancelToken, Progress
+from roam_core.cli.bar import bar
+from roam_core.cli.overwriting import project_writer, tell_of_holder
+from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.plate import loaded, opened
+from roam_core.cli.stopping import cancelling
+from roam_core.cli.track import require_target
+from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
+from roam_core.interchange.targets import Sources, require_free
+from roam_core.media.source import ReadImage
+from roam_core.roto import RotoShape
+from roam_core.roto.project import Project
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class PlateTask:
+    """Shapes that were `asked` for of a project, which are to be changed, and written to `target`.
+
+    `overwrite`: another file there may be replaced. `writer` writes a project to it.
+    """
+
+    source: Path
+    target: Path
+    overwrite: bool
+    project: Project
+    asked: Sequence[RotoShape]
+    writer: Callable[[Project], object]
+
+    @classmethod
+    def of(cls, arguments: argparse.Namespace, verb: str) -> PlateTask:
+        """By the words `project`, `save`, `shape` and `overwrite`; `verb` says what shapes are wanted for.
+
+        Raises
+        ------
+        RoamError
+            when the project cannot be read, or holds no closed, unlocked shape of those asked for.
+        """
+        source = arguments.project
+        target = source if arguments.save is None else arguments.save
+        writer = project_writer(target, source)
+        project = loaded(source)
+        asked = trackable(project, Picking(arguments.shape))
+        if not asked:
+            raise RoamError(f"{source} holds no closed, unlocked shape to {verb}.")
+        return cls(source, target, arguments.overwrite, project, asked, writer)
+
+    def look(self, at: Callable[[ReadImage, CancelToken, Progress], T]) -> T:
+        """What `at` finds in the plate, once it is sure that the target can be written; with a bar, and to be stopped.
+
+        Raises
+        ------
+        RoamError
+            when the plate cannot be opened, or the target is in the way of another file.
+        """
+        with opened(str(self.project.require_clip().path), self.project.clip) as plate:
+            require_target(self.target)
+            sources = Sources.of(plate.source, self.source)
+            require_free([(self.target, Kind.PROJECT)], sources, overwrite=self.overwrite, rewritten=self.source)
+            tell_of_holder(self.target)
+            with cancelling() as token, _progress() as progress:
+                return at(plate.read_or_bridge, token, progress)
+
+    def write(self, shapes: Sequence[RotoShape]) -> None:
+        """Write the project with the `shapes` in place of those asked for, in that order."""
+        project = self.project
+        for old, new in zip(self.asked, shapes, strict=True):
+            if new is not old:
+                project = project.with_shape(new)
+        self.writer(project)
+
+
+@contextmanager
+def _progress() -> Iterator[Progress]:
+    with bar(1.0) as shown:
+        yield lambda fraction, _: shown.update(fraction - shown.n)
