@@ -120,6 +120,7 @@ class _Writer(ShapeWriter):
             if blur is None
             else {"shutter": blur.shutter, "phase": blur.phase, "samples": blur.samples},
             "lifetime": None if shape.lifetime is None else [frame + offset for frame in shape.lifetime],
+            **({"compound": shape.compound} if shape.compound else {}),
             "keys": [self._key(key) for key in shape.keys],
         }
 
@@ -189,7 +190,7 @@ class JsonReader(ShapeReader):
     def _layer(self, values: dict[str, Any], place: str, depth: int) -> Layer:
         return Layer(
             self.fresh_id("layer"),
-            self._text(values, place),
+            self._text(values, "name", place),
             self._items(values, place, depth + 1),
             visible=self._truth(values, "visible", True, place),
             locked=self._truth(values, "locked", False, place),
@@ -199,7 +200,7 @@ class JsonReader(ShapeReader):
         )
 
     def _shape(self, values: dict[str, Any], place: str) -> RotoShape:
-        name = self._text(values, place)
+        name = self._text(values, "name", place)
         place = f"shape {brief(name)} ({place})"
         keys = tuple(self._key(key, name, place) for key in self._list(values, "keys", place))
         if not sensible(keys):
@@ -222,6 +223,7 @@ class JsonReader(ShapeReader):
                 lifetime=self._lifetime(values, place),
                 visible=self._truth(values, "visible", True, place),
                 locked=self._truth(values, "locked", False, place),
+                compound=self._text(values, "compound", place),
             )
         except ValueError as error:
             raise self._refusal(place, str(error)) from None
@@ -265,10 +267,10 @@ class JsonReader(ShapeReader):
             raise self._refusal(place, f'"{field}" must be a list')
         return value
 
-    def _text(self, values: dict[str, Any], place: str) -> str:
-        value = values.get("name", "")
+    def _text(self, values: dict[str, Any], field: str, place: str) -> str:
+        value = values.get(field, "")
         if not isinstance(value, str):
-            raise self._refusal(place, '"name" must be a text')
+            raise self._refusal(place, f'"{field}" must be a text')
         return value
 
     def _truth(self, values: dict[str, Any], field: str, default: bool, place: str) -> bool:

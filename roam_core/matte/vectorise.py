@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -36,9 +37,10 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0)
 
     Returns
     -------
-    An empty list for an empty mask.
+    An empty list for an empty mask. All shapes are of one compound, `compound_of` the mask.
     """
     shapes: list[RotoShape] = []
+    compound = compound_of(mask, frame)
     for number, rings in enumerate(outlines(mask), start=1):
         for hole, ring in enumerate(rings):
             shapes.append(
@@ -48,9 +50,17 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0)
                     keys=(Keyframe(frame, _fitted(ring, tolerance)),),
                     colour=PALETTE[len(shapes) % len(PALETTE)],
                     blend=BlendMode.ADD if hole == 0 else BlendMode.SUBTRACT,
+                    compound=compound,
                 )
             )
     return shapes
+
+
+def compound_of(mask: NDArray[Any], frame: int) -> str:
+    """The compound of the outlines of a mask `(h, w)` or `(h, w, c)` of a frame: the same for the same pixels."""
+    content = hashlib.sha256(f"{frame} {mask.dtype.str} {mask.shape} ".encode())
+    content.update(mask.tobytes())
+    return f"mask-{content.hexdigest()[:12]}"
 
 
 def _fitted(ring: Array, tolerance: float) -> Array:

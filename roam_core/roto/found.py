@@ -6,12 +6,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from roam_core.roto import edit
+from roam_core.roto.linking import relinked
 from roam_core.roto.project import Project
 from roam_core.roto.shape import BlendMode, RotoShape
 
 
 def add_found(project: Project, shapes: Sequence[RotoShape], name: str = "") -> tuple[Project, tuple[str, ...]]:
     """Put `shapes` on top of the project; the next free ids, names and colours take the place of theirs.
+
+    So do free names of compounds that are taken.
 
     Parameters
     ----------
@@ -24,7 +27,7 @@ def add_found(project: Project, shapes: Sequence[RotoShape], name: str = "") -> 
     The project, and the ids of the new shapes.
     """
     ids: list[str] = []
-    for region in _regions(shapes):
+    for region in _regions(relinked(project, shapes)):
         layer_id = "root"
         if len(region) > 1:
             project, layer = edit.add_layer(project, name or project.free_name("Object"))

@@ -157,10 +157,11 @@ def _read_shape(document: Document, count: Count) -> RotoShape:
         link=text(document.get("link", ""), "the link of a shape"),
         attached=_flag(document, "attached") if "attached" in document else True,
         depth=tuple(_read_pair(pair, "a depth") for pair in document.get("depth", ())),
+        compound=text(document.get("compound", ""), "the compound of a shape"),
         keys=_read_keys(document["keys"], count),
         extra=_rest(
             document, "type", "id", "name", "closed", "colour", "blend", "opacity", "invert", "feather", "motion_blur",
-            "lifetime", "visible", "locked", "spline", "link", "attached", "depth", "keys",
+            "lifetime", "visible", "locked", "spline", "link", "attached", "depth", "compound", "keys",
         ),
     )  # fmt: skip
 

@@ -67,16 +67,38 @@ def set_depth(project: Project, shape_ids: Iterable[str], frame: int, level: int
 
 
 def relinked(project: Project, copies: Sequence[RotoShape]) -> list[RotoShape]:
-    """Copies that are about to join a project: linked with each other as their originals are, with those no more."""
-    taken = links(project)
-    free = _free({**taken, **{copy.link: () for copy in copies}})
-    names = {link: next(free) for link in sorted({copy.link for copy in copies} & taken.keys())}
-    return [replace(copy, link=names[copy.link]) if copy.link in names else copy for copy in copies]
+    """Copies that are about to join a project: linked with each other as their originals are, with those no more.
+
+    So are their compounds: copies are the outlines of things of their own.
+    """
+    names = _renamed(links(project), {copy.link for copy in copies}, "object")
+    compounds = fresh_compounds(project, copies)
+    return [
+        replace(copy, link=names.get(copy.link, copy.link), compound=compounds.get(copy.compound, copy.compound))
+        for copy in copies
+    ]
 
 
-def _free(taken: Collection[str]) -> Iterator[str]:
-    """Names of links that none bears."""
-    return (name for number in count(1) if (name := f"object-{number}") not in taken)
+def fresh_compounds(project: Project, shapes: Iterable[RotoShape]) -> dict[str, str]:
+    """The compounds of shapes that are about to join a project which has some of the name, and free names for them."""
+    taken = {shape.compound for shape in project.root.shapes()}
+    return _renamed(taken, {shape.compound for shape in shapes}, "compound")
+
+
+def free_compound(project: Project) -> str:
+    """A name for a compound that no shape of a project bears."""
+    return next(_free({shape.compound for shape in project.root.shapes()}, "compound"))
+
+
+def _renamed(taken: Collection[str], names: Collection[str], kind: str) -> dict[str, str]:
+    """Free names for those of `names` that are taken."""
+    free = _free({*taken, *names}, kind)
+    return {name: next(free) for name in sorted(names) if name and name in taken}
+
+
+def _free(taken: Collection[str], kind: str = "object") -> Iterator[str]:
+    """Names of a kind that none bears."""
+    return (name for number in count(1) if (name := f"{kind}-{number}") not in taken)
 
 
 def _with_links(project: Project, chosen: Mapping[str, str]) -> Project:

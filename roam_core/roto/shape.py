@@ -173,6 +173,8 @@ class RotoShape:
     attached : whether it hangs on the parts that it overlaps, where the object is solved in parts.
     depth : pairs (frame, level), in frame order: from that frame on the shape lies before (1) or behind (-1) all that
         are as stacked (0). It tells the engine what hides what; mattes go by the stack.
+    compound : shapes of the same name are the outlines of one thing: the pieces and holes of one mask, or the subpaths
+        of one compound path. "" for an outline that was drawn for itself.
     placement : the moving layers that the shape was taken out of, as `Project.shape` does; empty in a layer. The keys
         are in plate space either way; between them a placed shape goes along with its layers.
     """
@@ -194,6 +196,7 @@ class RotoShape:
     link: str = ""
     attached: bool = True
     depth: tuple[tuple[int, int], ...] = ()
+    compound: str = ""
     placement: Placement = ()
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 

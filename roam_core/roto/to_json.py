@@ -146,6 +146,7 @@ def _shape(shape: RotoShape) -> dict[str, Any]:
         **({"link": shape.link} if shape.link else {}),
         **({} if shape.attached else {"attached": False}),
         **({"depth": [list(pair) for pair in shape.depth]} if shape.depth else {}),
+        **({"compound": shape.compound} if shape.compound else {}),
         "keys": packed_keys(shape.keys),
         **shape.extra,
     }

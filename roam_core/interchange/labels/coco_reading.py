@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -126,7 +126,9 @@ class CocoReader(ShapeReader):
         shapes += self._masked(name, masks)
         if len(shapes) < 2:
             return [*shapes]
-        return [Layer(self.fresh_id("layer"), name, tuple(shapes))]
+        compound = self.fresh_id("compound")
+        pieces = tuple(replace(shape, compound=compound) for shape in shapes)
+        return [Layer(self.fresh_id("layer"), name, pieces)]
 
     def _places(self, polygon: Any, name: str) -> Array | None:
         if not isinstance(polygon, list) or len(polygon) < 6 or len(polygon) % 2 or not _are_numbers(polygon):

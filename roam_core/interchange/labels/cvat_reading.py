@@ -58,6 +58,8 @@ _Run = tuple[list[_Moment], int | None]
 @dataclass
 class _Reader(ShapeReader):
     _made: list[tuple[int, str, RotoShape]] = field(default_factory=list)
+    _groups: dict[int, str] = field(default_factory=dict)
+    """The compound of each of CVAT's groups, by its number."""
 
     def shapes(self) -> Imported:
         """All outlines in layers of their labels, where a label has other names than its own."""
@@ -119,10 +121,16 @@ class _Reader(ShapeReader):
                 moments.setdefault(kind, []).append(moment)
         for kind, found in moments.items():
             found.sort(key=lambda moment: moment.frame)
-            self._add_runs(label, name, kind != "polyline", list(_runs(found)), stop)
+            self._add_runs(label, name, kind != "polyline", list(_runs(found)), stop, self._compound(track))
 
     def _add_runs(
-        self, label: str, name: str, closed: bool, runs: list[tuple[list[_Moment], int | None]], stop: int
+        self,
+        label: str,
+        name: str,
+        closed: bool,
+        runs: list[tuple[list[_Moment], int | None]],
+        stop: int,
+        compound: str,
     ) -> None:
         for run, end in runs:
             self.check_points(sum(len(moment.points) for moment in run), name, len(run))
@@ -133,7 +141,7 @@ class _Reader(ShapeReader):
             begins = run[0].frame
             is_always = begins <= self.clip.first and end is None
             lifetime = None if is_always else (begins, max(stop if end is None else end, begins + 1))
-            shape = RotoShape(self.fresh_id("shape"), name, keys, closed=closed, lifetime=lifetime)
+            shape = RotoShape(self.fresh_id("shape"), name, keys, closed=closed, lifetime=lifetime, compound=compound)
             self._made.append((run[0].z_order, label, shape))
         if len(runs) > 1:
             self.note(f"{brief(name)} comes and goes, or changes its number of points: it became several shapes.")
@@ -156,7 +164,12 @@ class _Reader(ShapeReader):
             if sensible((key,)):
                 name = self._name(element, label)
                 shape = RotoShape(
-                    self.fresh_id("shape"), name, (key,), closed=kind != "polyline", lifetime=(frame, frame + 1)
+                    self.fresh_id("shape"),
+                    name,
+                    (key,),
+                    closed=kind != "polyline",
+                    lifetime=(frame, frame + 1),
+                    compound=self._compound(element),
                 )
                 self._made.append((self._whole(element, "z_order"), label, shape))
 
@@ -194,6 +207,13 @@ class _Reader(ShapeReader):
         left, top, right, bottom = (_number(element.get(word)) for word in ("xtl", "ytl", "xbr", "ybr"))
         places = [(left, top), (right, top), (right, bottom), (left, bottom)]
         return _turned(Spline([[place] * 3 for place in places], True), element)
+
+    def _compound(self, element: Element) -> str:
+        """That of its group: CVAT's word for the outlines of one thing; 0 is none."""
+        group = self._whole(element, "group_id")
+        if group and group not in self._groups:
+            self._groups[group] = self.fresh_id("compound")
+        return self._groups.get(group, "")
 
     def _name(self, element: Element, default: str) -> str:
         found = (child.text for child in element if child.get("name") == NAME and child.text)

@@ -151,7 +151,8 @@ def _fitted_shapes(
         progress.done += _work(track)
         reader.check_points(sum(len(points) for _, points in found.keys), name, len(found.keys))
         parts.append((track, found))
-    shapes = as_shapes(parts, source.frames[0], source.frames[-1], reader.options.frame_offset)
+    compound = reader.fresh_id("compound")
+    shapes = as_shapes(parts, source.frames[0], source.frames[-1], compound, reader.options.frame_offset)
     figures = tuple(part for _, part in parts)
     _tell(reader, shapes, figures)
     return shapes, figures

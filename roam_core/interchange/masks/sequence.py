@@ -184,8 +184,8 @@ def _under(ring: Ring) -> Track | None:
     return None if around is None else around.track
 
 
-def as_shapes(parts: list[tuple[Track, Fitted]], first: int, last: int, offset: int) -> list[RotoShape]:
-    """Shapes of parts in the order of compositing; `first` and `last` are the masks' frames.
+def as_shapes(parts: list[tuple[Track, Fitted]], first: int, last: int, compound: str, offset: int) -> list[RotoShape]:
+    """Shapes of parts, all of one `compound`, in the order of compositing; `first` and `last` are the masks' frames.
 
     A part that is there on the first or the last mask goes on beyond it. `offset` is taken off frames.
     """
@@ -205,6 +205,7 @@ def as_shapes(parts: list[tuple[Track, Fitted]], first: int, last: int, offset: 
                 keys=tuple(Keyframe(frame - offset, points) for frame, points in part.keys),
                 blend=BlendMode.SUBTRACT if track.is_hole else BlendMode.ADD,
                 lifetime=None if (start, stop) == (-OPEN, OPEN) else (start, stop),
+                compound=compound,
             )
         )
     return shapes

@@ -277,7 +277,11 @@ class SvgReader(ShapeReader):
         item: Item = made[0]
         if len(made) > 1:
             rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
-            parts = (replace(part, visible=True, opacity=1.0, invert=False) for part in joined(made, rule == "evenodd"))
+            compound = self.fresh_id("compound")
+            parts = (
+                replace(part, visible=True, opacity=1.0, invert=False, compound=compound)
+                for part in joined(made, rule == "evenodd")
+            )
             whole = made[0]
             item = Layer(
                 self.fresh_id("layer"),

@@ -14,6 +14,7 @@ from roam_core.proposal.outline.contour import KeyConstraints, follow
 from roam_core.proposal.reshaping.topology import TopologyChange, TopologyKind
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.roto.edit import set_engine_keys, set_key
+from roam_core.roto.linking import free_compound
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,11 +73,13 @@ class Proposal:
 
         The artist's word makes the new outlines ARTIST keys: no run overwrites them, and what was tracked beyond the
         frame is stale. The new shapes lie right above the old one and exist from the frame on, in the direction
-        `step` (1 or -1) in which it was tracked.
+        `step` (1 or -1) in which it was tracked. All are of one compound: the outlines of one thing.
         """
         stays, *parts = self.after
         shape, key = project.shape(stays.id), stays.key_at(self.frame)
         assert key is not None
+        if parts and not shape.compound:
+            shape = replace(shape, compound=free_compound(project))
         project = project.with_shape(set_key(shape, self.frame, key.points, key.feather))
         ids = [shape.id]
         for part in parts:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property, lru_cache
@@ -61,7 +61,7 @@ def _drawn(same: Same, frame: int) -> Drawn:
 def decisive(shape: RotoShape) -> tuple[object, ...]:
     """All of a shape that a run over its object goes by; what a run makes changes none of it."""
     drawn = (shape.drawn_keys, shape.closed, shape.blend, shape.placement, shape.lifetime)
-    return (*drawn, shape.link, shape.attached, shape.depth)
+    return (*drawn, shape.link, shape.attached, shape.depth, shape.compound)
 
 
 def _met(a: RotoShape, b: RotoShape) -> tuple[Drawn, Drawn]:
@@ -75,9 +75,10 @@ def _met(a: RotoShape, b: RotoShape) -> tuple[Drawn, Drawn]:
 def objects(shapes: Sequence[RotoShape], gap: float) -> list[list[int]]:
     """The indices of `shapes`, grouped by the objects that they belong to; groups and members in the order given.
 
-    Two outlines belong together when they come within `gap` pixels of each other on the first frame on which the artist
-    keyed both, or when one subtracts and, by all its keys, may come to cut the other. Those that the artist linked
-    belong to each other only. Unrelated shapes keep to themselves: each object moves as it will.
+    Two outlines belong together when they overlap or abut on the first frame on which the artist keyed both, those of
+    one compound when they come within `gap` pixels of each other there, and one that subtracts belongs to all that it
+    may come to cut by its keys and theirs. Those that the artist linked belong to each other only. Unrelated shapes
+    keep to themselves, however near they lie: each object moves as it will.
     """
     return [list(group) for group in _grouped(_Question(shapes, gap))]
 
@@ -99,11 +100,16 @@ class _Question:
 @lru_cache(maxsize=8)
 def _grouped(question: _Question) -> list[list[int]]:
     shapes, gap = question.shapes, question.gap
-    groups = [[i] for i in range(len(shapes))]
-    group_of = list(range(len(shapes)))
-    for i, j in combinations(range(len(shapes)), 2):
+    return _joined(len(shapes), lambda i, j: _belong(shapes[i], shapes[j], gap))
+
+
+def _joined(count: int, belong: Callable[[int, int], bool]) -> list[list[int]]:
+    """The numbers below `count`, grouped so that two which belong together are in one group; all in order."""
+    groups = [[i] for i in range(count)]
+    group_of = list(range(count))
+    for i, j in combinations(range(count), 2):
         ours, theirs = group_of[i], group_of[j]
-        if ours != theirs and _belong(shapes[i], shapes[j], gap):  # what is joined already need not be asked again
+        if ours != theirs and belong(i, j):  # what is joined already need not be asked again
             groups[ours] += groups[theirs]
             for k in groups[theirs]:
                 group_of[k] = ours
@@ -124,7 +130,23 @@ def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
     ours, theirs = _met(a, b)
     if not _near_boxes(_box(ours.line), _box(theirs.line), gap):
         return False
-    return bool(ours.tree.query(theirs.evenly)[0].min() <= gap)
+    if a.compound and a.compound == b.compound and ours.tree.query(theirs.evenly)[0].min() <= gap:
+        return True
+    return _meet(ours, theirs, _shared(ours, theirs), gap)
+
+
+def _meet(a: Drawn, b: Drawn, shared: float, gap: float) -> bool:
+    """Whether two shapes that have `shared` square pixels in common overlap, or else abut: border along border."""
+    scale = gap / OBJECTS.near
+    smaller = min(a.area, b.area)
+    if shared > max(OBJECTS.overlap * smaller, OBJECTS.touch * scale * np.sqrt(smaller)):
+        return True
+    reach = OBJECTS.abut * scale
+    if not _near_boxes(_box(a.line), _box(b.line), reach):
+        return False
+    places = [polyline.resample(each.line, max(8, round(polyline.length(each.line) / scale))) for each in (a, b)]
+    shorter, longer = sorted(places, key=len)
+    return bool((cKDTree(longer).query(shorter)[0] <= reach).mean() >= OBJECTS.along)
 
 
 def _box(places: Array) -> Array:
@@ -145,7 +167,8 @@ def _swept(same: Same) -> Array:
 class Role(Enum):
     """What one or more shapes are in their object.
 
-    PART: moves by itself and overlaps others. WHOLE: one or more outlines that do not overlap, carried as one region.
+    PART: moves by itself and overlaps or abuts others. WHOLE: one outline or those of one compound, carried as one
+    region.
     OCCLUDER: subtracts, and crosses an outline: it has a life of its own and hides what lies below it.
     """
 
@@ -165,10 +188,11 @@ class Unit:
 def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
     """What the shapes of one object are, bottom first.
 
-    Solid shapes that overlap are parts; when none do they are one whole object. A shape that subtracts and lies within
-    one outline is its hole, and moves with it; one that crosses an outline is an occluder: what it alone holds together
-    (`objects`, with the same `gap`) is apart behind it. What the artist linked is one whole object in any case. It is
-    decided where the shapes met.
+    A solid shape is a thing of its own, and so are all those of one compound together, also where they overlap. Things
+    that overlap or abut are parts, but for those of several outlines, which stay whole; a thing that meets no other is
+    whole. A shape that subtracts and lies within one outline is its hole, and moves with it; one that crosses an
+    outline is an occluder: what it alone holds together (`objects`, with the same `gap`) is apart behind it. What the
+    artist linked is one whole object in any case. It is decided where the shapes met.
     """
     everything = tuple(range(len(shapes)))
     subtracts = [shape.blend is BlendMode.SUBTRACT for shape in shapes]
@@ -178,26 +202,43 @@ def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
     hosts = {k: _host(k, solid, shapes) for k in everything if subtracts[k]}
     occluders = [k for k, host in hosts.items() if host is None]
 
-    def overlap(i: int, j: int) -> bool:
-        """Whether two shapes share more than their borders, but for what lies in a hole of either."""
+    def meet(i: int, j: int) -> bool:
+        """Whether two shapes do, but for what lies in a hole of either."""
         a, b = _met(shapes[i], shapes[j])
         shared = _shared(a, b)
         for hole, host in hosts.items():
             if host in (i, j):
                 shared -= _shared(*_met(shapes[hole], shapes[j if host == i else i]))
-        smaller = min(a.area, b.area)
-        return bool(shared > max(OBJECTS.overlap * smaller, OBJECTS.touch * gap / OBJECTS.near * np.sqrt(smaller)))
+        return _meet(a, b, shared, gap)
 
     made = [Unit(Role.OCCLUDER, (k,)) for k in occluders]
     behind = [k for k in everything if k not in occluders]
     for group in objects([shapes[k] for k in behind], gap):
-        members = tuple(behind[place] for place in group)
-        ours = [k for k in members if k in solid]
-        if any(overlap(i, j) for place, i in enumerate(ours) for j in ours[:place]):
-            made += [Unit(Role.PART, (k, *(hole for hole, host in hosts.items() if host == k))) for k in ours]
-        else:
-            made.append(Unit(Role.WHOLE, members))
+        things = _things([k for place in group if (k := behind[place]) in solid], shapes)
+        for crowd in _crowds(things, meet):
+            for thing in crowd:
+                members = (*thing, *(hole for hole, host in hosts.items() if host in thing))
+                is_part = len(crowd) > 1 and len(thing) == 1
+                made.append(Unit(Role.PART, members) if is_part else Unit(Role.WHOLE, tuple(sorted(members))))
     return sorted(made, key=lambda unit: unit.members[0])
+
+
+def _things(solid: Sequence[int], shapes: Sequence[RotoShape]) -> list[tuple[int, ...]]:
+    """The indices of solid shapes: those of one compound together, each other by itself."""
+    found: dict[str | int, tuple[int, ...]] = {}
+    for k in solid:
+        name = shapes[k].compound or k
+        found[name] = (*found.get(name, ()), k)
+    return list(found.values())
+
+
+def _crowds(things: Sequence[tuple[int, ...]], meet: Callable[[int, int], bool]) -> list[list[tuple[int, ...]]]:
+    """Things, grouped by which of them meet."""
+
+    def belong(one: int, other: int) -> bool:
+        return any(meet(i, j) for i in things[one] for j in things[other])
+
+    return [[things[number] for number in numbers] for numbers in _joined(len(things), belong)]
 
 
 def stacked(shapes: Sequence[RotoShape], frame: int) -> list[int]:

@@ -25,7 +25,7 @@ from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
 
-REVISION = 8
+REVISION = 9
 """Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
 FILL = "fill"
 """The direction of a key that was filled from both sides."""
@@ -104,7 +104,7 @@ def stamp(
     """The stamp of what a run that knew `shapes`, all of one object, on the frame where it had `begun` gives there."""
     used = tuple(_passed(shape, begun, frame) for shape in shapes)
     direction = "forward" if forward else "backward"
-    content = [_said(params, clip, direction, alone)]
+    content = [_said(params, clip, direction, alone), _compounds(shapes)]
     for shape, keys in zip(shapes, used, strict=True):
         content.append(_as_drawn(shape, begun, frame))
         content.append(outline_begun(shape, begun, forward).tobytes())
@@ -116,7 +116,7 @@ def fill_stamp(
     shapes: Sequence[RotoShape], gap: tuple[int, int], params: RoamParams, clip: str, alone: bool = False
 ) -> str:
     """The stamp of the frames between the two keys of a gap, where `shapes` are filled together."""
-    content = [_said(params, clip, FILL, alone), f"{gap}".encode()]
+    content = [_said(params, clip, FILL, alone), _compounds(shapes), f"{gap}".encode()]
     for shape in shapes:
         content.append(_as_drawn(shape, *gap))
         content.extend(_as_keyed(key) for key in shape.artist_keys if key.frame in gap)
@@ -166,6 +166,15 @@ def _as_drawn(shape: RotoShape, begun: int, frame: int) -> bytes:
     changes = [pair for pair in shape.depth if low < pair[0] <= high]
     depth = [level, *changes] if level else changes
     return json.dumps([shape.closed, shape.blend.value, shape.link, shape.attached, depth]).encode()
+
+
+def _compounds(shapes: Sequence[RotoShape]) -> bytes:
+    """Which of the shapes are the outlines of one thing: for each the place of the first one of its compound.
+
+    Its name tells nothing, nor does a compound of which no other shape is here.
+    """
+    first: dict[str | int, int] = {}
+    return json.dumps([first.setdefault(shape.compound or k, k) for k, shape in enumerate(shapes)]).encode()
 
 
 def _as_keyed(key: Keyframe) -> bytes:

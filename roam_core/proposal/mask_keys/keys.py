@@ -12,7 +12,7 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit
 from roam_core.geometry.simple import simplified
-from roam_core.matte.vectorise import outlines
+from roam_core.matte.vectorise import compound_of, outlines
 from roam_core.params import scale_for
 from roam_core.proposal.mask_keys.key_fit import fitted
 from roam_core.proposal.mask_keys.pairing import paired, poses
@@ -33,8 +33,10 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     and takes a part of its own or ends. Outer contours of the mask are paired with shapes that add, holes with shapes
     that subtract (`proposal.mask_keys.pairing`); shapes that overlapped, or that are of like size, divide a part into
     which they have grown together. A part without a partner begins on `frame` as a new shape, above the others (a hole
-    just above the shape that it is cut out of). A shape without one ends before `frame`; one with keys after `frame`
-    too goes on behind it as a twin with those keys. No key of the artist's on another frame is changed or deleted.
+    just above the shape that it is cut out of). It is of the compound of the shapes that take part where they share
+    one, else of the mask's, and so is then a lone outline beside which it begins. A shape without a part ends before
+    `frame`; one with keys after `frame` too goes on behind it as a twin with those keys. No key of the artist's on
+    another frame is changed or deleted.
 
     Shapes that are open or invisible, do not exist on `frame`, or join by INTERSECT or DIFFERENCE take no part. Locked
     ones keep their part of the mask and stay as they are.
@@ -59,13 +61,24 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     result = list(shapes)
     parts = _parts(mask)
     pose = None
+    taking_part = [shape for shape in shapes if _takes_part(shape, frame)]
+    compound = _shared_compound(taking_part) or compound_of(mask, frame)
     for holes in (False, True):
-        members = [shape for shape in shapes if _takes_part(shape, frame) and _subtracts(shape) == holes]
+        members = [shape for shape in taking_part if _subtracts(shape) == holes]
         wanted = [part for part in parts if part.is_hole == holes]
         pose = _keyed(result, members, wanted, mask.shape[:2], frame, pose)
         for new in (part for part in wanted if part.owner == ""):
-            _begin(result, new, frame)
+            _begin(result, new, frame, compound)
+            if len(taking_part) == 1:
+                place = _place(result, taking_part[0].id)
+                result[place] = replace(result[place], compound=compound)
     return result
+
+
+def _shared_compound(shapes: Sequence[RotoShape]) -> str:
+    """The compound that all shapes are of; "" where they are of several, or one is of none."""
+    names = {shape.compound for shape in shapes}
+    return names.pop() if len(names) == 1 else ""
 
 
 @dataclass(eq=False)
@@ -150,7 +163,7 @@ def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
     return [replace(shape, lifetime=(start, frame)), twin]
 
 
-def _begin(result: list[RotoShape], part: _Part, frame: int) -> None:
+def _begin(result: list[RotoShape], part: _Part, frame: int, compound: str) -> None:
     """Add a shape for a part of the mask that has none."""
     points = fit.fit_closed(part.ring)
     part.owner = _free_id({shape.id for shape in result})
@@ -162,6 +175,7 @@ def _begin(result: list[RotoShape], part: _Part, frame: int) -> None:
         colour=PALETTE[len(result) % len(PALETTE)],
         blend=BlendMode.SUBTRACT if part.is_hole else BlendMode.ADD,
         lifetime=(frame, OPEN),
+        compound=compound,
     )
     owner = part.parent.owner if part.parent is not None else ""
     result.insert(_place(result, owner) + 1 if owner else len(result), shape)

@@ -45,9 +45,10 @@ def picture(frame: int) -> UInt8:
 
 def tracked(body_keys: Sequence[int]) -> dict[int, TrackResult]:
     """The hand on every frame, with artist's keys of the body on these frames."""
-    body = RotoShape("body", "body", tuple(Keyframe(frame, BODY + moved(frame)) for frame in (1, *body_keys)))
+    keys = tuple(Keyframe(frame, BODY + moved(frame)) for frame in (1, *body_keys))
+    body = RotoShape("body", "body", keys, compound="figure")
     tracker = GroupTracker(PARAMS)
-    tracker.start(picture(1), [body, RotoShape("hand", "hand", (Keyframe(1, HAND),))], 1)
+    tracker.start(picture(1), [body, RotoShape("hand", "hand", (Keyframe(1, HAND),), compound="figure")], 1)
     return {frame: tracker.step(picture(frame), frame)[1] for frame in range(2, LAST + 1)}
 
 

@@ -244,8 +244,9 @@ def box(left: float, top: float, right: float, bottom: float, frame: int) -> Key
 
 def test_what_begins_on_a_key_tells_how_much_of_the_object_its_neighbours_are() -> None:
     left, top, right, bottom = CARD
-    body = RotoShape("body", "Body", (box(*CARD, FIRST), box(left, top, POST[0], bottom, LAST)))
-    rest = RotoShape("rest", "Rest", (box(POST[1], top, right, bottom, LAST),), lifetime=(LAST, LAST + 1))
+    body = RotoShape("body", "Body", (box(*CARD, FIRST), box(left, top, POST[0], bottom, LAST)), compound="card")
+    last = box(POST[1], top, right, bottom, LAST)
+    rest = RotoShape("rest", "Rest", (last,), lifetime=(LAST, LAST + 1), compound="card")
     images = {frame: behind_a_post(frame) for frame in range(FIRST, LAST + 1)}
     filled, begun = fill_span(images, [body, rest], FIRST, LAST)
     assert begun == rest

@@ -20,9 +20,12 @@ def box(x: float, y: float, width: float, height: float) -> Array:
     return polygon_points(CORNERS * (width, height) + (x, y))
 
 
-def square(x: float, y: float, side: float, *, hole: bool = False, frame: int = 1, link: str = "") -> RotoShape:
+def square(
+    x: float, y: float, side: float, *, hole: bool = False, frame: int = 1, link: str = "", of: str = ""
+) -> RotoShape:
+    """A square with its upper left corner at (x, y); `of` is its compound."""
     blend = BlendMode.SUBTRACT if hole else BlendMode.ADD
-    return RotoShape("s", "S", (Keyframe(frame, box(x, y, side, side)),), blend=blend, link=link)
+    return RotoShape("s", "S", (Keyframe(frame, box(x, y, side, side)),), blend=blend, link=link, compound=of)
 
 
 def whole(*members: int) -> Unit:
@@ -37,9 +40,22 @@ def occluder(*members: int) -> Unit:
     return Unit(Role.OCCLUDER, members)
 
 
-def test_near_shapes_are_one_object_and_far_ones_their_own() -> None:
-    shapes = [square(0, 0, 40), square(300, 0, 40), square(50, 0, 40), square(85, 30, 40)]
+def test_shapes_that_overlap_or_abut_are_one_object_and_others_their_own() -> None:
+    shapes = [square(0, 0, 40), square(300, 0, 40), square(30, 0, 40), square(71, 10, 40)]
     assert objects(shapes, 20.0) == [[0, 2, 3], [1]]
+    assert objects([square(0, 0, 40), square(45, 0, 40)], 20.0) == [[0], [1]]
+    assert objects([square(0, 0, 40), square(45, 0, 40)], 80.0) == [[0, 1]]  # four times as fine a picture
+    assert objects([square(0, 0, 40), square(40, 39, 40)], 20.0) == [[0], [1]]  # corner to corner
+
+
+def test_near_outlines_of_one_compound_are_one_object_and_far_ones_their_own() -> None:
+    pieces = [square(x, 0, 40, of="a") for x in (0, 300, 55, 110)]
+    assert objects(pieces, 20.0) == [[0, 2, 3], [1]]
+    assert objects([replace(piece, compound="") for piece in pieces], 20.0) == [[0], [1], [2], [3]]
+    assert objects([replace(piece, compound=name) for piece, name in zip(pieces, "abab", strict=True)], 20.0) == [
+        [0, 2], [1], [3]
+    ]  # fmt: skip
+    assert objects([square(0, 0, 200, of="a"), square(80, 80, 40, of="a")], 20.0) == [[0, 1]]
 
 
 def test_a_hole_in_the_middle_of_a_large_shape_belongs_to_it() -> None:
@@ -97,25 +113,37 @@ def test_near_goes_with_the_size_of_the_pictures() -> None:
     [
         ([square(0, 0, 40)], [whole(0)]),
         ([square(0, 0, 40), square(20, 0, 40)], [part(0), part(1)]),
-        ([square(0, 0, 40), square(60, 0, 40)], [whole(0, 1)]),
-        ([square(0, 0, 40), square(40, 0, 40)], [whole(0, 1)]),
-        ([square(0, 0, 40), square(20, 0, 40), square(70, 0, 40)], [part(0), part(1), part(2)]),
+        ([square(0, 0, 40), square(55, 0, 40)], [whole(0), whole(1)]),
+        ([square(0, 0, 40, of="a"), square(55, 0, 40, of="a")], [whole(0, 1)]),
+        ([square(0, 0, 40, of="a"), square(55, 0, 40, of="b")], [whole(0), whole(1)]),
+        ([square(0, 0, 40, of="a"), square(20, 0, 40, of="a")], [whole(0, 1)]),
+        ([square(0, 0, 40), square(40, 0, 40)], [part(0), part(1)]),
+        ([square(0, 0, 40, of="a"), square(40, 0, 40, of="a")], [whole(0, 1)]),
+        ([square(0, 0, 40), square(20, 0, 40), square(70, 0, 40)], [part(0), part(1), whole(2)]),
+        ([square(0, 0, 40, of="a"), square(20, 0, 40), square(70, 0, 40, of="a")], [part(0), part(1), whole(2)]),
+        ([square(0, 0, 40, of="a"), square(30, 0, 9), square(55, 0, 40, of="a")], [whole(0, 2), part(1)]),
+        ([square(0, 0, 40, of="a"), square(10, 10, 9, hole=True, of="a"), square(55, 0, 9)], [whole(0, 1), whole(2)]),
         ([square(0, 0, 40), square(10, 10, 20)], [part(0), part(1)]),
         ([square(0, 0, 40), square(10, 10, 20, hole=True)], [whole(0, 1)]),
         ([square(0, 0, 40), square(30, 10, 20, hole=True)], [whole(0), occluder(1)]),
         ([square(0, 0, 40), square(60, 0, 20, hole=True)], [whole(0), occluder(1)]),
         ([square(0, 0, 40), square(20, 0, 40), square(2, 2, 10, hole=True)], [part(0, 2), part(1)]),
         ([square(0, 0, 40), square(20, 0, 40), square(50, 0, 40, hole=True)], [part(0), part(1), occluder(2)]),
-        ([square(0, 0, 90), square(20, 20, 40, hole=True), square(30, 30, 10)], [whole(0, 1, 2)]),
+        ([square(0, 0, 90), square(20, 20, 40, hole=True), square(30, 30, 10)], [whole(0, 1), whole(2)]),
+        (
+            [square(0, 0, 90, of="a"), square(20, 20, 40, hole=True, of="a"), square(30, 30, 10, of="a")],
+            [whole(0, 1, 2)],
+        ),
         ([square(0, 0, 90), square(20, 20, 40, hole=True), square(10, 30, 20)], [part(0, 1), part(2)]),
         ([square(0, 0, 9, hole=True), square(2, 2, 9, hole=True)], [whole(0, 1)]),
         ([square(0, 0, 40, link="a"), square(20, 0, 40, link="a")], [whole(0, 1)]),
         ([square(0, 0, 40, link="a"), square(30, 0, 40, hole=True, link="a")], [whole(0, 1)]),
     ],
     ids=[
-        "one", "overlap", "disjoint", "touching", "two overlap, the third is near", "inside another", "hole",
-        "crossing", "subtracts beside", "hole in a part", "crosses a part", "island in a hole",
-        "reaches out of a hole", "only holes", "linked", "linked and crossing",
+        "one", "overlap", "near", "pieces", "pieces of two", "pieces that overlap", "abutting", "pieces that abut",
+        "two overlap, the third is near", "far pieces, one overlapped", "pieces, one overlapped", "hole, another near",
+        "inside another", "hole", "crossing", "subtracts beside", "hole in a part", "crosses a part",
+        "in a hole", "island of one mask", "reaches out of a hole", "only holes", "linked", "linked and crossing",
     ],
 )  # fmt: skip
 def test_what_the_shapes_of_an_object_are(shapes: list[RotoShape], expected: list[Unit]) -> None:
@@ -123,10 +151,10 @@ def test_what_the_shapes_of_an_object_are(shapes: list[RotoShape], expected: lis
 
 
 def test_outlines_that_were_fitted_to_one_mask_touch_and_do_not_overlap() -> None:
-    shapes = [square(0, 0, 160), square(159.4, 40, 12)]
-    assert units(shapes, 20.0) == [whole(0, 1)]
-    assert units([shapes[0], square(157.0, 40, 12)], 20.0) == [part(0), part(1)]
-    assert units([square(0, 0, 160), square(157.0, 40, 12)], 80.0) == [whole(0, 1)]  # four times as fine a picture
+    large = square(0, 0, 160, of="a")
+    for beside in (square(159.4, 40, 12, of="a"), square(157.0, 40, 12, of="a")):
+        assert units([large, beside], 20.0) == [whole(0, 1)]
+        assert units([large, replace(beside, compound="b")], 20.0) == [part(0), part(1)]
 
 
 def test_a_hole_belongs_to_the_nearest_shape_below_it() -> None:
