@@ -297,3 +297,36 @@ def test_a_still_polygon_without_a_track_is_told_apart_by_its_key() -> None:
     assert len(document["annotations"]) == len(CLIP.frame_range)
     assert any("opacity of 'Still'" in note for note in notes)
     assert any("feather of 'Still'" in note for note in notes)
+
+
+# ---- the outlines of one thing ---------------------------------------------------------------------------------------
+
+
+def test_the_polygons_of_a_coco_annotation_are_of_one_compound(tmp_path: Path) -> None:
+    near, far = [10, 10, 50, 10, 50, 50, 10, 50], [90, 10, 130, 10, 130, 50, 90, 50]
+    document = {
+        "images": [{"id": 0, "file_name": "plate_1001.png", "width": SIZE[0], "height": SIZE[1]}],
+        "categories": [],
+        "annotations": [
+            {"id": k, "image_id": 0, "category_id": 1, "segmentation": polygons}
+            for k, polygons in enumerate([[near, far], [near], [near, far]])
+        ],
+    }
+    path = tmp_path / "labels.json"
+    path.write_text(json.dumps(document))
+    shapes = read_shapes(path, CLIP).layer.shapes()
+    assert [shape.compound for shape in shapes] == ["compound-1", "compound-1", "", "compound-2", "compound-2"]
+
+
+def test_a_group_of_cvat_is_a_compound(tmp_path: Path) -> None:
+    text = "".join(
+        f'<polygon label="Car" points="1,1;9,1;9,9" {group}/>'
+        for group in ('group_id="4"', 'group_id="4"', "", 'group_id="0"', 'group_id="7"')
+    )
+    outline = '<polygon frame="0" points="1,1;9,1;9,9"/>'
+    path = tmp_path / "labels.xml"
+    path.write_text(
+        f'<annotations><image id="0">{text}</image><track label="Van" group_id="7">{outline}</track></annotations>'
+    )
+    shapes = read_shapes(path, CLIP).layer.shapes()
+    assert [shape.compound for shape in shapes] == ["compound-1", "compound-1", "", "", "compound-2", "compound-2"]

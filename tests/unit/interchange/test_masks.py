@@ -75,3 +75,9 @@ def test_a_file_without_a_suffix_is_no_folder(tmp_path: Path) -> None:
     (tmp_path / "thing").write_text("x")
     with pytest.raises(RoamError, match="no suffix"):
         read_shapes(tmp_path / "thing", CLIP)
+
+
+def test_the_parts_of_a_sequence_are_outlines_of_one_thing(tmp_path: Path) -> None:
+    folder = write(tmp_path / "masks", discs((40, 60)), discs((40, 60), (115, 60)))
+    shapes = list(read_shapes(folder, CLIP).layer.shapes())
+    assert [shape.compound for shape in shapes] == ["compound-1", "compound-1"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -40,6 +41,26 @@ def test_everything_comes_back_number_for_number(project: Project, tmp_path: Pat
     back = read_shapes(tmp_path / "p.json", project.require_clip())
     assert back.notes == ()
     assert [plain(item) for item in back.layer.children] == [plain(item) for item in project.root.children]
+
+
+def test_compounds_come_back_and_one_that_is_no_text_is_refused(project: Project, tmp_path: Path) -> None:
+    shape = project.shapes[0]
+    document = json.loads(json_document(project.with_shape(replace(shape, compound="mask-1")))[0])
+    assert next(_shapes(document)) == {**next(_shapes(json.loads(json_document(project)[0]))), "compound": "mask-1"}
+    back = read(json.dumps(document), tmp_path).layer.shapes()
+    assert [each.compound for each in back] == ["mask-1", *[""] * (len(project.shapes) - 1)]
+    next(_shapes(document))["compound"] = 1
+    with pytest.raises(RoamError, match='"compound" must be a text'):
+        read(json.dumps(document), tmp_path)
+
+
+def _shapes(item: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """All shapes of a document, or of a layer in it."""
+    for child in item["items"]:
+        if child["kind"] == "shape":
+            yield child
+        else:
+            yield from _shapes(child)
 
 
 def test_the_root_becomes_a_layer_where_it_is_not_plain(project: Project, tmp_path: Path) -> None:

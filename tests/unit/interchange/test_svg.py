@@ -221,3 +221,10 @@ def test_open_shapes_keep_the_handles_of_their_ends(tmp_path: Path) -> None:
     text = svg_document(Project(CLIP, Layer("root", "Root", (shape,))), 1001)[0]
     (back,) = read(text, tmp_path).layer.shapes()
     np.testing.assert_allclose(back.keys[0].points, shape.keys[0].points, atol=1e-5)
+
+
+def test_the_outlines_of_one_path_are_of_one_compound(tmp_path: Path) -> None:
+    two = '<path d="M20 20 H100 V100 H20 Z m150 20 h80 v80 h-80 z"/>'
+    body = f'{two}<rect width="9" height="9"/>{two}'
+    shapes = read(drawing(body), tmp_path).layer.shapes()
+    assert [shape.compound for shape in shapes] == ["compound-1", "compound-1", "", "compound-2", "compound-2"]

@@ -74,6 +74,18 @@ def test_holes_subtract_and_follow_their_region() -> None:
     assert overlap(render_matte(shapes, 0, SIZE) > 0.5, mask > 0) > 0.985
 
 
+def test_all_outlines_of_a_mask_are_of_one_compound_and_those_of_others_of_theirs() -> None:
+    mask = np.zeros((60, 90), dtype=bool)
+    mask[10:50, 10:40] = mask[10:50, 50:80] = True
+    mask[20:40, 20:30] = False
+    shapes = shapes_from_mask(mask, 4)
+    assert len(shapes) == 3
+    (name,) = {shape.compound for shape in shapes}
+    assert name == shapes_from_mask(mask.copy(), 4)[0].compound
+    others = [(mask.T, 4), (mask, 5), (np.roll(mask, 1, axis=1), 4), (mask[::-1], 4), (mask[:, :85], 4)]
+    assert len({name, *(shapes_from_mask(*other)[0].compound for other in others)}) == 5  # upside down it is the same
+
+
 def test_an_island_in_a_hole_is_a_region_of_its_own() -> None:
     mask = box((10, 10, 80, 80))
     mask[20:70, 20:70] = 0

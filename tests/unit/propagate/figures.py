@@ -123,6 +123,12 @@ def body_and_sleeve(count: int = 6) -> Figure:
     return Figure((body, Moving("sleeve", box(56, 22), (120, 58), (0.3, 0.6), 7.0, texture(13, 0.56, 0.66))), count)
 
 
+def two_shins(count: int = 10) -> Figure:
+    """Two shins of one cloth that swing past each other, near and apart on the first frame; nothing joins them."""
+    far = Moving("far", box(14, 56), (64, 60), (3.4, 0.0), -2.0, texture(11, 0.5, 0.8))
+    return Figure((far, Moving("near", box(16, 58), (88, 62), (-3.0, 0.2), 2.0, texture(13, 0.5, 0.8))), count)
+
+
 def subtracting(shape: RotoShape) -> RotoShape:
     return replace(shape, blend=BlendMode.SUBTRACT)
 

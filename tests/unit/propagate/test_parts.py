@@ -15,7 +15,7 @@ from roam_core.propagate import TrackMemory
 from roam_core.propagate.engines.protocol import POSE, REGION
 from roam_core.propagate.explain import explain
 from roam_core.propagate.frame.result import Termination
-from roam_core.propagate.shapes.objects import Role, objects, units
+from roam_core.propagate.shapes.objects import Role, near, objects, units
 from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.golden.shots import outline_distance, texture
@@ -32,6 +32,7 @@ from tests.unit.propagate.figures import (
     keys_of,
     many_parts,
     subtracting,
+    two_shins,
 )
 
 LAST = 7
@@ -373,3 +374,13 @@ def test_a_hundred_small_parts_break_nothing() -> None:
     figure = many_parts(100)
     assert max(map(len, objects(figure.shapes(), 5.0))) > 90
     require_sound(tracked(figure, figure.shapes()), figure.frames)
+
+
+def test_near_limbs_that_nothing_joins_stay_themselves_when_they_cross() -> None:
+    """As outlines of one compound they are carried by one region, and are drawn into each other: 39 and 15 px."""
+    figure = two_shins()
+    assert objects(figure.shapes(), near(SIZE)) == [[0], [1]]
+    far, close = tracked(figure, figure.shapes())
+    last = figure.frames[-1]
+    assert outline_distance(far.at(last).points, figure.parts[0].truth(last)) < 2.0
+    assert max(outline_distance(close.at(k).points, figure.parts[1].truth(k)) for k in figure.frames) < 2.0

@@ -52,6 +52,14 @@ def test_added_items_get_free_ids_and_keep_their_names() -> None:
     assert len(project.shapes) == 1
 
 
+def test_compounds_that_are_taken_are_replaced_by_free_ones() -> None:
+    pieces = tuple(replace(shape(), id=f"shape-{k}", compound="compound-1") for k in (1, 2))
+    other = replace(shape(), id="shape-3", compound="mask-a")
+    project, _ = edit.add_items(Project(), [Layer("layer-1", "Group", pieces), other])
+    project, _ = edit.add_items(project, (item for item in [Layer("layer-1", "Group", pieces), shape()]))
+    assert [each.compound for each in project.shapes] == ["compound-1"] * 2 + ["mask-a"] + ["compound-2"] * 2 + [""]
+
+
 def test_shapes_without_a_colour_take_those_of_the_palette_in_turn() -> None:
     """As files without colours and programs give them, one by one and in layers; a colour of its own is kept."""
     plain = RotoShape("hero", "Hero", (Keyframe(1, SQUARE),))

@@ -50,3 +50,11 @@ def test_holes_cut_their_own_object_only() -> None:
 
 def test_nothing_found_changes_nothing() -> None:
     assert add_found(Project(), []) == (Project(), ())
+
+
+def test_the_pieces_of_a_mask_stay_one_thing_and_are_another_each_time() -> None:
+    project, first = add_found(Project(), shapes_from_mask(mask(), 3))
+    project, second = add_found(project, shapes_from_mask(mask(), 3))
+    of_first, of_second = ({project.shape(each).compound for each in ids} for ids in (first, second))
+    assert len(of_first) == len(of_second) == 1
+    assert of_first != of_second

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
-from roam_core.roto.linking import apart, attached, linked, links, relinked, set_depth, unlinked
+from roam_core.roto.linking import apart, attached, free_compound, linked, links, relinked, set_depth, unlinked
 
 SQUARE = polygon_points([(2.0, 2.0), (12.0, 2.0), (12.0, 9.0), (2.0, 9.0)])
 A, B, C = "shape-1", "shape-2", "shape-3"
@@ -102,3 +104,13 @@ def test_copies_are_linked_with_each_other_and_not_with_their_originals(project:
     assert [copy.link for copy in relinked(both, both.shapes)] == ["object-3", "object-3", "object-4"]
     assert [copy.link for copy in relinked(Project(), both.shapes)] == told(both)
     assert [copy.link for copy in relinked(both, project.shapes)] == ["", "", ""]
+
+
+def test_copies_are_the_outlines_of_things_of_their_own(project: Project) -> None:
+    a, b, c = project.shapes
+    pieces = [replace(a, compound="mask-1"), replace(b, compound="mask-1"), replace(c, compound="compound-1")]
+    taken = replace(project, root=replace(project.root, children=tuple(pieces)))
+    assert [copy.compound for copy in relinked(taken, pieces)] == ["compound-3", "compound-3", "compound-2"]
+    assert [copy.compound for copy in relinked(project, pieces)] == ["mask-1", "mask-1", "compound-1"]
+    assert [copy.compound for copy in relinked(taken, project.shapes)] == ["", "", ""]
+    assert free_compound(taken) == "compound-2"

@@ -72,6 +72,15 @@ def test_what_the_artist_takes_is_the_artists(step: int, lifetime: tuple[int, in
     assert project.shape("s") is SHAPE
 
 
+def test_the_parts_of_a_shape_are_outlines_of_one_thing() -> None:
+    offer = Proposal.of(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0)
+    for before, name in (("", "compound-2"), ("mask-1", "mask-1")):
+        other = replace(SHAPE, id="other", compound="compound-1")
+        project = Project(root=Layer("root", "Root", (replace(SHAPE, compound=before), other)))
+        after, ids = offer.accepted(project, 1)
+        assert [after.shape(shape_id).compound for shape_id in ids] == [name, name]
+
+
 def test_a_dropped_part_leaves_one_shape() -> None:
     project = Project(None, Layer("root", "Root", (SHAPE,)))
     offer = Proposal.of(TopologyChange(TopologyKind.DROP, RINGS[:1], 3.0), SHAPE, 1002, 1.0)

@@ -348,3 +348,12 @@ def test_the_governing_key_is_the_last_one_passed() -> None:
     backward = [getattr(governing_key(shape, frame, False), "frame", None) for frame in (1, 2, 5, 6, 9)]
     assert forward == [None, 2, 2, 6, 6]
     assert backward == [2, 2, 6, 6, None]
+
+
+@KINDS
+def test_which_outlines_are_of_one_thing_is_in_the_stamp_and_its_name_is_not(kind: dict[str, bool]) -> None:
+    mine, beside, far = project_of(**kind)
+    named = [replace(mine, compound="a"), beside, replace(far, compound="a")]
+    assert stale_of(named) == []  # no other of it is in the object
+    assert stale_of([named[0], replace(beside, compound="b"), far]) == []
+    assert stale_of([named[0], replace(beside, compound="a"), far]) == list(range(2, 9))

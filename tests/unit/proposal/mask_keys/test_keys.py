@@ -196,3 +196,31 @@ def test_a_shape_that_stays_out_of_sight_takes_nothing_from_another() -> None:
     assert not keyed[1].exists_at(9)
     assert np.hypot(*(keyed[0].at(9).points - whole.at(1).points)[:, 0].T).max() < 1.0
     require_matte(keyed, 9, solid(body))
+
+
+HERE, THERE = (20, 20, 60, 70), (90, 30, 130, 80)
+
+
+def test_what_begins_on_a_later_mask_is_of_the_compound_of_the_others() -> None:
+    keyed = keys_from_mask(shapes_from_mask(solid(HERE), 1), solid(HERE, THERE), 5)
+    assert [shape.frames for shape in keyed] == [(1, 5), (5,)]
+    assert {shape.compound for shape in keyed} == {shapes_from_mask(solid(HERE), 1)[0].compound}
+    again = keys_from_mask(keyed, solid(HERE, THERE, (100, 90, 120, 110)), 9)
+    assert {shape.compound for shape in again} == {keyed[0].compound}
+
+
+def test_what_begins_beside_shapes_of_several_compounds_is_of_the_masks() -> None:
+    drawn = [
+        replace(shape, compound=name) for shape, name in zip(shapes_from_mask(solid(HERE, THERE)), "ab", strict=True)
+    ]
+    mask = solid(HERE, THERE, (20, 85, 50, 110))
+    keyed = keys_from_mask(drawn, mask, 5)
+    assert [shape.compound for shape in keyed] == ["a", "b", shapes_from_mask(mask, 5)[0].compound]
+
+
+def test_a_lone_outline_and_what_begins_beside_it_are_one_thing() -> None:
+    (drawn,) = (replace(shape, compound="") for shape in shapes_from_mask(solid(HERE)))
+    assert [shape.compound for shape in keys_from_mask([drawn], solid(HERE), 5)] == [""]
+    mask = solid(HERE, THERE)
+    assert [shape.compound for shape in keys_from_mask([drawn], mask, 5)] == 2 * [shapes_from_mask(mask, 5)[0].compound]
+    assert {shape.compound for shape in keys_from_mask([], mask, 5)} == {shapes_from_mask(mask, 5)[0].compound}
