@@ -23,8 +23,8 @@ BY_OUTLINES, NEW_LINK, APART, OF_LINK = "outlines", "new", "apart", "link:"
 """What can be chosen: left to the outlines, a new link, a link of its own, or a link by its name."""
 
 SOLVE_TIP = N_(
-    "What is solved together. By outlines: shapes that overlap are parts, which move by themselves and hang together;"
-    " shapes that lie near each other are one whole."
+    "What is solved together. By outlines: shapes that overlap or touch are parts, which move by themselves and hang"
+    " together; the outlines of one mask or path are one whole; others are objects of their own, however near they lie."
 )
 CHOICE_WIDTH = 90
 """Least width of a box: the column is narrow, and its words are as long as links' names are."""

@@ -4531,8 +4531,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Auswahl ist gesperrt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
     </message>
     <message>
-        <source>What is solved together. By outlines: shapes that overlap are parts, which move by themselves and hang together; shapes that lie near each other are one whole.</source>
-        <translation>Was zusammen getrackt wird. Nach Umrissen: Formen, die sich überlappen, sind Teile, die sich selbst bewegen und zusammenhängen; Formen, die nah beieinanderliegen, sind ein Ganzes.</translation>
+        <source>What is solved together. By outlines: shapes that overlap or touch are parts, which move by themselves and hang together; the outlines of one mask or path are one whole; others are objects of their own, however near they lie.</source>
+        <translation>Was zusammen getrackt wird. Nach Umrissen: Formen, die sich überlappen oder berühren, sind Teile, die sich selbst bewegen und zusammenhängen; die Umrisse einer Maske oder eines Pfads sind ein Ganzes; alle anderen sind eigene Objekte, auch wenn sie nah beieinanderliegen.</translation>
     </message>
     <message>
         <source>What lies in a hidden layer takes no part in the matte</source>

@@ -51,8 +51,12 @@ def test_shapes_that_overlap_are_parts_and_one_far_away_is_an_object() -> None:
     assert told(drawn(BODY)) == ["Part of 2", "Part of 2", "One object"]
 
 
-def test_shapes_that_lie_near_are_one_whole() -> None:
-    assert told(drawn({"left": box(10, 10, 40, 40), "right": box(45, 10, 80, 40)})) == ["Whole of 2 shapes"] * 2
+def test_the_outlines_of_one_compound_are_one_whole_and_other_shapes_nearby_their_own() -> None:
+    project = drawn({"left": box(10, 10, 40, 40), "right": box(45, 10, 80, 40)})
+    assert told(project) == ["One object"] * 2
+    for shape_id in (TORSO, ARM):
+        project = edit.set_properties(project, shape_id, compound="mask-1")
+    assert told(project) == ["Whole of 2 shapes"] * 2
 
 
 def test_the_artists_word_is_told_with_its_name() -> None:
