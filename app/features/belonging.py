@@ -169,7 +169,7 @@ def places(project: Project) -> dict[str, Place]:
 
 
 def _gap(project: Project) -> float:
-    """Pixels between outlines that still belong together."""
+    """Pixels between outlines of one compound that still belong together."""
     return objects.near(None if project.clip is None else project.clip.size[::-1])
 
 

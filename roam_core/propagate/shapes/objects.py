@@ -118,7 +118,7 @@ def _joined(count: int, belong: Callable[[int, int], bool]) -> list[list[int]]:
 
 
 def near(size: tuple[int, int] | None) -> float:
-    """Pixels between outlines that still belong to one object, on pictures of `size` (h, w)."""
+    """Pixels between outlines of one compound that still belong to one object, on pictures of `size` (h, w)."""
     return OBJECTS.near * (1.0 if size is None else scale_for(size))
 
 

@@ -3,7 +3,7 @@
 A run solves a whole object (`propagate.shapes.objects`) from keys; which of its shapes get keys of it makes no
 difference to any of them. So a stamp covers all that the points depend on: the revision of the engine, the parameters,
 the clip, and of every shape of the object its outline on the frame where the run's knowledge begins and each artist key
-that it passed since, with how it is drawn, stacked and linked.
+that it passed since, with how it is drawn, stacked and linked, and which of the shapes are outlines of one thing.
 """
 
 from __future__ import annotations
