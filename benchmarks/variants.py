@@ -52,6 +52,8 @@ ABLATION = (
     Variant("best without label propagation", "best", {"region.label_propagation_weight": 0.0}),
     Variant("best, one piece an outline", "best", {"region.longest_bridge": 0.0}),
     Variant("best, points not held to the key", "best", {"region.kept_shares": 0.0, "region.key_pull": 0.0}),
+    Variant("best without patches of the key", "best", {"region.patches": None}),
+    Variant("best without the key's background", "best", {"region.background": None}),
     Variant("best without smoothing by contrast", "best", {"region.diffusion": 0.0}),
     Variant("best without adaptation", "best", {"region.adaptation": 0.0}),
     Variant("best without re-detection", "best", {"region.doubted": 0.0}),

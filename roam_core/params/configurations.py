@@ -8,6 +8,7 @@ from functools import lru_cache
 from roam_core.dials import DIALS, turn
 from roam_core.errors import RoamError
 from roam_core.params.appearance import AppearanceParams
+from roam_core.params.evidence import BackgroundParams
 from roam_core.params.landmarks import LandmarkParams
 from roam_core.params.patches import PatchParams
 from roam_core.params.paths import changed, no_such
@@ -50,7 +51,10 @@ CONFIGS: dict[str, RoamParams] = {
         proposals=ProposalParams(least_share=0.7),
     ),
     "best": RoamParams(
-        config="best", region=RegionParams(pose=PoseParams(like=(5.0, 12.0)), part=PoseParams(), patches=PatchParams())
+        config="best",
+        region=RegionParams(
+            pose=PoseParams(like=(5.0, 12.0)), part=PoseParams(), patches=PatchParams(), background=BackgroundParams()
+        ),
     ),
 }
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models

@@ -65,3 +65,32 @@ class KeyColoursParams:
     sigma: float = 3.0
     clip: float = 3.0
     aged: float = 1.0
+
+
+@dataclass(frozen=True)
+class BackgroundParams:
+    """Parameters of what the key's background says of a cell (`proposal.cues.background`). Lengths are cells,
+    differences of colour units of Lab in 8 bits.
+
+    Attributes
+    ----------
+    window, reach : side of the patches that are compared, and how far off a cell may lie from where it is expected.
+    alike : correlation from which patches are said to be the same. texture : deviation of a patch's colours under
+        which a correlation counts for less. same : nats of one that is the same in full.
+    unlike : difference of colour from which a cell is said to show something else; twice that: in full. other : nats of
+        that, as far as the background outside of the object is as on the key.
+    shade : how far a difference of lightness counts where the picture is the darker one.
+    around : side of the window in which it must be.
+    agreed : share of the surroundings that must move as one for the key to be drawn to the picture by them.
+    """
+
+    window: int = 5
+    reach: int = 1
+    alike: float = 0.6
+    texture: float = 2.0
+    same: float = 3.0
+    unlike: float = 20.0
+    shade: float = 0.5
+    other: float = 2.0
+    around: int = 31
+    agreed: float = 0.4

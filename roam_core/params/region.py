@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from roam_core.params.between import SpanParams
 from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import ContourFitParams
-from roam_core.params.evidence import ComponentsParams, LabelPropagationParams
+from roam_core.params.evidence import BackgroundParams, ComponentsParams, LabelPropagationParams
 from roam_core.params.figure import FigureParams
 from roam_core.params.patches import PatchParams
 from roam_core.params.pose import PoseParams
@@ -73,6 +73,7 @@ class RegionParams:
     patches : of the key's patches that are followed one by one (`motion.patches`); None: they are not asked.
     patches_inside : by how much what they say of a cell inside is taken to be surer; in full, it counts as the key's
         word. patches_outside : nats of what they say of one outside.
+    background : of what the key's background says (`proposal.cues.background`); None: it is not asked.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
         to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near : pixels of a 480-line image within
         which its patches must lie of where the pose has them. pose_agreed : the share of them that must.
@@ -137,6 +138,7 @@ class RegionParams:
     patches: PatchParams | None = None
     patches_inside: float = 3.0
     patches_outside: float = 5.0
+    background: BackgroundParams | None = later(None)
     pose_steady: float = later(1.4)
     pose_steady_seam: float = later(0.03)
     pose_near: float = later(2.0)

@@ -18,7 +18,8 @@ from roam_core.propagate.engines.protocol import REGION, Account, ByPose, Motion
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.propagate.whole import posed, region
-from roam_core.propagate.whole.region import RegionState, RegionStep
+from roam_core.propagate.whole.region import RegionStep
+from roam_core.propagate.whole.state import RegionState, begin
 from roam_core.proposal.cues.evidence import cues
 from roam_core.proposal.segment.region import cleaned
 
@@ -36,7 +37,7 @@ class RegionEngine:
     @classmethod
     def begun(cls, picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams) -> RegionEngine:
         """On a frame whose outlines are given."""
-        return cls(region.begin(picture, parts, region_params(params)), params)
+        return cls(begin(picture, parts, region_params(params)), params)
 
     @property
     def frame(self) -> PreparedFrame:

@@ -33,7 +33,9 @@ from roam_core.propagate.frame.free_edges import Border, drawn_to
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.propagate.shapes.objects import Role, Unit
 from roam_core.propagate.whole import posed, region
-from roam_core.propagate.whole.region import RegionState, RegionStep
+from roam_core.propagate.whole.region import RegionStep
+from roam_core.propagate.whole.state import RegionState
+from roam_core.propagate.whole.state import begin as begin_whole
 from roam_core.roto import BlendMode
 
 T = TypeVar("T")
@@ -172,7 +174,7 @@ def _learned(frame: PreparedFrame, limbs: Sequence[Limb], k: int, params: Region
     assert params.part is not None
     limb, covers = limbs[k], [line for nearer in _nearer(limbs, k, order) for line in nearer.lines]
     if limb.unit.role is Role.WHOLE:
-        return replace(limb, whole=region.begin(frame, limb.parts, params, covers))
+        return replace(limb, whole=begin_whole(frame, limb.parts, params, covers))
     return replace(limb, pose=posed.learned(frame, limb.lines[0], params.part, [*limb.gaps, *covers]))
 
 
@@ -211,7 +213,7 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
         Part(shape.keys[0].points + window.origin, shape.blend is BlendMode.SUBTRACT)
         for shape in shapes_from_mask(covered)
     )
-    return region.begin(frame, outlines, replace(params, pose=None)) if outlines else None
+    return begin_whole(frame, outlines, replace(params, pose=None)) if outlines else None
 
 
 @dataclass(frozen=True, eq=False)

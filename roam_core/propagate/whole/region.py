@@ -15,11 +15,8 @@ from roam_core.appearance.global_model import GlobalModel
 from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
-from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion import pose as motion_pose
-from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
-from roam_core.motion.patches import Patches, PatchMotion
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.confidence import (
     ConfidenceFeatures,
@@ -30,121 +27,16 @@ from roam_core.propagate.frame.confidence import (
     vertex_confidence,
 )
 from roam_core.propagate.frame.contour_fit import enclosed, fitted, trusts_of
-from roam_core.propagate.frame.covering import carried_behind, learned_colours, visible
-from roam_core.propagate.frame.nodes import smooth_points
-from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
+from roam_core.propagate.frame.covering import carried_behind, learned_colours
+from roam_core.propagate.frame.redetection import LastSeen, as_on_key, is_better
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.propagate.whole import patched, posed
-from roam_core.propagate.whole.interest import corners, grid_around
-from roam_core.propagate.whole.rigid import Pose, Rigidity
-from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
-from roam_core.proposal.cues.label_propagation import label_propagation
-from roam_core.proposal.cues.motion_cue import motion_on
-from roam_core.proposal.outline.contour import KeyConstraints
+from roam_core.propagate.whole.interest import grid_around
+from roam_core.propagate.whole.observation import Observation, observed
+from roam_core.propagate.whole.rigid import Pose
+from roam_core.propagate.whole.state import RegionState
+from roam_core.proposal.cues.evidence import SURE, Field, KeyMemory, gathered
 from roam_core.proposal.segment import region as proposed
-
-
-@dataclass(frozen=True, eq=False)
-class RegionState:
-    """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
-
-    `drawn` are the shapes on the key and `constraints` what they keep of it, `appearance` what the object looked like
-    there, `last_seen` tells when it was last whole, `rigidity` whether it may still move as one piece;
-    `flow_reliability`, on the region's grid, how far each cell's side still is the key's word
-    (`proposal.cues.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of
-    them went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies
-    before the object; `params` those that it began with. `patches` are what was learned of small pieces of the object
-    on its key, `patch_motion` where they lie; `is_steady`: a large shape looked as on its key all the time.
-    """
-
-    frame: PreparedFrame
-    region: Field
-    parts: tuple[Part, ...]
-    constraints: tuple[KeyConstraints, ...]
-    key: KeyMemory
-    colours: GlobalModel
-    drawn: tuple[Part, ...]
-    appearance: AppearanceTemplate
-    last_seen: LastSeen
-    rigidity: Rigidity
-    flow_reliability: Float32
-    params: RegionParams
-    steps: int = 0
-    features: ConfidenceFeatures | PoseFeatures | None = None
-    pose: motion_pose.Pose | None = None
-    covers: tuple[Array, ...] = ()
-    patches: Patches | None = None
-    patch_motion: PatchMotion | None = None
-    is_steady: bool = True
-
-    @property
-    def trust(self) -> float:
-        """The IoU to be expected of the last frame; 0 where the object was lost on it."""
-        if self.features is None or self.last_seen.since > 0:
-            return 0.0
-        return expected_overlap(self.features, params=self.params.confidence)
-
-    @property
-    def is_posed(self) -> bool:
-        """Whether the outlines of the last frame were carried by the pose."""
-        return isinstance(self.features, PoseFeatures)
-
-    @property
-    def agreement_as_one_piece(self) -> float | None:
-        """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
-        return (
-            1.0 - self.features.disagreeing
-            if isinstance(self.features, ConfidenceFeatures) and self.rigidity.held
-            else None
-        )
-
-
-def begin(
-    frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams, covers: Sequence[Array] = ()
-) -> RegionState:
-    """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it.
-
-    From what `covers` it, closed polylines `(K, 2)`, nothing is learned.
-    """
-    scale = scale_for(frame.size)
-    grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
-    region = Field.of_coverage(grid, enclosed(parts, grid))
-    colours = learned_colours(grid.colours_of(frame), region, covers)
-    key = KeyMemory(frame, region, colours, np.eye(3))
-    fit, kept = params.contour_fit, params.kept_shares
-    constraints = tuple(KeyConstraints.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
-    seen = LastSeen(key.to_now, area_of(region), middle_of(region), params.redetection)
-    rigidity = Rigidity.learned(frame, parts, params.rigidity)
-    appearance, flow_reliability = (
-        AppearanceTemplate(frame, region, params.redetection, params.unseen),
-        np.ones(grid.shape, np.float32),
-    )
-    patches = patched.learned(frame, region, covers, params)
-    return RegionState(
-        frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
-        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
-        patch_motion=None if patches is None else patches.on_key,
-    )  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class Observation:
-    """What is seen on a frame before anything is decided on it.
-
-    Attributes
-    ----------
-    sources : what the cues are drawn from; they know the key, carried on to the frame.
-    moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
-    rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
-    patch_motion : where its patches lie.
-    """
-
-    sources: Sources
-    moved: Array
-    agreement: float
-    rigidity: Rigidity
-    pose: Pose | None
-    patch_motion: PatchMotion | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,7 +76,8 @@ def step(
     found = _as_last_seen(state, carried.state.last_seen, frame, params)
     if found is None:
         return carried
-    again = replace(_carried(found, frame, params, token, tuple(covers)), redetected=True)
+    around = carried.state.key.surroundings
+    again = replace(_carried(found, frame, params, token, tuple(covers), around), redetected=True)
     return again if is_better(again.state.trust, carried.state.trust, params) else carried
 
 
@@ -216,13 +109,18 @@ def _as_last_seen(
 
 
 def _carried(
-    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None, covers: tuple[Array, ...]
+    state: RegionState,
+    frame: PreparedFrame,
+    params: RegionParams,
+    token: CancelToken | None,
+    covers: tuple[Array, ...],
+    surroundings: Array | None = None,
 ) -> RegionStep:
     """All shapes carried on from where the state has them: as one piece where that is to be seen, else by regions.
 
-    The pose is that of `frame` already.
+    The pose is that of `frame` already; so is the motion of the key's `surroundings (3, 3)` where it is given.
     """
-    observation = observed(state, frame, params, token)
+    observation = observed(state, frame, params, token, surroundings)
     if observation is None:
         return _left(state, frame)
     if token is not None:
@@ -370,46 +268,6 @@ def _seen(state: RegionState, key: KeyMemory, found: Field) -> LastSeen:
     """What the frame on which `found` is the region says about where the object is."""
     before = state.last_seen
     return before.missed() if before.is_lost(found) else before.after(key, found)
-
-
-def observed(
-    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
-) -> Observation | None:
-    """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture."""
-    scale = scale_for(frame.size)
-    spots = np.vstack([corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
-    grid = grid_around(spots, frame.size, params, scale)
-    if min(grid.shape) < 4:
-        return None
-    fine = Grid.over(grid.region, 1.0 / scale)
-    flows = dense_flow(state.frame, frame, fine, is_exact=params.label_propagation_weight > 0)
-    forth, back = (on_grid(flow, fine, grid) for flow in flows)
-    everywhere = state.region.on(fine) > 0.5
-    inside = visible(everywhere, state.covers, fine, params.least_seen)
-    moved, agreement = flow_similarity(flows[0], inside, fine)
-    pictures = grid.colours_of(state.frame), grid.colours_of(frame)
-    if token is not None:
-        token.check()
-    surroundings, _ = flow_similarity(flows[0], ~everywhere, fine)
-    motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params)
-    rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
-    lines = sides = None
-    patch_motion = state.patch_motion
-    if state.patches is not None and patch_motion is not None:
-        patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
-    if params.label_propagation_weight > 0:
-        before = carried_by_flow(state.region.nats_on(fine), flows[1])
-        flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
-        lines = label_propagation(
-            pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
-        )
-    key = replace(state.key, to_now=moved @ state.key.to_now)
-    last = state.region.on(grid)
-    expected = Expectation(
-        last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
-    )
-    sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides)
-    return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
 
 
 def _flow_reliability(observation: Observation, found: Field) -> Float32:

@@ -16,6 +16,7 @@ from roam_core.features.grid import Grid, signed_distance
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
+from roam_core.proposal.cues.background import Background
 from roam_core.proposal.cues.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.cues.label_propagation import LabelPropagation
 from roam_core.proposal.cues.patch_sides import PatchSides
@@ -53,12 +54,21 @@ class Field:
 
 @dataclass(frozen=True, eq=False)
 class KeyMemory:
-    """The artist's key, never forgotten: its picture, its region, its colours, and the way from it to the present."""
+    """The artist's key, never forgotten: its picture, its region, its colours, and the way from it to the present.
+
+    Attributes
+    ----------
+    to_now, surroundings : (3, 3) similarities, of the image, by which the object and what lay around it went since.
+    neither : closed polylines `(K, 2)` on the key of what need not be background, though it is not the object's: what
+        lay before it, and its holes.
+    """
 
     frame: PreparedFrame
     region: Field
     colours: GlobalModel
     to_now: Array
+    surroundings: Array
+    neither: tuple[Array, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +119,8 @@ class Sources:
     key, colours : the artist's key, and the global colours as they have become since.
     band_reach : cells to both sides of the expected outline in which pixels are in doubt.
     label_propagation : what the cells bring along from the frame before; None where that is not asked.
-    patches : on which side the key's patches have them; None where there are none.
+    patches : on which side the key's patches have them; None where there are none. background : what the key shows
+        around the object, carried by the motion of that; None where it is not asked.
     """
 
     before: UInt8
@@ -123,6 +134,7 @@ class Sources:
     band_reach: int
     label_propagation: LabelPropagation | None = None
     patches: PatchSides | None = None
+    background: Background | None = None
 
     @cached_property
     def lab(self) -> UInt8:
@@ -176,16 +188,21 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
     """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
 
     "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
-    "motion", "prior" and "bias"; "lineage", the key's word by the flow and its patches, the more the less the others
-    are heard; "patches", what those say of cells outside. Only their sum in the band means anything to the region.
+    "motion", "prior" and "bias"; "background", what the key shows around the object; "lineage", the key's word by the
+    flow and its patches, the more the less the others are heard; "patches", what those say of cells outside. Only their
+    sum in the band means anything to the region.
     """
     label_propagation, patches = sources.label_propagation, sources.patches
-    if label_propagation is None:
-        yield from _own_cues(sources, params)
-        return
-    heard = np.float32(1.0) - np.float32(1.0 - params.beside_label_propagation) * sources.reliability
+    heard: Float32 | np.float32 = np.float32(1.0)
+    if label_propagation is not None:
+        heard = np.float32(1.0) - np.float32(1.0 - params.beside_label_propagation) * sources.reliability
     for name, cue in _own_cues(sources, params):
-        yield name, heard * cue
+        yield name, np.asarray(heard * cue)
+    if sources.background is not None and params.background is not None:
+        outside = ~(sources.band | sources.expected.possible)
+        yield "background", sources.background.log_ratio(sources.lab, outside, params.background)
+    if label_propagation is None:
+        return
     brought = label_propagation.log_ratio
     if patches is not None:
         brought = brought + patches.inside * (np.float32(1.0) - brought)

@@ -45,6 +45,12 @@ class KeyView:
     carried: Array
     coverage: Float32
 
+    def seen(self, grid: Grid) -> tuple[UInt8, Bools]:
+        """Its picture `(rows, columns, 3)`, RGB in the cells of `grid`, and which of these it reaches."""
+        key = self.picture.image
+        in_sight = grid.warped(np.full(key.shape[:2], 255, np.uint8), self.carried) == 255
+        return grid.warped(key, self.carried), in_sight
+
     def nearest(
         self, picture: UInt8, grid: Grid, wanted: Bools, radius: int, spread: float, flow: KeyFlow
     ) -> tuple[Float32, Float32]:
@@ -53,9 +59,7 @@ class KeyView:
         Each wanted cell looks around its own place in the carried key, or around the one that the `flow` between the
         two leads it to. What lies beyond the key's picture is like nothing.
         """
-        key = self.picture.image
-        seen = grid.warped(key, self.carried)
-        is_in_sight = grid.warped(np.full(key.shape[:2], 255, np.uint8), self.carried) == 255
+        seen, is_in_sight = self.seen(grid)
         labels = np.where(is_in_sight, trimap(self.coverage), np.uint8(UNKNOWN))
         backward = np.zeros((*grid.shape, 2), dtype=np.float32)
         if flow != "none":

@@ -44,7 +44,7 @@ class NearestColours:
         """From the artist's key: a picture whose outline `nodes (N, 2)` is given."""
         region = _enclosed(frame, nodes, params)
         colours = GlobalModel.learned(region.grid.colours_of(frame), region.inside, ~region.inside)
-        return cls(frame, region, KeyMemory(frame, region, colours, np.eye(3)), params)
+        return cls(frame, region, KeyMemory(frame, region, colours, np.eye(3), np.eye(3)), params)
 
     def adapted(self, frame: PreparedFrame, nodes: Array, transform: Array) -> NearestColours:
         """After a frame with the outline `nodes (N, 2)`, to which the similarity `transform (2, 3)` led."""

@@ -12,7 +12,8 @@ from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import params_for
 from roam_core.propagate.frame.contour_fit import fitted
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.whole.region import begin, step
+from roam_core.propagate.whole.region import step
+from roam_core.propagate.whole.state import begin
 from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.outline.contour import KeyConstraints
 from tests.golden.shots import blob, gliding
@@ -25,7 +26,7 @@ SLID = 15.0
 
 def off(key_pull: float) -> float:
     """Mean pixels by which points that slid once are still away from their places when the shot ends."""
-    params = replace(PARAMS, key_pull=key_pull)
+    params = replace(PARAMS, key_pull=key_pull, background=None)
     first, *others = SHOT.frames
     drawn = SHOT.truth(first)
     state = begin(PreparedFrame(SHOT.read(first)), (Part(drawn, False),), params)

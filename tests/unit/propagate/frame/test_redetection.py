@@ -20,7 +20,8 @@ from roam_core.propagate.curves import step as outline
 from roam_core.propagate.explain import explain
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, Watch, middle_of
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.whole.region import begin, step
+from roam_core.propagate.whole.region import step
+from roam_core.propagate.whole.state import begin
 from roam_core.proposal.cues.evidence import Field, KeyMemory
 
 PARAMS = RedetectionParams()
@@ -157,7 +158,7 @@ def test_only_what_can_be_told_from_its_surroundings_is_watched() -> None:
 def test_size_and_turn_are_taken_over_from_where_they_are_sure() -> None:
     eye, last_seen = appearance()
     grown = np.diag([1.5, 1.5, 1.0])
-    key = KeyMemory(eye.frame, eye.region, eye.colours, grown)
+    key = KeyMemory(eye.frame, eye.region, eye.colours, grown, np.eye(3))
     region = Field(eye.region.grid, eye.region.on(eye.region.grid, grown) - np.float32(0.5))
     sure, doubtful = last_seen.after(key, region), last_seen.after(key, region, resemblance=0.7)
     assert sure.since == doubtful.since == 0

@@ -15,7 +15,8 @@ from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.params import params_for
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.whole import patched, posed
-from roam_core.propagate.whole.region import RegionState, begin, step
+from roam_core.propagate.whole.region import step
+from roam_core.propagate.whole.state import RegionState, begin
 
 PARAMS = replace(params_for("best").region, rigid=2.0)
 SIZE = 240, 320

@@ -91,7 +91,7 @@ def test_a_ship_keeps_its_mast() -> None:
 def test_without_the_rigid_mode_its_points_stray() -> None:
     best = params_for("best")
     assert best.region is not None
-    found = strayed(replace(best, region=replace(best.region, rigid=1.1, pose=None, patches=None)))
+    found = strayed(replace(best, region=replace(best.region, rigid=1.1, pose=None, patches=None, background=None)))
     assert not any(held for _, held in found)
     assert found[-1][0] > 10.0
 

@@ -25,7 +25,7 @@ def sources(rigid: Bools, fluid: Bools, remembered: Bools, motion: list[float]) 
     """Eight cells in a row, with what is expected and how they move; nothing else is asked for."""
     picture = PreparedFrame(np.zeros((1, 8, 3), np.uint8))
     nothing = np.zeros((1, 8), dtype=np.float32)
-    key = KeyMemory(picture, Field(GRID, nothing), None, np.eye(3))  # type: ignore[arg-type]
+    key = KeyMemory(picture, Field(GRID, nothing), None, np.eye(3), np.eye(3))  # type: ignore[arg-type]
     expected = Expectation(nothing, rigid, fluid, remembered.astype(np.float32))
     flow = np.zeros((1, 8, 2), dtype=np.float32)
     return Sources(

@@ -15,7 +15,8 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.motion.flow import carried_by_flow, dense_flow, on_grid
 from roam_core.params import LabelPropagationParams, RegionParams
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.whole.region import begin, observed
+from roam_core.propagate.whole.observation import observed
+from roam_core.propagate.whole.state import begin
 from roam_core.proposal.cues.evidence import Sources, cues, gathered
 from roam_core.proposal.cues.label_propagation import LabelPropagation, label_propagation
 

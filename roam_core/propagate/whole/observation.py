@@ -1,0 +1,108 @@
+"""What is seen on a frame of an object that is carried by regions, before anything is decided."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from roam_core.arrays import Array
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid
+from roam_core.geometry import bezier
+from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
+from roam_core.motion.patches import PatchMotion
+from roam_core.params import RegionParams, scale_for
+from roam_core.propagate.frame.covering import visible
+from roam_core.propagate.whole import patched
+from roam_core.propagate.whole.interest import corners, grid_around
+from roam_core.propagate.whole.rigid import Pose, Rigidity
+from roam_core.propagate.whole.state import RegionState
+from roam_core.proposal.cues.background import Background, followed
+from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
+from roam_core.proposal.cues.key_view import KeyView
+from roam_core.proposal.cues.label_propagation import label_propagation
+from roam_core.proposal.cues.motion_cue import motion_on
+
+
+@dataclass(frozen=True, eq=False)
+class Observation:
+    """What is seen on a frame before anything is decided on it.
+
+    Attributes
+    ----------
+    sources : what the cues are drawn from; they know the key, carried on to the frame.
+    moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
+    rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
+    patch_motion : where its patches lie.
+    """
+
+    sources: Sources
+    moved: Array
+    agreement: float
+    rigidity: Rigidity
+    pose: Pose | None
+    patch_motion: PatchMotion | None = None
+
+
+def observed(
+    state: RegionState,
+    frame: PreparedFrame,
+    params: RegionParams,
+    token: CancelToken | None = None,
+    surroundings: Array | None = None,
+) -> Observation | None:
+    """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture.
+
+    `surroundings (3, 3)`: the motion of the key's to `frame`, where it is known already.
+    """
+    scale = scale_for(frame.size)
+    spots = np.vstack([corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
+    grid = grid_around(spots, frame.size, params, scale)
+    if min(grid.shape) < 4:
+        return None
+    fine = Grid.over(grid.region, 1.0 / scale)
+    flows = dense_flow(state.frame, frame, fine, is_exact=params.label_propagation_weight > 0)
+    forth, back = (on_grid(flow, fine, grid) for flow in flows)
+    everywhere = state.region.on(fine) > 0.5
+    inside = visible(everywhere, state.covers, fine, params.least_seen)
+    moved, agreement = flow_similarity(flows[0], inside, fine)
+    pictures = grid.colours_of(state.frame), grid.colours_of(frame)
+    if token is not None:
+        token.check()
+    around, _ = flow_similarity(flows[0], ~everywhere, fine)
+    motion = motion_on(grid, back, moved, around, agreement, params.motion_sigma * scale, params)
+    rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
+    lines = sides = None
+    patch_motion = state.patch_motion
+    if state.patches is not None and patch_motion is not None:
+        patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
+    if params.label_propagation_weight > 0:
+        before = carried_by_flow(state.region.nats_on(fine), flows[1])
+        flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
+        lines = label_propagation(
+            pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
+        )
+    if surroundings is None:
+        surroundings = around @ state.key.surroundings
+    key = replace(state.key, to_now=moved @ state.key.to_now, surroundings=surroundings)
+    last = state.region.on(grid)
+    expected = Expectation(
+        last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
+    )
+    background = None
+    if params.background is not None:
+        view = _behind(key, grid)
+        drawn = followed(view, grid.grey_of(frame), expected.possible, grid, params.background.agreed)
+        key = replace(key, surroundings=drawn)
+        background = Background.of(_behind(key, grid), grid, key.neither)
+    sources = Sources(
+        *pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides, background
+    )
+    return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
+
+
+def _behind(key: KeyMemory, grid: Grid) -> KeyView:
+    """The key, carried by the motion of its surroundings, in the cells of `grid`."""
+    return KeyView(key.frame, key.surroundings, key.region.on(grid, key.surroundings))

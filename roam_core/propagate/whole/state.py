@@ -1,0 +1,111 @@
+"""What is known of an object that is carried by regions, after each frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Float32
+from roam_core.features import PreparedFrame
+from roam_core.geometry import bezier
+from roam_core.motion import pose as motion_pose
+from roam_core.motion.patches import Patches, PatchMotion
+from roam_core.params import RegionParams, scale_for
+from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, expected_overlap
+from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.covering import learned_colours
+from roam_core.propagate.frame.nodes import smooth_points
+from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, middle_of
+from roam_core.propagate.frame.result import Part
+from roam_core.propagate.whole import patched, posed
+from roam_core.propagate.whole.interest import grid_around
+from roam_core.propagate.whole.rigid import Rigidity
+from roam_core.proposal.cues.evidence import Field, KeyMemory
+from roam_core.proposal.outline.contour import KeyConstraints
+
+
+@dataclass(frozen=True, eq=False)
+class RegionState:
+    """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
+
+    `drawn` are the shapes on the key and `constraints` what they keep of it, `appearance` what the object looked like
+    there, `last_seen` tells when it was last whole, `rigidity` whether it may still move as one piece;
+    `flow_reliability`, on the region's grid, how far each cell's side still is the key's word
+    (`proposal.cues.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of
+    them went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies
+    before the object; `params` those that it began with. `patches` are what was learned of small pieces of the object
+    on its key, `patch_motion` where they lie; `is_steady`: a large shape looked as on its key all the time.
+    """
+
+    frame: PreparedFrame
+    region: Field
+    parts: tuple[Part, ...]
+    constraints: tuple[KeyConstraints, ...]
+    key: KeyMemory
+    colours: GlobalModel
+    drawn: tuple[Part, ...]
+    appearance: AppearanceTemplate
+    last_seen: LastSeen
+    rigidity: Rigidity
+    flow_reliability: Float32
+    params: RegionParams
+    steps: int = 0
+    features: ConfidenceFeatures | PoseFeatures | None = None
+    pose: motion_pose.Pose | None = None
+    covers: tuple[Array, ...] = ()
+    patches: Patches | None = None
+    patch_motion: PatchMotion | None = None
+    is_steady: bool = True
+
+    @property
+    def trust(self) -> float:
+        """The IoU to be expected of the last frame; 0 where the object was lost on it."""
+        if self.features is None or self.last_seen.since > 0:
+            return 0.0
+        return expected_overlap(self.features, params=self.params.confidence)
+
+    @property
+    def is_posed(self) -> bool:
+        """Whether the outlines of the last frame were carried by the pose."""
+        return isinstance(self.features, PoseFeatures)
+
+    @property
+    def agreement_as_one_piece(self) -> float | None:
+        """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
+        return (
+            1.0 - self.features.disagreeing
+            if isinstance(self.features, ConfidenceFeatures) and self.rigidity.held
+            else None
+        )
+
+
+def begin(
+    frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams, covers: Sequence[Array] = ()
+) -> RegionState:
+    """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it.
+
+    From what `covers` it, closed polylines `(K, 2)`, nothing is learned.
+    """
+    scale = scale_for(frame.size)
+    grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
+    region = Field.of_coverage(grid, enclosed(parts, grid))
+    colours = learned_colours(grid.colours_of(frame), region, covers)
+    holes = [bezier.flatten(part.points) for part in parts if part.subtracts]
+    key = KeyMemory(frame, region, colours, np.eye(3), np.eye(3), (*covers, *holes))
+    fit, kept = params.contour_fit, params.kept_shares
+    constraints = tuple(KeyConstraints.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
+    seen = LastSeen(key.to_now, area_of(region), middle_of(region), params.redetection)
+    rigidity = Rigidity.learned(frame, parts, params.rigidity)
+    appearance, flow_reliability = (
+        AppearanceTemplate(frame, region, params.redetection, params.unseen),
+        np.ones(grid.shape, np.float32),
+    )
+    patches = patched.learned(frame, region, covers, params)
+    return RegionState(
+        frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
+        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
+        patch_motion=None if patches is None else patches.on_key,
+    )  # fmt: skip

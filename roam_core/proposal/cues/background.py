@@ -1,0 +1,126 @@
+"""The background that the key shows: where the picture still shows it, and where it no longer does.
+
+What lay around the object on the key moves with the surroundings, not with the object. So the key, carried by their
+motion, tells two things that the object's own motion cannot: a patch that looks as the key's background does there is
+background, though it was taken for the object on all frames since; and a cell that does not, while the background
+around it is as it was, shows something else: the object.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.arrays import Array, Bools, Float32, UInt8
+from roam_core.features.grid import Grid
+from roam_core.geometry import similarity
+from roam_core.kernels.coverage import coverage
+from roam_core.kernels.local_match import OUTSIDE
+from roam_core.motion.flow import cell_flow, flow_similarity
+from roam_core.params.evidence import BackgroundParams
+from roam_core.proposal.cues.key_view import KeyView, lab, trimap
+
+
+@dataclass(frozen=True, eq=False)
+class Background:
+    """The key's background as it would look on another frame.
+
+    Attributes
+    ----------
+    colours : (rows, columns, 3) Lab of the key, carried by the motion of its surroundings.
+    known : (rows, columns) the cells that were in its picture and are known to be background.
+    """
+
+    colours: UInt8
+    known: Bools
+
+    @classmethod
+    def of(cls, view: KeyView, grid: Grid, neither: Sequence[Array] = ()) -> Background:
+        """What a key, carried by the motion of its surroundings, shows in the cells of `grid`.
+
+        `neither`: closed polylines `(K, 2)` on the key, beyond the object, of what need not be background.
+        """
+        colours, known = view.seen(grid)
+        covers = (coverage(grid.to_grid(similarity.apply(view.carried[:2], line)), grid.shape) for line in neither)
+        for cover in (view.coverage, *covers):
+            known &= trimap(cover) == OUTSIDE
+        return cls(lab(colours), known)
+
+    def log_ratio(self, now: UInt8, outside: Bools, params: BackgroundParams) -> Float32:
+        """ln p(object) / p(background) of each cell `(rows, columns)`, nats: 0 where the key does not know.
+
+        `now (rows, columns, 3)` is the picture in Lab, `outside` the cells that are surely not of the object.
+        """
+        likeness, difference = self._compared(now.astype(np.float32), params)
+        same = np.clip((likeness - params.alike) / (1.0 - params.alike), 0.0, 1.0)
+        is_known = np.isfinite(difference)
+        other = np.where(is_known, np.clip(difference / params.unlike - 1.0, 0.0, 1.0), 0.0)
+        asked = np.float32(1.0) * (outside & is_known)
+        count, changed = (_sums(each, params.around) for each in (asked, asked * other))
+        sound = np.where(count > 0, np.clip(1.0 - 2.0 * changed / np.maximum(count, 1.0), 0.0, 1.0), 0.0)
+        return np.asarray(params.other * sound * other - params.same * same, dtype=np.float32)
+
+    def _compared(self, now: Float32, params: BackgroundParams) -> tuple[Float32, Float32]:
+        """How like the background each cell is, `(rows, columns)` each, at the best place within reach.
+
+        The correlation of the patches around both, which means little where there is little texture; and the difference
+        of the colours, infinite where the key does not know. A shadow may have fallen on what is darker than the key.
+        """
+        window, reach = (params.window, params.window), params.reach
+        then = _padded(self.colours, reach).astype(np.float32)
+        known = _padded(self.known.astype(np.uint8), reach)
+        whole = cv2.erode(known, np.ones(window, np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
+        mean, mean_then = cv2.blur(now, window), cv2.blur(then, window)
+        variance, variance_then = cv2.blur(_dot(now, now), window), cv2.blur(_dot(then, then), window)
+        variance, variance_then = variance - _dot(mean, mean), variance_then - _dot(mean_then, mean_then)
+        likeness = np.zeros(self.known.shape, np.float32)
+        difference = np.full(self.known.shape, np.inf, np.float32)
+        for there in _places(self.known.shape, reach):
+            covariance = cv2.blur(_dot(now, then[there]), window) - _dot(mean, mean_then[there])
+            spread = np.sqrt(np.maximum(variance * variance_then[there], np.float32(params.texture**4)))
+            likeness = np.maximum(likeness, np.where(whole[there], covariance / spread, 0.0))
+            step = now - then[there]
+            step[..., 0] = np.maximum(step[..., 0], np.float32(params.shade) * step[..., 0])
+            difference = np.where(known[there], np.minimum(difference, _dot(step, step)), difference)
+        return likeness, np.sqrt(difference)
+
+
+def followed(view: KeyView, picture: UInt8, inside: Bools, grid: Grid, least: float) -> Array:
+    """Where the motion of the surroundings has carried a key, `(3, 3)`, once drawn to the picture itself.
+
+    `view` is carried by their motion from frame to frame, which adds up; `picture (rows, columns)` the luma and
+    `inside (rows, columns)` the object on the frame. It stays as it is where less than `least` of them agree.
+    """
+    seen, known = view.seen(grid)
+    known &= ~inside & (view.coverage < 0.5)
+    if not known.any():
+        return view.carried
+    grey = np.asarray(cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), dtype=np.uint8)
+    drawn, agreement = flow_similarity(cell_flow(grey, picture), known, grid)
+    return drawn @ view.carried if agreement >= least else view.carried
+
+
+def _sums(values: Float32, side: int) -> Float32:
+    """Over a window around each cell of `(rows, columns)`; exact of whole numbers."""
+    return np.asarray(cv2.boxFilter(values, cv2.CV_32F, (side, side), normalize=False))
+
+
+def _dot(a: Float32, b: Float32) -> Float32:
+    """The products of `(rows, columns, 3)` each, summed over the channels."""
+    return np.asarray(np.einsum("ijk,ijk->ij", a, b))
+
+
+def _padded(values: NDArray[np.uint8], reach: int) -> NDArray[np.uint8]:
+    """With `reach` cells of zeros all around."""
+    return np.asarray(cv2.copyMakeBorder(values, reach, reach, reach, reach, cv2.BORDER_CONSTANT, value=0))
+
+
+def _places(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:
+    """Where cells of `shape` lie in what was padded by `reach`, moved by up to that."""
+    for y, x in product(range(2 * reach + 1), repeat=2):
+        yield slice(y, y + shape[0]), slice(x, x + shape[1])
