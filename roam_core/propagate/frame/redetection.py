@@ -6,6 +6,7 @@ hidden, or left behind by a region that leaked, nothing remains to make them on.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -21,6 +22,9 @@ from roam_core.kernels.coverage import coverage
 from roam_core.params import RedetectionParams, RegionParams
 from roam_core.proposal.cues.evidence import Field, KeyMemory
 from roam_core.threads import each
+
+Behind = Callable[[Grid], Float32]
+"""What the key's background says of the cells of a grid `(rows, columns)`, nats for the object."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,22 +145,24 @@ class AppearanceTemplate:
         likeness = self._likeness(self.frame, np.eye(2), self.middle, 2.0 * cell)
         return likeness.best(self.middle, 2.0 * cell)[0]
 
-    def found(self, frame: PreparedFrame, last_seen: LastSeen) -> Array | None:
+    def found(self, frame: PreparedFrame, last_seen: LastSeen, behind: Behind | None = None) -> Array | None:
         """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
 
-        Turn and size are those where it was last seen, but for `RedetectionParams.sizes`.
+        Turn and size are those where it was last seen, but for `RedetectionParams.sizes`. `behind` tells where the
+        key's background is seen.
         """
         if self.extent < 1.0:
             return None
         near, reach = last_seen.middle, last_seen.reach
         turns = [size * last_seen.carried[:2, :2] for size in self.params.sizes]
-        tried = each(lambda turn: self._likeness(frame, turn, near, reach), turns)
+        tried = each(lambda turn: self._likeness(frame, turn, near, reach, behind), turns)
         seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))
         score, place = seen[chosen]
         if not score >= max(self.params.alike * self.own_score, 0.0):
             return None
-        rival, _ = tried[chosen].best(near, reach, beyond=(place, float(np.sqrt(last_seen.area))))
+        extent = self.extent * float(np.sqrt(abs(np.linalg.det(turns[chosen]))))
+        rival, _ = tried[chosen].best(near, reach, beyond=(place, extent))
         if rival > self.params.alone * score:
             return None
         placed = np.eye(3)
@@ -183,7 +189,9 @@ class AppearanceTemplate:
     def _ratio(self, frame: PreparedFrame, grid: Grid) -> Float32:
         return self.colours.log_ratio(grid.colours_of(frame), self.params.clip, self.unseen)
 
-    def _likeness(self, frame: PreparedFrame, turn: Array, near: Array, reach: float) -> Likeness:
+    def _likeness(
+        self, frame: PreparedFrame, turn: Array, near: Array, reach: float, behind: Behind | None = None
+    ) -> Likeness:
         """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""
         extent = self.extent * float(np.sqrt(abs(np.linalg.det(turn))))
         corners = (self.rim - self.middle) @ turn.T
@@ -194,6 +202,8 @@ class AppearanceTemplate:
             return Likeness(np.full((1, 1), -np.inf, dtype=np.float32), Grid(Region(0, 0, 1, 1), 1, 1))
         grid = Grid.over(area, min(self.params.across / extent, 1.0))
         ratio = self._ratio(frame, grid)
+        if behind is not None:
+            ratio = ratio + behind(grid)
         inside = self._template(turn, room, grid)
         inner, outer = (
             cv2.filter2D(ratio, cv2.CV_32F, share, borderType=cv2.BORDER_CONSTANT)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from roam_core.arrays import Array
+from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
@@ -15,13 +15,14 @@ from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, 
 from roam_core.motion.patches import PatchMotion
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.covering import visible
+from roam_core.propagate.frame.redetection import Behind
 from roam_core.propagate.whole import patched
 from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.background import Background, followed
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
-from roam_core.proposal.cues.key_view import KeyView
+from roam_core.proposal.cues.key_view import KeyView, lab
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import motion_on
 
@@ -106,3 +107,16 @@ def observed(
 def _behind(key: KeyMemory, grid: Grid) -> KeyView:
     """The key, carried by the motion of its surroundings, in the cells of `grid`."""
     return KeyView(key.frame, key.surroundings, key.region.on(grid, key.surroundings))
+
+
+def behind(key: KeyMemory, frame: PreparedFrame, params: RegionParams) -> Behind | None:
+    """What the key's background says of any cells of a frame to which its surroundings were followed already."""
+    asked = params.background
+    if asked is None:
+        return None
+
+    def told(grid: Grid) -> Float32:
+        background = Background.of(_behind(key, grid), grid, key.neither)
+        return background.log_ratio(lab(grid.colours_of(frame)), np.ones(grid.shape, bool), asked)
+
+    return told

@@ -32,7 +32,7 @@ from roam_core.propagate.frame.redetection import LastSeen, as_on_key, is_better
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.propagate.whole import patched, posed
 from roam_core.propagate.whole.interest import grid_around
-from roam_core.propagate.whole.observation import Observation, observed
+from roam_core.propagate.whole.observation import Observation, behind, observed
 from roam_core.propagate.whole.rigid import Pose
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.evidence import SURE, Field, KeyMemory, gathered
@@ -73,7 +73,7 @@ def step(
     carried = _carried(state, frame, params, token, tuple(covers))
     if carried.state.trust >= params.doubted:
         return carried
-    found = _as_last_seen(state, carried.state.last_seen, frame, params)
+    found = _as_last_seen(state, carried.state, frame, params)
     if found is None:
         return carried
     around = carried.state.key.surroundings
@@ -82,10 +82,15 @@ def step(
 
 
 def _as_last_seen(
-    state: RegionState, last_seen: LastSeen, frame: PreparedFrame, params: RegionParams
+    state: RegionState, carried: RegionState, frame: PreparedFrame, params: RegionParams
 ) -> RegionState | None:
-    """As if, the frame before, the object had lain as on the key where it is seen on `frame`."""
-    to_now = state.appearance.found(frame, last_seen) if last_seen.is_worth_a_look else None
+    """As if, the frame before, the object had lain as on the key where it is seen on `frame`.
+
+    `carried` is what came of carrying it there.
+    """
+    if not carried.last_seen.is_worth_a_look:
+        return None
+    to_now = state.appearance.found(frame, carried.last_seen, behind(carried.key, frame, params))
     if to_now is None:
         return None
     picture = as_on_key(state.key.frame, to_now)

@@ -16,10 +16,12 @@ from roam_core.features.grid import Grid, Region
 from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
 from roam_core.params import CONFIGS, RedetectionParams, RegionParams
+from roam_core.params.evidence import BackgroundParams
 from roam_core.propagate.curves import step as outline
 from roam_core.propagate.explain import explain
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, Watch, middle_of
 from roam_core.propagate.frame.result import Part
+from roam_core.propagate.whole.observation import behind
 from roam_core.propagate.whole.region import step
 from roam_core.propagate.whole.state import begin
 from roam_core.proposal.cues.evidence import Field, KeyMemory
@@ -88,6 +90,22 @@ def test_nothing_is_seen_where_nothing_is() -> None:
 def test_of_two_alike_none_is_taken() -> None:
     eye, last_seen = appearance()
     assert eye.found(PreparedFrame(picture(40.0, 160.0)), last_seen) is None
+
+
+def test_of_two_alike_that_which_the_key_shows_beside_the_object_is_background() -> None:
+    drawn, now = disc(60.0), PreparedFrame(picture(160.0, 210.0))
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(drawn))
+    key = begin(PreparedFrame(picture(60.0, 210.0)), parts, replace(REGION, background=BackgroundParams())).key
+    eye, last_seen = appearance()
+    assert eye.found(now, last_seen) is None
+    placed = eye.found(now, last_seen, behind(key, now, replace(REGION, background=BackgroundParams())))
+    assert placed is not None
+    assert np.hypot(*(placed[:2] @ (60.0, ROW, 1.0) - (160.0, ROW))) < 3.0
+
+
+def test_without_a_background_nothing_is_said_of_it() -> None:
+    key = begin(PreparedFrame(picture(60.0)), (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), REGION).key
+    assert behind(key, PreparedFrame(picture(60.0)), REGION) is None
 
 
 def test_it_is_not_looked_for_farther_than_it_can_have_gone() -> None:
