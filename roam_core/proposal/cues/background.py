@@ -75,17 +75,18 @@ class Background:
         then = _padded(self.colours, reach).astype(np.float32)
         known = _padded(self.known.astype(np.uint8), reach)
         whole = cv2.erode(known, np.ones(window, np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
-        mean, mean_then = cv2.blur(now, window), cv2.blur(then, window)
+        mean, mean_then = _planes(cv2.blur(now, window)), _planes(cv2.blur(then, window))
+        now, then = _planes(now), _planes(then)
         variance, variance_then = cv2.blur(_dot(now, now), window), cv2.blur(_dot(then, then), window)
         variance, variance_then = variance - _dot(mean, mean), variance_then - _dot(mean_then, mean_then)
         likeness = np.zeros(self.known.shape, np.float32)
         difference = np.full(self.known.shape, np.inf, np.float32)
         for there in _places(self.known.shape, reach):
-            covariance = cv2.blur(_dot(now, then[there]), window) - _dot(mean, mean_then[there])
+            covariance = cv2.blur(_dot(now, then[:, *there]), window) - _dot(mean, mean_then[:, *there])
             spread = np.sqrt(np.maximum(variance * variance_then[there], np.float32(params.texture**4)))
             likeness = np.maximum(likeness, np.where(whole[there], covariance / spread, 0.0))
-            step = now - then[there]
-            step[..., 0] = np.maximum(step[..., 0], np.float32(params.shade) * step[..., 0])
+            step = now - then[:, *there]
+            step[0] = np.maximum(step[0], np.float32(params.shade) * step[0])
             difference = np.where(known[there], np.minimum(difference, _dot(step, step)), difference)
         return likeness, np.sqrt(difference)
 
@@ -110,9 +111,14 @@ def _sums(values: Float32, side: int) -> Float32:
     return np.asarray(cv2.boxFilter(values, cv2.CV_32F, (side, side), normalize=False))
 
 
+def _planes(colours: Float32) -> Float32:
+    """The channels `(3, rows, columns)` of `(rows, columns, 3)`, each in one piece."""
+    return np.ascontiguousarray(colours.transpose(2, 0, 1))
+
+
 def _dot(a: Float32, b: Float32) -> Float32:
-    """The products of `(rows, columns, 3)` each, summed over the channels."""
-    return np.asarray(np.einsum("ijk,ijk->ij", a, b))
+    """The products of `(3, rows, columns)` each, summed over the channels."""
+    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
 
 def _padded(values: NDArray[np.uint8], reach: int) -> NDArray[np.uint8]:
