@@ -161,8 +161,7 @@ class AppearanceTemplate:
         score, place = seen[chosen]
         if not score >= max(self.params.alike * self.own_score, 0.0):
             return None
-        extent = self.extent * float(np.sqrt(abs(np.linalg.det(turns[chosen]))))
-        rival, _ = tried[chosen].best(near, reach, beyond=(place, extent))
+        rival, _ = tried[chosen].best(near, reach, beyond=(place, self._extent_under(turns[chosen])))
         if rival > self.params.alone * score:
             return None
         placed = np.eye(3)
@@ -186,6 +185,10 @@ class AppearanceTemplate:
         score = float((self._ratio(frame, grid) * (inner - outer)).sum())
         return float(np.clip(score / max(self.own_score, 1e-6), 0.0, 1.0))
 
+    def _extent_under(self, turn: Array) -> float:
+        """The root of its area under `turn (2, 2)`, in pixels."""
+        return self.extent * float(np.sqrt(abs(np.linalg.det(turn))))
+
     def _ratio(self, frame: PreparedFrame, grid: Grid) -> Float32:
         return self.colours.log_ratio(grid.colours_of(frame), self.params.clip, self.unseen)
 
@@ -193,7 +196,7 @@ class AppearanceTemplate:
         self, frame: PreparedFrame, turn: Array, near: Array, reach: float, behind: Behind | None = None
     ) -> Likeness:
         """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""
-        extent = self.extent * float(np.sqrt(abs(np.linalg.det(turn))))
+        extent = self._extent_under(turn)
         corners = (self.rim - self.middle) @ turn.T
         room = np.abs(corners).max(axis=0) + (self.params.ring + 2.0 / self.params.across) * extent
         spots = np.stack([near - reach - room, near + reach + room])
