@@ -18,7 +18,8 @@ class EndpointConsistencyParams:
     reach : pixels of a 480-line image around a place over which its residuals are averaged.
     lenient : what a lone shape's pose may miss the keys by, against the region: what it says between them is
         steadier.
-    dear : mean cost from which a lone shape's poses are not taken: it does not look as on its keys.
+    dear : mean cost from which a lone shape's poses are not taken: it does not look as on its keys. Where one costs
+        less and comes elsewhere than to the other key, it has followed another thing.
     look : pixels of a 480-line image around the outlines that are compared.
     """
 
@@ -48,7 +49,7 @@ class SpanParams:
         one.
     sure_cost : what is added to the cost of a pose: even the best may be wrong.
     unposed : what an outline that was not carried by its pose is taken to cost. arrived : overlap with the other key
-        from which a pass by poses has come to it.
+        from which a pass by poses has come to it. likely : confidence from which one that has not is believed.
     apart : pixels of a 480-line image between the estimates of a point at which half the trust in it is gone.
     places : places along two outlines by which they are laid on each other.
     steadiness : strength, in [0, 1], by which what was merged is drawn to the motion of the picture
@@ -68,6 +69,7 @@ class SpanParams:
     sure_cost: float = 0.1
     unposed: float = 0.4
     arrived: float = 0.6
+    likely: float = 0.5
     apart: float = 4.0
     places: int = later(64)
     steadiness: float = later(STEADINESS.strength)

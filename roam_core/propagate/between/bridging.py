@@ -7,24 +7,10 @@ lie at the same places of an outline: they may have slid along it, by up to a qu
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline, similarity
-
-
-def seen_until_lost(gone: Sequence[bool], arrived: bool) -> list[bool]:
-    """On which stops, from the key on, a pass is to be believed: until the first on which the part is gone.
-
-    After that only if it `arrived` at the other key, and not where the part is gone.
-    """
-    believed, lost = [], False
-    for is_gone in gone:
-        lost = lost or is_gone
-        believed.append(not is_gone and (arrived or not lost))
-    return believed
 
 
 def between(first: Array, last: Array, share: float, places: int) -> Array:

@@ -19,7 +19,6 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.params import RegionParams
-from roam_core.propagate.between.bridging import seen_until_lost
 from roam_core.propagate.between.directional_pass import DirectionalPass, Stop
 from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.nodes import smooth_points
@@ -150,14 +149,15 @@ class Span:
     def believed(self) -> dict[int, tuple[frozenset[int], frozenset[int]]]:
         """For each outline the frames on which its pose is believed in the pass onwards, and in the one back.
 
-        Where only one of them came to the other key, it alone is; where none did, each on its half of the span.
+        Where only one of them came to the other key, it alone is; where none did, the one that did not follow another
+        thing; else each on its half of the span.
         """
         found = {}
         for k in {*self.first.members, *self.last.members}:
             arrived = [self._arrived(k, *way) for way in self._ways]
             onwards, back = (
-                frozenset[int]() if any(arrived) and not came else self._believed_in(k, way, key, came)
-                for (way, key, _), came in zip(self._ways, arrived, strict=True)
+                self._believed_in(k, way, key, far, came)
+                for (way, key, _), far, came in zip(self._ways, self._reach(k, arrived), arrived, strict=True)
             )
             found[k] = onwards | {self.first.frame}, back | {self.last.frame}
         return found
@@ -167,6 +167,13 @@ class Span:
         """Each pass, where it begins, and where it leads."""
         return (self.onwards, self.first, self.last), (self.back, self.last, self.first)
 
+    def _reach(self, k: int, arrived: Sequence[bool]) -> list[float]:
+        """How far along the span each pass is believed of an outline, when they `arrived` or not."""
+        led = arrived if any(arrived) else [not self._followed_another(k, *way) for way in self._ways]
+        if any(arrived) or led[0] != led[1]:
+            return [1.0 if each else 0.0 for each in led]
+        return [0.5, 0.5]
+
     def _arrived(self, k: int, way: DirectionalPass | None, key: Key, other: Key) -> bool:
         """Whether a pass brought an outline to where it lies on the other key."""
         end, true = stop_at(way, other.frame), other.parts[k]
@@ -174,17 +181,33 @@ class Span:
             return False
         return 1.0 - self._loss(end.points[key.members.index(k)], true.points) >= self.params.span.arrived
 
-    def _believed_in(self, k: int, way: DirectionalPass | None, key: Key, arrived: bool) -> frozenset[int]:
-        """The frames on which the pose of an outline is believed in a pass that begins on `key`."""
+    def _followed_another(self, k: int, way: DirectionalPass | None, key: Key, other: Key) -> bool:
+        """Whether an outline that did not come to the other key looks, where it came to, as on its own.
+
+        What it was learned from there then is not the part, but what hid it on its key.
+        """
+        end = stop_at(way, other.frame)
+        if end is None or k not in key.members:
+            return False
+        cost = end.motion.pose_costs[key.members.index(k)]
+        return cost is not None and cost < self.params.span.endpoint_consistency.dear
+
+    def _believed_in(
+        self, k: int, way: DirectionalPass | None, key: Key, reach: float, arrived: bool
+    ) -> frozenset[int]:
+        """The frames on which the pose of an outline is believed in a pass that begins on `key`, up to `reach` of it.
+
+        They are those on which it is seen; of a pass that did not arrive, where it is more likely right than wrong.
+        """
         if way is None or k not in key.members:
             return frozenset()
-        place, frames = key.members.index(k), sorted(way.stops, key=lambda frame: abs(frame - key.frame))
-        gone = [bool(way.stops[frame].motion.gone) and way.stops[frame].motion.gone[place] for frame in frames]
-        farthest = (1.0 if arrived else 0.5) * (self.last.frame - self.first.frame)
+        place, farthest = key.members.index(k), reach * (self.last.frame - self.first.frame)
         return frozenset(
             frame
-            for frame, seen in zip(frames, seen_until_lost(gone, arrived), strict=True)
-            if seen and abs(frame - key.frame) <= farthest
+            for frame, stop in way.stops.items()
+            if abs(frame - key.frame) <= farthest
+            and not (stop.motion.gone and stop.motion.gone[place])
+            and (arrived or stop.confidence[place] >= self.params.span.likely)
         )
 
     def _loss(self, found: Array, true: Array) -> float:

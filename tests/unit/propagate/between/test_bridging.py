@@ -1,4 +1,4 @@
-"""What neither pass sees: which stops are believed, and where an outline lies between those."""
+"""What neither pass sees: where an outline lies between those."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, similarity
 from roam_core.geometry.bezier import polygon_points
-from roam_core.propagate.between.bridging import between, seen_until_lost
+from roam_core.propagate.between.bridging import between
 
 LIMB = polygon_points([(20, 20), (60, 20), (100, 22), (100, 38), (60, 40), (20, 40)])
 
@@ -33,10 +33,3 @@ def apart(a: Array, b: Array) -> float:
 def test_an_outline_moves_turns_and_grows_evenly_though_its_points_have_slid(share: float, slid: int) -> None:
     last = np.roll(similarity.apply(moved(1.0), LIMB), slid, axis=0)
     assert apart(between(LIMB, last, share, 64), similarity.apply(moved(share), LIMB)) < 2.5
-
-
-def test_a_pass_is_believed_until_it_loses_sight_and_after_that_only_if_it_arrived() -> None:
-    gone = [False, False, True, True, False]
-    assert seen_until_lost(gone, True) == [True, True, False, False, True]
-    assert seen_until_lost(gone, False) == [True, True, False, False, False]
-    assert seen_until_lost([False] * 3, False) == [True] * 3
