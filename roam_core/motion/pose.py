@@ -177,9 +177,22 @@ class Pose:
         velocity = search.params.momentum * self.velocity
         places = search.template.chain.carried(self.values, search.template.levels[0].places)
         velocity[:2] += (1.0 - search.params.momentum) * drift(places)
-        values = self.values + velocity
+        return self._unseen(self.values + velocity, search)
+
+    def _unseen(self, values: Array, search: Search) -> Pose:
+        """On a frame that does not show the part, taken to be under a pose `(P,)`."""
+        velocity = values - self.values
+        velocity[2 + self.template.chain.count :] = 0.0
         look, since = search.look(values), self.since + 1
         return replace(self, values=values, velocity=velocity, cost=1.0, since=since, look=look, is_gone=True)
+
+    def hung(self, around: Surroundings, ties: Ties | None, params: PoseParams) -> Pose:
+        """On a frame where the part is hidden: its own motion dies away, and `ties` to other parts say where it is."""
+        values = self.values + params.momentum * self.velocity
+        if ties is not None and ties.weights.any():
+            pulls = ties.targets - self.template.chain.carried(values, ties.places)
+            values[:2] += np.average(pulls, axis=0, weights=ties.weights)
+        return self._unseen(values, Search(self, around, params))
 
     def missed(self) -> Pose:
         """After a frame that showed nothing of the part."""

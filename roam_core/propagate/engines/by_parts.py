@@ -14,8 +14,9 @@ from roam_core.propagate.engines.by_regions import account_of, region_params
 from roam_core.propagate.engines.protocol import Account, Motion, by_pose
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
-from roam_core.propagate.parts import figure
-from roam_core.propagate.parts.figure import FigureState, FigureStep
+from roam_core.propagate.parts import figure, solving
+from roam_core.propagate.parts.figure import FigureState
+from roam_core.propagate.parts.solving import FigureStep
 from roam_core.propagate.shapes.objects import Unit
 
 
@@ -61,7 +62,7 @@ class PartsEngine:
         )
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> PartsStep:
-        return PartsStep(figure.step(self.state, picture, region_params(self.params), order, token), self.params)
+        return PartsStep(solving.step(self.state, picture, region_params(self.params), order, token), self.params)
 
     def corrected(self, parts: tuple[Part, ...], order: Sequence[int], given: Sequence[bool]) -> PartsEngine:
         return PartsEngine(figure.corrected(self.state, parts, region_params(self.params), order, given), self.params)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -109,6 +109,21 @@ def body_behind_a_post(count: int = 8) -> Figure:
     """A body, and a post that passes before it."""
     body = Moving("body", box(40, 50), (80, 64), (0.5, 0.0), 0.0, texture(11, 0.5, 0.9))
     return Figure((body, Moving("post", box(20, 110), (114, 60), (-4.0, 0.0), 0.0, texture(12, 0.6, 1.0))), count)
+
+
+def turning_head_behind_a_post(count: int = 13, turned: int = 4) -> tuple[Figure, Callable[[int], UInt8]]:
+    """A body and a head, before which a post passes, and their pictures: from `turned` on the head looks otherwise.
+
+    Nothing shows where the head is while the post is before both.
+    """
+    body = Moving("body", box(34, 44), (110, 80), (-1.0, 0.0), 0.0, texture(11, 0.5, 0.9))
+    post = Moving("post", box(30, 118), (70, 60), (4.0, 0.0), 0.0, texture(15, 0.3, 1.0))
+    face, neck = (
+        Moving("head", box(22, 22), (110, 50), (-1.0, 0.0), 0.0, texture(seed, *range_))
+        for seed, range_ in ((13, (0.4, 1.0)), (29, (0.0, 0.5)))
+    )
+    before, after = (Figure((body, head, post), count) for head in (face, neck))
+    return before, lambda frame: (before if frame < turned else after).pictures[frame]
 
 
 def arm_like_its_body(count: int = 6) -> Figure:
