@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from roam_core.arrays import Array, Bools, Float32
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, similarity
@@ -304,9 +304,25 @@ def _compared(
     values = carried_here + np.float32(params.keys_weight) * key_colours(
         picture, grid, views, wanted, params.span.key_colours
     )
+    values += _backgrounds(moment, grid, picture, ~(sides[0] | sides[1]), params)
     rough = np.where(wanted, values, found.values)
     smooth = diffuse(rough, lab(picture), wanted, params.diffusion, params.contrast, params.sweeps)
     return proposed.cleaned(Field(grid, smooth), found.inside, 0.0, params.components.speck)
+
+
+def _backgrounds(moment: _Moment, grid: Grid, picture: UInt8, outside: Bools, params: RegionParams) -> Float32:
+    """What the backgrounds of both keys say of each cell, nats; where both know it, the nearer key the more."""
+    told, known = np.zeros(grid.shape, np.float32), np.zeros(grid.shape, np.float32)
+    if params.background is None:
+        return told
+    for stop, nearness in ((moment.onwards, 1.0 - moment.u), (moment.back, moment.u)):
+        if stop is None or stop.motion.key is None:
+            continue
+        background = stop.motion.key.background(grid)
+        weight = np.float32(nearness) * background.known
+        told += weight * background.log_ratio(lab(picture), outside, params.background)
+        known += weight
+    return np.asarray(told / np.maximum(known, np.finfo(np.float32).tiny), dtype=np.float32)
 
 
 def _coverage(moment: _Moment, key: Key, stop: Stop | None, grid: Grid) -> Float32:

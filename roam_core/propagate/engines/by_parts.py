@@ -59,6 +59,7 @@ class PartsEngine:
             tuple(k in limb.unit.members for k in range(count)),
             limb.whole.agreement_as_one_piece is not None,
             self.state.pose_costs,
+            key=limb.whole.key,
         )
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> PartsStep:

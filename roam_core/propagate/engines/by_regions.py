@@ -58,6 +58,7 @@ class RegionEngine:
             (None,) * count,
             (False,) * count,
             self._by_pose,
+            state.key,
         )
 
     @property

@@ -15,7 +15,7 @@ from roam_core.landmarks.pool import Pool
 from roam_core.motion.pose import Pose
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
-from roam_core.proposal.cues.evidence import Field
+from roam_core.proposal.cues.evidence import Field, KeyMemory
 
 Terms = Mapping[str, Array]
 
@@ -49,6 +49,7 @@ class Motion:
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.whole.rigid`).
     pose_costs : for each outline what its pose costs; None where it was not carried by its pose alone.
     gone : for each outline whether its pose is carried along without being seen. by_pose : of a lone shape.
+    key : of the region, carried to the frame.
     """
 
     since_key: Array | None
@@ -58,6 +59,7 @@ class Motion:
     pose_costs: tuple[float | None, ...] = ()
     gone: tuple[bool, ...] = ()
     by_pose: ByPose | None = None
+    key: KeyMemory | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,9 +20,9 @@ from roam_core.propagate.whole import patched
 from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.propagate.whole.state import RegionState
-from roam_core.proposal.cues.background import Background, followed
+from roam_core.proposal.cues.background import followed
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
-from roam_core.proposal.cues.key_view import KeyView, lab
+from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import motion_on
 
@@ -94,19 +94,13 @@ def observed(
     )
     background = None
     if params.background is not None:
-        view = _behind(key, grid)
-        drawn = followed(view, grid.grey_of(frame), expected.possible, grid, params.background.agreed)
+        drawn = followed(key.behind(grid), grid.grey_of(frame), expected.possible, grid, params.background.agreed)
         key = replace(key, surroundings=drawn)
-        background = Background.of(_behind(key, grid), grid, key.neither)
+        background = key.background(grid)
     sources = Sources(
         *pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides, background
     )
     return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
-
-
-def _behind(key: KeyMemory, grid: Grid) -> KeyView:
-    """The key, carried by the motion of its surroundings, in the cells of `grid`."""
-    return KeyView(key.frame, key.surroundings, key.region.on(grid, key.surroundings))
 
 
 def behind(key: KeyMemory, frame: PreparedFrame, params: RegionParams) -> Behind | None:
@@ -116,7 +110,6 @@ def behind(key: KeyMemory, frame: PreparedFrame, params: RegionParams) -> Behind
         return None
 
     def told(grid: Grid) -> Float32:
-        background = Background.of(_behind(key, grid), grid, key.neither)
-        return background.log_ratio(lab(grid.colours_of(frame)), np.ones(grid.shape, bool), asked)
+        return key.background(grid).log_ratio(lab(grid.colours_of(frame)), np.ones(grid.shape, bool), asked)
 
     return told

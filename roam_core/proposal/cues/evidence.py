@@ -70,6 +70,14 @@ class KeyMemory:
     surroundings: Array
     neither: tuple[Array, ...] = ()
 
+    def behind(self, grid: Grid) -> KeyView:
+        """The key in the cells of `grid`, carried by the motion of its surroundings."""
+        return KeyView(self.frame, self.surroundings, self.region.on(grid, self.surroundings))
+
+    def background(self, grid: Grid) -> Background:
+        """What it knows to lie behind the object in the cells of `grid`."""
+        return Background.of(self.behind(grid), grid, self.neither)
+
 
 @dataclass(frozen=True, eq=False)
 class Expectation:
