@@ -1,8 +1,9 @@
 """Confidence: whether it means the IoU that it says, and whether it finds the bad frames, with each shot left out.
 
 The model of `roam_core.propagate.frame.confidence` is fitted to the frames of all shots but one and rates the frames of
-that one. `worst fifth`: of a shot's frames under IoU 0.9, the share among the fifth that is rated worst; on a shot with
-more such frames than a fifth not even the best rating finds all of them, so the best possible share stands beside it.
+that one; below, the model that ships rates them. `worst fifth`: of a shot's frames under IoU 0.9, the share among the
+fifth that is rated worst; on a shot with more such frames than a fifth not even the best rating finds all of them, so
+the best possible share stands beside it.
 `off` is the mean distance of confidence from IoU, `bias` the same of their means over tenths of the frames.
 """
 
@@ -18,7 +19,7 @@ from benchmarks import chart, logistic, processes, rated, report, shots
 from benchmarks.rated import CARRIED, FILLED, Rated
 from roam_core.arrays import Array, Bools
 from roam_core.errors import RoamError
-from roam_core.params import DOUBTFUL
+from roam_core.params import DOUBTFUL, params_for
 
 GOOD, SHARE = 0.9, 0.2
 """IoU under which a frame is bad; the share of frames, rated worst, in which bad ones are looked for."""
@@ -53,7 +54,7 @@ def run(given: argparse.Namespace) -> None:
         for protocol in model:
             shown = {name: (_ious(known[name, p]), confidence[name, p]) for name, p in known if p == protocol}
             if shown:
-                rows.append([protocol, *_cells(shown)])
+                rows += [[protocol, *_cells(shown)], ["as it ships", *_cells(as_it_ships(known, protocol))]]
                 lines.append(chart.line(protocol, *calibration(shown)))
                 result[protocol] = {name: [np.round(v, 3).tolist() for v in pair] for name, pair in shown.items()}
     axes = chart.Axes("Confidence, and the IoU that frames of that confidence have", "confidence", "IoU", (0.0, 1.0))
@@ -72,6 +73,17 @@ def left_out(frames: Mapping[tuple[str, str], Sequence[Rated]]) -> tuple[dict[tu
         weights = weights_of({job: each for job, each in frames.items() if job[0] != name})
         found.update({job: confidences(each, weights) for job, each in frames.items() if job[0] == name})
     return found, weights_of(frames)
+
+
+def as_it_ships(frames: Mapping[tuple[str, str], Sequence[Rated]], protocol: str) -> dict[str, tuple[Array, Array]]:
+    """The IoU and the confidence `(M,)` of a protocol's frames by shot, by the weights of the engine."""
+    region = params_for("best").region
+    assert region is not None
+    params = region.confidence
+    weights = np.array(params.features if protocol in CARRIED else params.span_features)
+    return {
+        name: (_ious(each), confidences(each, weights)) for (name, other), each in frames.items() if other == protocol
+    }
 
 
 def weights_of(frames: Mapping[tuple[str, str], Sequence[Rated]]) -> Array:

@@ -42,6 +42,18 @@ def test_the_model_is_that_of_the_engine() -> None:
     )
 
 
+def test_as_it_ships_frames_have_the_confidence_of_the_engine() -> None:
+    features, span = ConfidenceFeatures(0.1, 0.2, 0.05, 0.1, 1.5, 0.4), SpanFeatures(0.1, 0.8, 0.3, 0.2)
+    frames = {
+        ("a", "whole"): [Rated(0.7, ((1.0, astuple(features)),))],
+        ("a", "fill 10"): [Rated(0.9, ((1.0, astuple(span)),))],
+    }
+    for protocol, each in (("whole", features), ("fill 10", span)):
+        [(ious, said)] = confidence.as_it_ships(frames, protocol).values()
+        assert ious.tolist() == [frames["a", protocol][0].iou]
+        assert said.tolist() == pytest.approx([expected_overlap(each)])
+
+
 def test_a_shot_has_no_say_in_its_own_confidence() -> None:
     common, odd = np.array([3.0, 2.0]), np.array([-1.0, 0.0])
     frames = {("a", "w"): made(common, 1), ("b", "w"): made(common, 2), ("odd", "w"): made(odd, 3)}
