@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import cv2
@@ -31,6 +32,14 @@ def lab(image: UInt8) -> UInt8:
     return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.uint8)
 
 
+@lru_cache(maxsize=2)
+def _everywhere(shape: tuple[int, ...]) -> UInt8:
+    """A mask that is full: kept, for at 4K it takes longer to make than to be looked at."""
+    mask = np.full(shape, 255, np.uint8)
+    mask.setflags(write=False)
+    return mask
+
+
 @dataclass(frozen=True, eq=False)
 class KeyView:
     """A key as seen from another frame.
@@ -48,7 +57,7 @@ class KeyView:
     def seen(self, grid: Grid) -> tuple[UInt8, Bools]:
         """Its picture `(rows, columns, 3)`, RGB in the cells of `grid`, and which of these it reaches."""
         key = self.picture.image
-        in_sight = grid.warped(np.full(key.shape[:2], 255, np.uint8), self.carried) == 255
+        in_sight = grid.warped(_everywhere(key.shape[:2]), self.carried) == 255
         return grid.warped(key, self.carried), in_sight
 
     def nearest(
