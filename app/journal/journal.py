@@ -59,7 +59,5 @@ class Journal(QObject):
         self._writer.note(self._document.project, is_modified=self._document.is_modified)
 
     def _rebase(self, fate: str, beginning: Beginning) -> None:
-        self._writer.end(fate)
-        self._writer.begin(beginning)
-        if self._document.is_modified:
-            self._note()
+        unsaved = self._document.project if self._document.is_modified else None
+        self._writer.change(fate, beginning, unsaved)

@@ -52,6 +52,15 @@ class _End:
 
 
 @dataclass(frozen=True)
+class _Change:
+    """From here on edits build on something else; `state` is what that does not hold, if anything."""
+
+    why: str
+    beginning: Beginning
+    state: _State | None
+
+
+@dataclass(frozen=True)
 class _BaseIsWritten:
     """The thread that writes whole projects has finished one."""
 
@@ -71,15 +80,21 @@ class JournalWriter:
         self._session, self._tell = session, tell
         self._queue: queue.SimpleQueue[object] = queue.SimpleQueue()
         self._open: _Open | None = None
+        self._superseded: list[tuple[_Open, str]] = []
         self._beginning = Beginning(Project())
         self._waiting: _State | None = None
         self._is_refused = False
         self._thread = threading.Thread(target=self._run, name="roam-journal", daemon=True)
         self._thread.start()
 
-    def begin(self, beginning: Beginning) -> None:
-        """Go on with another project, or from another file; its journal is made with the first edit."""
-        self._queue.put(beginning)
+    def change(self, why: str, beginning: Beginning, unsaved: Project | None = None) -> None:
+        """Go on with another project, or from another file; the journal until now ends as `saved` or `discarded`.
+
+        `unsaved` is the project where no file holds it. Only when it lies in the next journal the last one ends, which
+        may be the only one to hold it. Without it the next journal is made with the first edit.
+        """
+        state = None if unsaved is None else _State(unsaved, True, time.time())
+        self._queue.put(_Change(why, beginning, state))
 
     def note(self, project: Project, *, is_modified: bool) -> None:
         """Keep this state."""
@@ -144,9 +159,18 @@ class JournalWriter:
             self._end(wish.why)
         elif isinstance(wish, _BaseIsWritten) and self._open is not None:
             self._open.note_base()
-        elif isinstance(wish, Beginning):
-            self._leave()
-            self._waiting, self._beginning = None, wish
+        elif isinstance(wish, _Change):
+            self._change(wish)
+
+    def _change(self, wish: _Change) -> None:
+        if wish.state is None:
+            self._end(wish.why)
+            self._beginning = wish.beginning
+            return
+        if self._open is not None:
+            self._superseded.append((self._open, wish.why))
+        self._open, self._beginning, self._waiting = None, wish.beginning, wish.state
+        self._keep_waiting()
 
     def _keep_waiting(self) -> None:
         """Write the state that waits; where that fails it goes on waiting."""
@@ -159,9 +183,16 @@ class JournalWriter:
         except Exception as error:
             self._refuse(error)
             if self._open is not None and self._open.is_broken:
-                self._leave()  # the next try begins another file
+                self._open.close()
+                self._open = None  # the next try begins another file
         else:
             self._waiting, self._is_refused = None, False
+            self._end_superseded()
+
+    def _end_superseded(self) -> None:
+        for journal, why in self._superseded:
+            _ended(journal, why)
+        self._superseded = []
 
     def _refuse(self, error: Exception) -> None:
         if not self._is_refused:
@@ -174,17 +205,25 @@ class JournalWriter:
 
     def _end(self, why: str) -> None:
         self._waiting = None
+        self._end_superseded()
         if self._open is not None:
-            try:
-                self._open.write(Entry({"kind": "end", "why": why}))
-            except OSError:
-                log.exception("the journal cannot be ended")
-            self._leave()
+            _ended(self._open, why)
+            self._open = None
 
     def _leave(self) -> None:
-        if self._open is not None:
-            self._open.close()
-            self._open = None
+        for journal in (*(each for each, _ in self._superseded), self._open):
+            if journal is not None:
+                journal.close()
+        self._superseded, self._open = [], None
+
+
+def _ended(journal: _Open, why: str) -> None:
+    """Write that nothing of a journal needs to be recovered, and close it."""
+    try:
+        journal.write(Entry({"kind": "end", "why": why}))
+    except OSError:
+        log.exception("the journal cannot be ended")
+    journal.close()
 
 
 class _Open:

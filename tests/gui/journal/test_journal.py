@@ -153,6 +153,30 @@ def test_edits_made_while_a_save_was_under_way_are_in_the_next_journal(
     assert recovery.load(found)[0] == document.project
 
 
+def test_until_they_are_in_the_next_journal_the_last_one_offers_edits_that_a_save_did_not_see(
+    qtbot: QtBot, document: Document, journal: Journal, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The next journal cannot be made for a while: a kill meanwhile loses nothing that was said to be on the disk."""
+    mine = tmp_path / "mine.roam"
+    document.save(mine)
+    draw(document)
+    saved = document.project
+    draw(document)
+    assert journal.flush()
+    with monkeypatch.context() as failing, qtbot.waitSignal(journal.refused, timeout=5000):
+        failing.setattr(journal._session, "new_path", lambda: root / "nowhere" / "0002.journal")
+        file.save(saved, mine)
+        document.mark_saved(saved, mine, writer.Fingerprint.of(mine))
+        assert not journal.flush()
+    journal._session.let_go()
+    assert [recovery.load(each)[0] for each in recovery.offered(recovery.recoveries(root))] == [document.project]
+    journal._session.hold()
+    draw(document)
+    found = crashed(journal, root)
+    assert [each.settled for each in found] == ["", "saved"]
+    assert recovery.load(found[0])[0] == document.project
+
+
 def test_an_open_session_is_no_crash(document: Document, journal: Journal, root: Path) -> None:
     draw(document)
     assert journal.flush()
