@@ -288,6 +288,7 @@ def _compared(
     """The region when the picture has spoken, too: near its border, and wherever the passes disagree."""
     span, grid, params = moment.span, found.grid, colours.params
     picture = grid.colours_of(colours.picture)
+    now = lab(picture)
     views = [
         (KeyView(directional_pass.picture, stop.carried, coverage), away)
         for directional_pass, stop, coverage, away in zip(
@@ -304,14 +305,17 @@ def _compared(
     values = carried_here + np.float32(params.keys_weight) * key_colours(
         picture, grid, views, wanted, params.span.key_colours
     )
-    values += _backgrounds(moment, grid, picture, ~(sides[0] | sides[1]), params)
+    values += _backgrounds(moment, grid, now, ~(sides[0] | sides[1]), params)
     rough = np.where(wanted, values, found.values)
-    smooth = diffuse(rough, lab(picture), wanted, params.diffusion, params.contrast, params.sweeps)
+    smooth = diffuse(rough, now, wanted, params.diffusion, params.contrast, params.sweeps)
     return proposed.cleaned(Field(grid, smooth), found.inside, 0.0, params.components.speck)
 
 
-def _backgrounds(moment: _Moment, grid: Grid, picture: UInt8, outside: Bools, params: RegionParams) -> Float32:
-    """What the backgrounds of both keys say of each cell, nats; where both know it, the nearer key the more."""
+def _backgrounds(moment: _Moment, grid: Grid, now: UInt8, outside: Bools, params: RegionParams) -> Float32:
+    """What the backgrounds of both keys say of each cell, nats; where both know it, the nearer key the more.
+
+    `now (rows, columns, 3)` is the picture in Lab, `outside` the cells that neither pass has in the object.
+    """
     told, known = np.zeros(grid.shape, np.float32), np.zeros(grid.shape, np.float32)
     if params.background is None:
         return told
@@ -320,7 +324,7 @@ def _backgrounds(moment: _Moment, grid: Grid, picture: UInt8, outside: Bools, pa
             continue
         background = stop.motion.key.background(grid)
         weight = np.float32(nearness) * background.known
-        told += weight * background.log_ratio(lab(picture), outside, params.background)
+        told += weight * background.log_ratio(now, outside, params.background)
         known += weight
     return np.asarray(told / np.maximum(known, np.finfo(np.float32).tiny), dtype=np.float32)
 

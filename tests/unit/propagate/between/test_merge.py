@@ -13,12 +13,14 @@ from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import shape_matte
 from roam_core.params import RegionParams, scale_for
+from roam_core.params.evidence import BackgroundParams
 from roam_core.propagate.between.directional_pass import DirectionalPass, Stop
 from roam_core.propagate.between.endpoint_consistency import Key, Span
 from roam_core.propagate.between.merge import Colours, merged
 from roam_core.propagate.engines.protocol import Motion
+from roam_core.propagate.frame.covering import learned_colours
 from roam_core.propagate.frame.result import Part
-from roam_core.proposal.cues.evidence import SURE, Field
+from roam_core.proposal.cues.evidence import SURE, Field, KeyMemory
 from roam_core.roto import Keyframe, RotoShape
 
 SIZE = (120, 160)
@@ -43,7 +45,13 @@ def region(strip: float) -> Field:
     return Field(GRID, values)
 
 
-def strip_taken(onwards: float, back: float, keys_weight: float) -> float:
+def memory() -> KeyMemory:
+    """What either key knows: the square, and that the strip beside it is background."""
+    key, field = picture(90), region(-SURE)
+    return KeyMemory(key, field, learned_colours(key.image, field, ()), np.eye(3), np.eye(3))
+
+
+def strip_taken(onwards: float, back: float, keys_weight: float, background: BackgroundParams | None = None) -> float:
     """The share of the strip in the outline half way between two keys, where the passes say so much of it."""
 
     def directional_pass(key: int, strip: float) -> DirectionalPass:
@@ -51,12 +59,17 @@ def strip_taken(onwards: float, back: float, keys_weight: float) -> float:
             return region(strip if frame == 3 else -SURE)
 
         stops = {
-            frame: Stop((SQUARE,), (1.0,), np.eye(3), Motion(np.eye(3), seen(frame), (True,), pose_costs=(None,)))
+            frame: Stop(
+                (SQUARE,),
+                (1.0,),
+                np.eye(3),
+                Motion(np.eye(3), seen(frame), (True,), pose_costs=(None,), key=memory()),
+            )
             for frame in (1, 3, 5)
         }
         return DirectionalPass(stops, picture(90))
 
-    params = replace(RegionParams(), keys_weight=keys_weight, sweeps=0)
+    params = replace(RegionParams(), keys_weight=keys_weight, sweeps=0, background=background)
     keys = [Key(frame, (Part(SQUARE),)) for frame in (1, 5)]
     span = Span(*keys, directional_pass(1, onwards), directional_pass(5, back), SIZE, scale_for(SIZE), params)
     [outline] = merged(span, 3, colours=Colours(picture(94), params))
@@ -78,3 +91,11 @@ def test_where_the_passes_disagree_the_picture_is_heard_over_what_would_stand_wh
     assert strip_taken(*at_one, heard) < 0.2
     assert strip_taken(*at_odds, 0.5 * heard) < 0.2
     assert strip_taken(*at_one, 2.0 * heard) > 0.6
+
+
+@pytest.mark.parametrize("at_odds", [(SURE, -SURE), (-SURE, SURE)], ids=["onwards inside", "back inside"])
+def test_what_hides_the_background_of_both_keys_is_taken_in(at_odds: tuple[float, float]) -> None:
+    """The strip is the object's on the frame, and green on both keys, as all around it still is."""
+    assert strip_taken(*at_odds, 0.0) < 0.2
+    assert strip_taken(*at_odds, 0.0, BackgroundParams()) > 0.6
+    assert strip_taken(*at_odds, 0.0, replace(BackgroundParams(), unlike=250.0)) < 0.2
