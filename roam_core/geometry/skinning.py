@@ -7,11 +7,12 @@ from functools import cached_property
 
 import cv2
 import numpy as np
+from scipy.optimize import least_squares
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
 from roam_core.arrays import Array, Bools, Float32, Indices
-from roam_core.geometry import polyline
+from roam_core.geometry import polyline, similarity
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.posing import affines
 from roam_core.params import BONES, BonesParams
@@ -82,6 +83,17 @@ class Chain:
         """Places `(N, 2)` of the key under a `pose (P,)`; `skin` is theirs, if it is known."""
         shares = self.skin(places) if skin is None else skin
         return np.asarray(np.einsum("nk,nkc->nc", shares, _all(affines(self.bones, pose), places)))
+
+    def brought(self, places: Array, targets: Array) -> Array:
+        """The pose `(P,)` that brings places `(N, 2)` of the key nearest to `targets (N, 2)`, in the mean square."""
+        motion, skin, start = similarity.fit(places, targets), self.skin(places), self.rest.copy()
+        start[2 : 2 + self.count] = np.arctan2(motion[1, 0], motion[0, 0])
+        start[:2] = (targets - self.carried(start, places, skin)).mean(axis=0)
+
+        def away(pose: Array) -> Array:
+            return np.asarray((self.carried(pose, places, skin) - targets).ravel())
+
+        return np.asarray(least_squares(away, start).x)
 
     def root(self, pose: Array) -> Array:
         """The linear map `(2, 2)` of the middle bone under a `pose (P,)`."""

@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
@@ -30,7 +32,8 @@ class Surroundings:
     ----------
     pyramid : the picture. hidden : for each level where nearer parts lie.
     needs : for each level, in [0, 1], what belongs to the object and to no other part; None where that is not known.
-    ties : springs to other parts. is_complete : no more than `hidden` can lie before the part.
+    ties : springs to other parts. is_complete : no more than `hidden` can lie before the part. is_sought : a part that
+        is lost is looked for wherever it can have gone.
     drift : how what is seen around a place `(2,)` of the last frame moved to this one, `(2,)`; None where that is not
         known.
     """
@@ -40,6 +43,7 @@ class Surroundings:
     needs: tuple[Float32, ...] | None = None
     ties: Ties | None = None
     is_complete: bool = True
+    is_sought: bool = True
     drift: Callable[[Array], Array] | None = None
 
 
@@ -217,11 +221,15 @@ def _cost(found: tuple[Array, float]) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """The search for a part's pose on one frame, from where it was on the frame before."""
+    """The search for a part's pose on one frame, from where it was on the frame before.
+
+    Where it `is_wide`, the part may have gone anywhere since it was last good.
+    """
 
     before: Pose
     around: Surroundings
     params: PoseParams
+    is_wide: bool = False
 
     @property
     def template(self) -> Template:
@@ -234,8 +242,9 @@ class Search:
     @cached_property
     def prior(self) -> Prior:
         params, count = self.params, self.template.chain.count
-        move = params.expect_move * self.template.scale * self.reach
-        turn = params.expect_turn * self.reach * (1.0 if count == 1 else 2.0)
+        reach = 1.0 + self.before.since if self.is_wide else self.reach
+        move = params.expect_move * self.template.scale * reach
+        turn = params.expect_turn * reach * (1.0 if count == 1 else 2.0)
         sigma = np.array([move, move, *[turn] * count, *params.expect_strain])
         most = np.array([np.inf] * (2 + count) + list(params.most_strain))
         weight = params.prior
@@ -248,7 +257,28 @@ class Search:
         )
 
     def best(self) -> tuple[Array, float]:
-        """The pose `(P,)` of least cost, and its cost; without and with the blur of its motion.
+        """The pose `(P,)` of least cost, and its cost.
+
+        A part that is in doubt and not clearly seen is looked for wherever it can have gone meanwhile.
+        """
+        values, cost = self._near()
+        if self.before.since == 0 or not self.around.is_sought or self.is_seen(values):
+            return values, cost
+        return replace(self, is_wide=True)._found_again(cost) or (values, cost)
+
+    def is_seen(self, values: Array) -> bool:
+        """Whether enough of the part is seen under a pose `(P,)`, and looks clearly as on its key."""
+        look = self.look(values)
+        return look.seen >= self.params.glimpse and look.closest < self.params.clear
+
+    def _found_again(self, cost: float) -> tuple[Array, float] | None:
+        """The best pose `(P,)` that costs less and under which a part that was lost is clearly seen, and its cost."""
+        rough = [values for values, roughly in self._closer(self._anywhere()) if roughly < cost]
+        found = [each for each in (self._refined(values, 0) for values in rough) if each[1] < cost]
+        return min((each for each in found if self.is_seen(each[0])), key=_cost, default=None)
+
+    def _near(self) -> tuple[Array, float]:
+        """The pose `(P,)` of least cost near the expected one, and its cost; without and with the blur of its motion.
 
         Far away is looked only where the pose is not found, as sure as can be, where it is expected.
         """
@@ -261,6 +291,12 @@ class Search:
             return values, cost
         again, cost_again = self._refined(self._refined(values, 1, blurred)[0], 0, blurred)
         return (again, cost_again) if cost_again < cost else (values, cost)
+
+    def settled(self, start: Array) -> Array:
+        """The pose `(P,)` that is found from one that is nearly right already."""
+        for level in range(self.template.coarsest - 1, -1, -1):
+            start = self._refined(start, level)[0]
+        return start
 
     def _closer(self, starts: Sequence[Array]) -> list[tuple[Array, float]]:
         """The poses that these lead to before the last level, and their costs; the best first."""
@@ -309,15 +345,34 @@ class Search:
         params, scale = self.params, self.template.scale
         steps = np.arange(-params.search_move, params.search_move + 1e-6, params.search_step) * scale * self.reach
         turns = np.linspace(-params.search_turn, params.search_turn, params.search_turns) * self.reach
+        return self._best_of(self._grid(steps, turns))
+
+    def _anywhere(self) -> list[Array]:
+        """The best few of a grid of poses as far around as the part can have gone since it was no longer good."""
+        params, since = self.params, 1.0 + self.before.since
+        length = float(np.hypot(*np.ptp(self.template.levels[0].places, axis=0)))
+        step = params.search_step * self.template.scale * params.widened
+        most = min(params.astray * length, params.search_move * self.template.scale * since)
+        far = min(params.turned, params.search_turn * since)
+        k, m = round(most / step), round(far / params.search_turn)
+        poses = self._grid(step * np.arange(-k, k + 1), params.search_turn * np.arange(-m, m + 1))
+        return self._best_of(poses[np.hypot(*(poses - self.prior.expected)[:, :2].T) <= step * k])
+
+    def _grid(self, steps: NDArray[Any], turns: NDArray[Any]) -> Array:
+        """Poses `(m, P)` around the expected one, with all `steps` along x and y, and all `turns`."""
         x, y, turn = (each.ravel() for each in np.meshgrid(steps, steps, turns, indexing="ij"))
         poses = np.repeat(self.prior.expected[None], len(x), axis=0)
         poses[:, 0] += x
         poses[:, 1] += y
         poses[:, 2 : 2 + self.template.chain.count] += turn[:, None]
-        samples = self.template.levels[self.template.coarsest]
-        glance = self._energies(poses, one_in(params.glanced_at, samples))
-        rough = np.argsort(glance, kind="stable")[: params.looked_at]
-        poses = poses[rough]
+        return poses
+
+    def _best_of(self, poses: Array) -> list[Array]:
+        """The best few of `poses (m, P)` on the coarsest level, well apart from each other."""
+        params, samples = self.params, self.template.levels[self.template.coarsest]
+        if self.is_wide:
+            poses = self._likely(poses, params.glanced_at**2, params.glanced_at * params.looked_at)
+        poses = self._likely(poses, params.glanced_at, params.looked_at)
         chosen: list[Array] = []
         for k in np.argsort(self._energies(poses, samples), kind="stable"):
             if all(self._is_apart(poses[k], other) for other in chosen):
@@ -326,10 +381,19 @@ class Search:
                 break
         return chosen
 
+    def _likely(self, poses: Array, among: int, most: int) -> Array:
+        """The best of `poses (m, P)`, at most so many, by one sample `among` so many."""
+        if len(poses) <= most:
+            return poses
+        glance = self._energies(poses, one_in(among, self.template.levels[self.template.coarsest]))
+        return poses[np.argpartition(glance, most)[:most]]
+
     def _energies(self, poses: Array, samples: Samples) -> Array:
         """What `poses (m, P)` cost on the coarsest level, by some samples."""
         level = self.template.coarsest
         bones, costs = self.template.chain.bones, self._costs[level]
+        if self.is_wide:  # a pose under which nothing is seen is none to find the part by
+            costs = costs._replace(hidden=1.0, beyond=1.0)
         return energies(self._views[level], samples, bones, poses, costs, self.prior, self._ties)
 
     def _is_apart(self, a: Array, b: Array) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -58,6 +58,16 @@ class Template:
         seam = float(np.mean(beside_it < 0.5)) if len(beside_it) else 1.0
         area = abs(float(polyline.signed_area(line)))
         return cls(chain, pyramid, tuple(levels), scale, seam, area, params)
+
+    def where(self, is_own: Callable[[Array], Bools]) -> Template | None:
+        """The template without those places `(N, 2)` inside the outline that `is_own` says are not the part's.
+
+        None where too few are left.
+        """
+        levels = [_kept(samples, is_own(samples.places) | (samples.weights <= 0)) for samples in self.levels]
+        if any(np.count_nonzero(samples.weights > 0) < self.params.least_samples for samples in levels):
+            return None
+        return replace(self, levels=tuple(levels))
 
     @property
     def coarsest(self) -> int:
@@ -148,6 +158,13 @@ def _samples(
 def contrast(own: Array, there: Array, params: PoseParams) -> Array:
     """How much colours `own (M, 3)` inside an outline differ from those beside it, in [0, 1] each `(M,)`."""
     return np.asarray(1.0 - np.exp(-((own - there) ** 2).sum(axis=1) / (2.0 * params.beside_like**2)))
+
+
+def _kept(samples: Samples, keep: Bools) -> Samples:
+    """Those samples that are to be kept; the weights of the part's own add up to one again."""
+    places, colours, weights, skin = (each[keep] for each in samples)
+    total = float(weights[weights > 0].sum())
+    return Samples(places, colours, np.where(weights > 0, weights / max(total, 1e-9), weights), skin)
 
 
 def one_in(count: int, samples: Samples) -> Samples:

@@ -53,7 +53,10 @@ CONFIGS: dict[str, RoamParams] = {
     "best": RoamParams(
         config="best",
         region=RegionParams(
-            pose=PoseParams(like=(5.0, 12.0)), part=PoseParams(), patches=PatchParams(), background=BackgroundParams()
+            pose=PoseParams(like=(5.0, 12.0), turned=1.57),
+            part=PoseParams(candidates=12),
+            patches=PatchParams(),
+            background=BackgroundParams(),
         ),
     ),
 }

@@ -97,9 +97,11 @@ class PoseParams:
     bend, straight : standard deviations of how a joint's angle changes in a frame, and of the angle itself.
     lost : cost from which a pose is in doubt. gone, clear : difference of colour to the key that three quarters of a
         lone shape's samples exceed where it is not to be seen, and that a quarter stays under where it is, clearly.
-        recent : frames within which it must have been seen so to be
-        hidden, not changed. along : pixels of a 480-line image around it whose motion it then goes along with.
-        widened : times that the search grows by further such frames, at most.
+        recent : frames within which it must have been seen so to be hidden, not changed. along : pixels of a 480-line
+        image around it whose motion it then goes along with.
+        glimpse : share of a part in doubt that must be seen, and clearly, for it to be found. astray, turned : times
+        its own length that it may have gone unseen, and how far it may have turned.
+    widened : times that the search grows by further such frames, at most.
     apart_step, apart_turn : steps of the search, and turns of it, from which two poses are two candidates.
     least_samples : sample places that a part must have to be matched at all.
     around : sample places around a point by which it is judged.
@@ -107,6 +109,8 @@ class PoseParams:
         is taken to be open, on frames that look blurred.
     margin : pixels of a 480-line image around a part, and around where it is searched. narrow : pixels across a
         picture, or what is left of it, that shows nothing.
+    alike : share of a part that must look the same on both keys of a span for the rest to be taken for what hides it
+        there. It does up to a difference of `like_roughly`.
     pyramid : of the levels on which it is looked for. bones : of those along the part.
     """
 
@@ -155,5 +159,9 @@ class PoseParams:
     recent: int = later(2)
     along: int = later(30)
     narrow: int = later(8)
+    alike: float = later(0.4)
+    glimpse: float = later(0.25)
+    astray: float = later(1.5)
+    turned: float = later(3.14)
     pyramid: PyramidParams = later(PyramidParams())
     bones: BonesParams = later(BONES)

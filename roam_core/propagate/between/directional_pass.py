@@ -14,10 +14,8 @@ from roam_core.geometry import bezier
 from roam_core.media.source import MissingFrame
 from roam_core.motion.klt import similarity_warp
 from roam_core.params import RoamParams, scale_for
-from roam_core.propagate.engines.begin import begin
-from roam_core.propagate.engines.protocol import Motion
+from roam_core.propagate.engines.protocol import Engine, Motion
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.shapes.objects import Unit
 
 ReadPicture = Callable[[int], PreparedFrame]
 
@@ -38,6 +36,19 @@ class Stop:
     confidence: tuple[float, ...]
     carried: Array
     motion: Motion
+
+    @property
+    def at_poses(self) -> tuple[Array | None, ...]:
+        """For each outline its points by its pose alone; None where it is not carried by one."""
+        return self.motion.at_poses or (None,) * len(self.points)
+
+    def by_poses_alone(self, which: Sequence[bool]) -> Stop:
+        """The same, those outlines `which` are true lie where their poses have them."""
+        points = tuple(
+            stiff if chosen and stiff is not None else drawn
+            for drawn, stiff, chosen in zip(self.points, self.at_poses, which, strict=True)
+        )
+        return replace(self, points=points)
 
     @property
     def posed(self) -> Stop | None:
@@ -73,28 +84,30 @@ class DirectionalPass:
         known = {frame: stop for frame, stop in stops.items() if stop is not None}
         return DirectionalPass(known, self.picture) if len(known) == len(stops) else None
 
+    def by_poses_alone(self, which: Sequence[bool]) -> DirectionalPass:
+        """The same, those outlines `which` are true lie where their poses have them."""
+        return replace(self, stops={frame: stop.by_poses_alone(which) for frame, stop in self.stops.items()})
+
     def at(self, frame: int) -> Stop | None:
         """The stop on a frame, or None where the picture is missing."""
         return self.stops.get(frame)
 
 
 def directional_pass(
-    read: ReadPicture,
+    engine: Engine,
     parts: Sequence[Part],
-    made: Sequence[Unit],
+    read: ReadPicture,
     orders: Callable[[int], Sequence[int]],
     frames: Sequence[int],
     params: RoamParams,
     token: CancelToken | None = None,
     passed: Callable[[], None] | None = None,
 ) -> DirectionalPass:
-    """Carry `parts` from `frames[0]`, where they are given, through the other frames in their order.
+    """Carry the `parts` of an object, begun on `frames[0]`, through the other frames in their order.
 
-    `made` tells what they are in their object, `orders` how they are stacked on a frame (`propagate.shapes.objects`).
-    `passed` is called after each frame.
+    `orders` tells how they are stacked on a frame (`propagate.shapes.objects`). `passed` is called after each frame.
     """
-    key = picture = read(frames[0])
-    engine = begin(picture, tuple(parts), params, made, orders(frames[0]))
+    key = picture = engine.frame
     carried = np.eye(3)
     points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
     stops = {frames[0]: Stop(points, sure, carried, engine.motion)}

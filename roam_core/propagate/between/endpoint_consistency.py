@@ -7,7 +7,7 @@ no truth but the artist's is needed to see it: so much it counts, place by place
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -37,6 +37,11 @@ class Key:
     def members(self) -> list[int]:
         """Which outlines have a part."""
         return [k for k, part in enumerate(self.parts) if part is not None]
+
+    @property
+    def drawn(self) -> tuple[Part, ...]:
+        """The parts that there are."""
+        return tuple(part for part in self.parts if part is not None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +85,25 @@ class Span:
 
     @property
     def better(self) -> Span:
-        """This span, or the same by the poses of its lone shape where these came nearer to the other keys.
+        """This span, its outlines by their poses alone where these came nearer to the other keys."""
+        return self._better_in_parts._better_of_lone_shape
+
+    @property
+    def _better_in_parts(self) -> Span:
+        """The same; no free edge is drawn to the border of the object's region where the pose alone came nearer."""
+        by_poses = self._losses(lambda stop: stop.at_poses)
+        stiff = {k for k, loss in by_poses.items() if loss <= self.losses[k]}
+        if not stiff or self.onwards is None or self.back is None:
+            return self
+        onwards, back = (
+            way.by_poses_alone([k in stiff for k in key.members])
+            for way, key in ((self.onwards, self.first), (self.back, self.last))
+        )
+        return replace(self, onwards=onwards, back=back)
+
+    @property
+    def _better_of_lone_shape(self) -> Span:
+        """The same; by the poses of a lone shape instead of its region.
 
         They must look as on their keys, and on most frames like a part, where they are seen at all.
         """
@@ -132,17 +155,20 @@ class Span:
     @cached_property
     def losses(self) -> dict[int, float]:
         """For each outline that is on both keys, the mean share in which it missed the other key, from either."""
+        return self._losses(lambda stop: stop.points)
+
+    def _losses(self, of: Callable[[Stop], Sequence[Array | None]]) -> dict[int, float]:
+        """As `losses`, by outlines of each stop that may be missing."""
         there, here = stop_at(self.onwards, self.last.frame), stop_at(self.back, self.first.frame)
         if there is None or here is None:
             return {}
+        came = dict(zip(self.first.members, of(there), strict=True))
+        back = dict(zip(self.last.members, of(here), strict=True))
         found: dict[int, float] = {}
-        came = dict(zip(self.first.members, there.points, strict=True))
-        back = dict(zip(self.last.members, here.points, strict=True))
         for k in came.keys() & back.keys():
-            first, last = self.first.parts[k], self.last.parts[k]
-            assert first is not None
-            assert last is not None
-            found[k] = 0.5 * (self._loss(came[k], last.points) + self._loss(back[k], first.points))
+            first, last, ahead, behind = self.first.parts[k], self.last.parts[k], came[k], back[k]
+            if first is not None and last is not None and ahead is not None and behind is not None:
+                found[k] = 0.5 * (self._loss(ahead, last.points) + self._loss(behind, first.points))
         return found
 
     @cached_property
@@ -248,8 +274,8 @@ class Span:
     def _missed(self, key: Key, source: Key, arrived: Sequence[Array]) -> Residual:
         """What arrived from the parts of `source`, against the parts of `key`."""
         came = dict(zip(source.members, arrived, strict=True))
-        true = [part for part in key.parts if part is not None]
-        found = [Part(came[k], part.subtracts) for k, part in enumerate(source.parts) if part is not None]
+        true = key.drawn
+        found = [Part(came[k], part.subtracts) for k, part in zip(source.members, source.drawn, strict=True)]
         endpoint_consistency = self.params.span.endpoint_consistency
         grid = grid_over([part.points for part in (*true, *found)], self.size, endpoint_consistency.look, self.scale)
         a, b = enclosed(found, grid) > 0.5, enclosed(true, grid) > 0.5
@@ -272,7 +298,7 @@ def stop_at(directional_pass: DirectionalPass | None, frame: int) -> Stop | None
 
 def carried(key: Key, transform: Array) -> list[Array]:
     """The outlines of a key, moved as one piece by a similarity `(3, 3)`."""
-    return [similarity.apply(transform[:2], part.points) for part in key.parts if part is not None]
+    return [similarity.apply(transform[:2], part.points) for part in key.drawn]
 
 
 def grid_over(splines: Sequence[Array], size: tuple[int, int], look: float, scale: float) -> Grid:

@@ -18,9 +18,12 @@ from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.params.steadiness import STEADINESS
+from roam_core.propagate.between.both_keys import as_on_both
 from roam_core.propagate.between.directional_pass import DirectionalPass, directional_pass
 from roam_core.propagate.between.endpoint_consistency import Key, Span
 from roam_core.propagate.between.merge import Colours, Merged, merged
+from roam_core.propagate.engines.begin import begin
+from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import near, stacked, units
@@ -48,7 +51,8 @@ def fill_span(
     Each gap between two neighbouring artist keys is one span: the object is carried forward from the first and
     backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
     piece, each believed as far as it met the other key (`propagate.between.endpoint_consistency`), and with what the
-    colours of both keys say (`proposal.cues.key_colours`). Then each outline is drawn to the motion of the picture
+    colours of both keys say (`proposal.cues.key_colours`). A lone shape is known by what looks alike on both keys
+    (`motion.agreement`). Then each outline is drawn to the motion of the picture
     beside it (`propagate.steadiness.steadied`), the artist's keys fixed. Shapes of one object with the same keys are
     filled together. A shape that ends between two keys of its object is carried on from its last key; one that begins
     or ends on a key gets no keys, but tells how much of the object the others do not show there.
@@ -212,22 +216,32 @@ class Filling:
 
     def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], size: tuple[int, int]) -> Span:
         """Both passes of one object, side by side."""
-        first, last = (_key(shapes, frame) for frame in gap)
+        keys = [_key(shapes, frame) for frame in gap]
+        engines: Sequence[Engine | None] = each(lambda key: self._begun(shapes, key, size), keys)
+        if engines[0] is not None and engines[1] is not None:
+            engines = as_on_both(engines[0], engines[1])
         frames = range(gap[0], gap[1] + 1)
-        ways = [(first, frames), (last, frames[::-1])]
-        ahead, behind = each(lambda way: self._directional_pass(shapes, *way, size), ways)
+        ways = list(zip(engines, keys, (frames, frames[::-1]), strict=True))
+        ahead, behind = each(lambda way: self._directional_pass(shapes, *way), ways)
+        first, last = keys
         return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams()).better
 
-    def _directional_pass(
-        self, shapes: Sequence[RotoShape], key: Key, frames: range, size: tuple[int, int]
-    ) -> DirectionalPass | None:
-        parts = [part for part in key.parts if part is not None]
-        if not parts:
+    def _begun(self, shapes: Sequence[RotoShape], key: Key, size: tuple[int, int]) -> Engine | None:
+        """The object on one of its keys; None where it has no outline there."""
+        if not key.drawn:
             return None
         there = [shapes[k] for k in key.members]
+        made, order = units(there, near(size)), stacked(there, key.frame)
+        return begin(self.read(key.frame), key.drawn, self.finer, made, order)
+
+    def _directional_pass(
+        self, shapes: Sequence[RotoShape], engine: Engine | None, key: Key, frames: range
+    ) -> DirectionalPass | None:
+        if engine is None:
+            return None
         passed = None if self.meter is None else self.meter.passed
-        made = units(there, near(size))
-        return directional_pass(self.read, parts, made, partial(stacked, there), frames, self.finer, self.token, passed)
+        orders = partial(stacked, [shapes[k] for k in key.members])
+        return directional_pass(engine, key.drawn, self.read, orders, frames, self.finer, self.token, passed)
 
 
 def _require_closed(shape: RotoShape) -> None:

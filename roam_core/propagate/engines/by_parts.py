@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
@@ -51,14 +51,15 @@ class PartsEngine:
     def motion(self) -> Motion:
         """That of what is not in parts behind the occluders, where that is one object."""
         count, limb = len(self.state.parts), self.state.whole
+        by_poses = Motion(None, None, (False,) * count, pose_costs=self.state.pose_costs, at_poses=self.state.at_poses)
         if limb is None or limb.whole is None:
-            return Motion(None, None, (False,) * count, pose_costs=self.state.pose_costs)
-        return Motion(
-            limb.whole.key.to_now,
-            limb.whole.region,
-            tuple(k in limb.unit.members for k in range(count)),
-            limb.whole.agreement_as_one_piece is not None,
-            self.state.pose_costs,
+            return by_poses
+        return replace(
+            by_poses,
+            since_key=limb.whole.key.to_now,
+            region=limb.whole.region,
+            of_region=tuple(k in limb.unit.members for k in range(count)),
+            as_one_piece=limb.whole.agreement_as_one_piece is not None,
             key=limb.whole.key,
         )
 

@@ -13,6 +13,7 @@ from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
 from roam_core.landmarks.pool import Pool
+from roam_core.motion.template import Template
 from roam_core.params import RegionParams, RoamParams, scale_for
 from roam_core.propagate.engines.protocol import REGION, Account, ByPose, Motion, by_pose
 from roam_core.propagate.frame.nodes import NodeMap
@@ -73,6 +74,12 @@ class RegionEngine:
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> WholeStep:
         return WholeStep(region.step(self.state, picture, region_params(self.params), token), self.params)
+
+    def looking_as(self, template: Template) -> RegionEngine:
+        """The same on its key, where its pose goes by another template."""
+        assert self.state.pose is not None
+        pose = replace(self.state.pose, template=template)
+        return replace(self, state=replace(self.state, pose=pose))
 
     def corrected(self, parts: tuple[Part, ...], order: Sequence[int], given: Sequence[bool]) -> None:
         return None

@@ -49,7 +49,8 @@ class Motion:
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.whole.rigid`).
     pose_costs : for each outline what its pose costs; None where it was not carried by its pose alone.
     gone : for each outline whether its pose is carried along without being seen. by_pose : of a lone shape.
-    key : of the region, carried to the frame.
+    key : of the region, carried to the frame. at_poses : for each outline of an object in parts its points by its pose
+        alone, free edges not yet drawn to the border of the region; None where it has none.
     """
 
     since_key: Array | None
@@ -60,6 +61,7 @@ class Motion:
     gone: tuple[bool, ...] = ()
     by_pose: ByPose | None = None
     key: KeyMemory | None = None
+    at_poses: tuple[Array | None, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

@@ -111,6 +111,17 @@ class FigureState:
         costs = [None if limb.pose is None else limb.pose.cost for limb in self.limbs]
         return self._in_order([(cost,) * len(limb.unit.members) for limb, cost in zip(self.limbs, costs, strict=True)])
 
+    @property
+    def at_poses(self) -> tuple[Array | None, ...]:
+        """The points of each shape by its pose alone, in their order; None where it has none."""
+        outlines: list[tuple[Array | None, ...]] = [
+            (None,) * len(limb.unit.members)
+            if limb.pose is None
+            else tuple(part.points for part in posed.carried(limb.pose, limb.drawn))
+            for limb in self.limbs
+        ]
+        return self._in_order(outlines)
+
     def _in_order(self, by_limb: Sequence[tuple[T, ...]]) -> tuple[T, ...]:
         pairs = [
             pair

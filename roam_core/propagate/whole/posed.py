@@ -56,21 +56,23 @@ def step(
     drawn: Sequence[Part],
     before: PreparedFrame,
     frame: PreparedFrame,
-    params: PoseParams,
+    params: RegionParams,
     covers: Sequence[Array] = (),
 ) -> Pose:
     """The pose on the next frame of the object that was `drawn` on the key; `before` is the frame before."""
-    scale = scale_for(frame.size)
+    assert params.pose is not None
+    search, scale = params.pose, scale_for(frame.size)
     spots = np.vstack([pose.carried(bezier.flatten(part.points)) for part in drawn])
-    window = Region.around(spots, (params.margin + params.search_move * pose.reach(params)) * scale, frame.size)
-    if is_narrow(window, params):
+    window = Region.around(spots, (search.margin + search.search_move * pose.reach(search)) * scale, frame.size)
+    if is_narrow(window, search):
         return pose.missed()
-    pyramid = Pyramid.of(frame, window, 1.0 / scale, params.pyramid)
+    pyramid = Pyramid.of(frame, window, 1.0 / scale, search.pyramid)
 
     def drift(places: Array) -> Array:
-        return _moved(before, frame, window, places, scale, params.along)
+        return _moved(before, frame, window, places, scale, search.along)
 
-    return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers)), is_complete=False, drift=drift), params)
+    hidden, is_limb = pyramid.outlined(list(covers)), may_be_limb(pose, params)
+    return pose.step(Surroundings(pyramid, hidden, is_complete=False, is_sought=is_limb, drift=drift), search)
 
 
 def _moved(

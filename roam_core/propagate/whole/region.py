@@ -69,7 +69,7 @@ def step(
     taken from there if that promises more.
     """
     if state.pose is not None and params.pose is not None:
-        state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params.pose, covers))
+        state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params, covers))
     carried = _carried(state, frame, params, token, tuple(covers))
     if carried.state.trust >= params.doubted:
         return carried

@@ -50,6 +50,16 @@ def test_a_long_shape_has_joints_and_a_compact_one_is_one_piece(name: str, count
     assert Chain.of(SHAPES[name], joints=0).count == 1
 
 
+@pytest.mark.parametrize("name", ["box", "limb"])
+def test_the_pose_that_brings_places_to_others_is_found(name: str) -> None:
+    line = SHAPES[name]
+    chain = Chain.of(line)
+    planted = np.array([25.0, -12.0, *[2.2] * chain.count, 0.1, -0.05, 0.03])
+    planted[TURN + chain.count - 1] += 0.2
+    targets = chain.carried(planted, line)
+    np.testing.assert_allclose(chain.carried(chain.brought(line, targets), line), targets, atol=1e-4)
+
+
 @pytest.mark.parametrize("name", list(SHAPES))
 @pytest.mark.parametrize("joints", [1, 3])
 def test_shares_add_up_and_at_rest_nothing_moves(name: str, joints: int) -> None:

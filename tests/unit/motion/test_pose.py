@@ -264,3 +264,29 @@ def test_a_quarter_that_looks_as_on_the_key_is_enough_to_be_seen_clearly() -> No
     assert not found.is_gone
     assert found.look is not None
     assert found.look.closest < PARAMS.clear < PARAMS.gone < found.look.difference
+
+
+def test_a_hidden_part_is_found_where_it_comes_out_again() -> None:
+    """It went behind what is known to hide it, and comes out far from where it was expected, turned."""
+    template, cover = learned(LIMB), box(20, 30, 120, 50)
+    behind = Pyramid.of(shown(template, np.zeros(7), LIMB, blind=cover), WHOLE, 1.0, PyramidParams())
+    pose = Pose.on_key(template, PARAMS)
+    for _ in range(8):
+        pose = pose.step(Surroundings(behind, behind.outlined([cover])), PARAMS)
+    assert pose.seen < PARAMS.glimpse
+    planted = np.array([0.0, 42.0, 0.5, 0.5, 0.0, 0.0, 0.0])
+    out = Pyramid.of(shown(template, planted, LIMB, blind=cover), WHOLE, 1.0, PyramidParams())
+    found = pose.step(Surroundings(out, out.outlined([cover])), PARAMS)
+    assert off(template, found.values, planted, LIMB) < 1.5
+    assert found.seen > PARAMS.glimpse
+
+
+def test_what_only_looks_like_a_lost_part_from_afar_is_not_taken_for_it() -> None:
+    """Where nothing looks clearly as on the key, the part stays behind what hides it."""
+    template, cover = learned(LIMB), box(20, 30, 120, 50)
+    empty = PreparedFrame(np.round(255.0 * BACKGROUND.at(centres())).astype(np.uint8))
+    pyramid = Pyramid.of(empty, WHOLE, 1.0, PyramidParams())
+    pose = Pose.on_key(template, PARAMS)
+    for _ in range(8):
+        pose = pose.step(Surroundings(pyramid, pyramid.outlined([cover])), PARAMS)
+    assert pose.seen < PARAMS.glimpse

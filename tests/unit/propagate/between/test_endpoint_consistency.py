@@ -89,3 +89,27 @@ def test_one_that_looks_elsewhere_as_on_its_key_has_followed_what_hid_the_limb_t
 @pytest.mark.parametrize("cost", [CLEAR, UNCLEAR])
 def test_where_nothing_tells_them_apart_each_is_believed_on_its_half(cost: float) -> None:
     assert believed(20.0, 110.0, (cost, cost)) == ([0, 1, 2, 3], [3, 4, 5, 6])
+
+
+@pytest.mark.parametrize(("drawn", "stiff"), [(4.0, 1.0), (1.0, 4.0)], ids=["a part that is stiff", "one that folds"])
+def test_a_part_lies_by_its_pose_alone_where_that_came_nearer_to_the_other_keys(drawn: float, stiff: float) -> None:
+    """Its outline missed both keys by `drawn` with free edges at the border of the region, by `stiff` without."""
+    frames = range(FIRST, LAST + 1)
+
+    def led(key: int, other: int) -> DirectionalPass:
+        def stop(frame: int) -> Stop:
+            way = abs(frame - key) / abs(other - key)
+            at_poses = (limb(10.0 * frame + stiff * way),)
+            motion = Motion(None, None, (False,), pose_costs=(CLEAR,), at_poses=at_poses)
+            return Stop((limb(10.0 * frame + drawn * way),), (1.0,), np.eye(3), motion)
+
+        return DirectionalPass({frame: stop(frame) for frame in frames}, PreparedFrame(np.zeros((*SIZE, 3), np.uint8)))
+
+    keys = [Key(frame, (Part(limb(10.0 * frame)),)) for frame in (FIRST, LAST)]
+    span = Span(*keys, led(FIRST, LAST), led(LAST, FIRST), SIZE, scale_for(SIZE), RegionParams())
+    better = span.better
+    for way, key in ((better.onwards, FIRST), (better.back, LAST)):
+        assert way is not None
+        for frame in frames:
+            missed = min(drawn, stiff) * abs(frame - key) / (LAST - FIRST)
+            np.testing.assert_allclose(way.stops[frame].points[0], limb(10.0 * frame + missed))

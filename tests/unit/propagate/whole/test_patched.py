@@ -64,7 +64,7 @@ def test_an_object_whose_halves_part_does_not_go_with_one_pose(lower: float, goe
     pose = posed.learned(read(0), DRAWN[:, ANCHOR], PARAMS.pose, ())
     assert pose is not None
     for frame in range(1, 4):
-        pose = posed.step(pose, state.drawn, read(frame - 1, lower), read(frame, lower), PARAMS.pose)
+        pose = posed.step(pose, state.drawn, read(frame - 1, lower), read(frame, lower), PARAMS)
     assert patched.go_with(pose, state.patches, state.patch_motion, PARAMS) is goes
     assert patched.go_with(pose, None, None, PARAMS)
 

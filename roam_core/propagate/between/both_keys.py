@@ -1,0 +1,30 @@
+"""A lone shape between two keys, known by what looks alike on both: what hides it on one of them is not its own."""
+
+from __future__ import annotations
+
+from roam_core.motion.agreement import Drawn, agreed
+from roam_core.propagate.engines.by_regions import RegionEngine
+from roam_core.propagate.engines.protocol import Engine
+
+
+def as_on_both(first: Engine, last: Engine) -> tuple[Engine, Engine]:
+    """The engines that were begun on the keys of a span; what a part's pose goes by is restricted to what both show.
+
+    In an object in parts, what hides each of them is drawn, and nothing is gained by it.
+    """
+    if not isinstance(first, RegionEngine) or not isinstance(last, RegionEngine):
+        return first, last
+    here, there = _drawn(first), _drawn(last)
+    if here is None or there is None or len(here.points) != len(there.points):
+        return first, last
+    ahead, behind = agreed(here, there)
+    return first.looking_as(ahead), last.looking_as(behind)
+
+
+def _drawn(engine: RegionEngine) -> Drawn | None:
+    """The one solid shape of an object, which then has a pose; None where it has none."""
+    pose = engine.state.pose
+    if pose is None:
+        return None
+    [solid] = [part for part in engine.state.drawn if not part.subtracts]
+    return Drawn(pose.template, solid.points)
