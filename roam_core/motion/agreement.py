@@ -15,9 +15,6 @@ from roam_core.geometry import bezier
 from roam_core.motion.pose import Pose, Search, Surroundings
 from roam_core.motion.template import Template
 
-PLACES = 4
-"""Places on each segment by which two outlines are laid on each other."""
-
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
@@ -55,8 +52,8 @@ def _as_on(here: Drawn, there: Drawn) -> Template | None:
 def _laid_on(here: Drawn, there: Drawn) -> Array:
     """The pose `(P,)` by which a part lies as on another key: as it was drawn there, and as near as it then matches."""
     template, picture, params = here.template, there.template.pyramid, here.template.params
-    count = len(here.points)
-    segment, t = np.repeat(np.arange(count), PLACES), np.tile(np.arange(PLACES) / PLACES, count)
+    count, places = len(here.points), params.places
+    segment, t = np.repeat(np.arange(count), places), np.tile(np.arange(places) / places, count)
     drawn = template.chain.brought(*(bezier.evaluate(each.points, segment, t) for each in (here, there)))
     at = replace(Pose.on_key(template, params), values=drawn, like=params.like_roughly)
     return Search(at, Surroundings(picture, picture.nothing, is_complete=False), params).settled(drawn)

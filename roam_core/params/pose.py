@@ -110,7 +110,8 @@ class PoseParams:
     margin : pixels of a 480-line image around a part, and around where it is searched. narrow : pixels across a
         picture, or what is left of it, that shows nothing.
     alike : share of a part that must look the same on both keys of a span for the rest to be taken for what hides it
-        there. It does up to a difference of `like_roughly`.
+        there. It does up to a difference of `like_roughly`. places : on each segment of the two outlines, by
+        which they are laid on each other.
     pyramid : of the levels on which it is looked for. bones : of those along the part.
     """
 
@@ -160,6 +161,7 @@ class PoseParams:
     along: int = later(30)
     narrow: int = later(8)
     alike: float = later(0.4)
+    places: int = later(4)
     glimpse: float = later(0.25)
     astray: float = later(1.5)
     turned: float = later(3.14)
