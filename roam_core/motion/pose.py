@@ -383,10 +383,8 @@ class Search:
 
     def _likely(self, poses: Array, among: int, most: int) -> Array:
         """The best of `poses (m, P)`, at most so many, by one sample `among` so many."""
-        if len(poses) <= most:
-            return poses
         glance = self._energies(poses, one_in(among, self.template.levels[self.template.coarsest]))
-        return poses[np.argpartition(glance, most)[:most]]
+        return poses[np.argsort(glance, kind="stable")[:most]]
 
     def _energies(self, poses: Array, samples: Samples) -> Array:
         """What `poses (m, P)` cost on the coarsest level, by some samples."""

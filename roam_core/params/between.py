@@ -49,7 +49,7 @@ class SpanParams:
         one.
     sure_cost : what is added to the cost of a pose: even the best may be wrong.
     unposed : what an outline that was not carried by its pose is taken to cost. arrived : overlap with the other key
-        from which a pass by poses has come to it. likely : confidence from which one that has not is believed.
+        from which a pass by poses has come to it. likely : confidence from which a pose is believed.
     apart : pixels of a 480-line image between the estimates of a point at which half the trust in it is gone.
     places : places along two outlines by which they are laid on each other.
     steadiness : strength, in [0, 1], by which what was merged is drawn to the motion of the picture

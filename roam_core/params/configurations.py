@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from functools import lru_cache
 
@@ -53,7 +54,7 @@ CONFIGS: dict[str, RoamParams] = {
     "best": RoamParams(
         config="best",
         region=RegionParams(
-            pose=PoseParams(like=(5.0, 12.0), turned=1.57),
+            pose=PoseParams(like=(5.0, 12.0), turned=0.5 * math.pi),
             part=PoseParams(candidates=12),
             patches=PatchParams(),
             background=BackgroundParams(),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from roam_core.params.stamped import later
@@ -164,6 +165,6 @@ class PoseParams:
     places: int = later(4)
     glimpse: float = later(0.25)
     astray: float = later(1.5)
-    turned: float = later(3.14)
+    turned: float = later(math.pi)
     pyramid: PyramidParams = later(PyramidParams())
     bones: BonesParams = later(BONES)

@@ -182,8 +182,8 @@ class Span:
         for k in {*self.first.members, *self.last.members}:
             arrived = [self._arrived(k, *way) for way in self._ways]
             onwards, back = (
-                self._believed_in(k, way, key, far, came)
-                for (way, key, _), far, came in zip(self._ways, self._reach(k, arrived), arrived, strict=True)
+                self._believed_in(k, way, key, far)
+                for (way, key, _), far in zip(self._ways, self._reach(k, arrived), strict=True)
             )
             found[k] = onwards | {self.first.frame}, back | {self.last.frame}
         return found
@@ -218,12 +218,11 @@ class Span:
         cost = end.motion.pose_costs[key.members.index(k)]
         return cost is not None and cost < self.params.span.endpoint_consistency.dear
 
-    def _believed_in(
-        self, k: int, way: DirectionalPass | None, key: Key, reach: float, arrived: bool
-    ) -> frozenset[int]:
+    def _believed_in(self, k: int, way: DirectionalPass | None, key: Key, reach: float) -> frozenset[int]:
         """The frames on which the pose of an outline is believed in a pass that begins on `key`, up to `reach` of it.
 
-        They are those on which it is seen; of a pass that did not arrive, where it is more likely right than wrong.
+        They are those on which it is seen, and more likely right than wrong: a pass that lost a part may have found it
+        again on the other key.
         """
         if way is None or k not in key.members:
             return frozenset()
@@ -233,8 +232,12 @@ class Span:
             for frame, stop in way.stops.items()
             if abs(frame - key.frame) <= farthest
             and not (stop.motion.gone and stop.motion.gone[place])
-            and (arrived or stop.confidence[place] >= self.params.span.likely)
+            and self.is_likely(k, stop, key)
         )
+
+    def is_likely(self, k: int, stop: Stop | None, key: Key) -> bool:
+        """Whether the pass from a key takes an outline to be more likely right than wrong where it stands."""
+        return stop is not None and stop.confidence[key.members.index(k)] >= self.params.span.likely
 
     def _loss(self, found: Array, true: Array) -> float:
         """The share in which two outlines differ."""

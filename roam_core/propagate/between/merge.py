@@ -213,10 +213,15 @@ def _by_poses(moment: _Moment, k: int) -> Array:
     """The points of an outline that was carried by its pose from either end: the mean where they agree, else the
     better.
 
-    Each counts the more the less its pose costs, the nearer its key is, and the nearer it came to the other one.
+    One that is more likely wrong than right, and the other not, does not count: it lost the part, and may have found it
+    again on the other key. Each counts the more the less its pose costs, the nearer its key is, and the nearer it came
+    to the other one.
     """
     there, here, params = moment.there[k], moment.here[k], moment.span.params.span
     assert moment.span.residuals is not None
+    likely = moment.span.is_likely(k, moment.onwards, moment.span.first)
+    if likely != moment.span.is_likely(k, moment.back, moment.span.last):
+        return there if likely else here
     onwards, back = (residual.of(k) for residual in moment.span.residuals[:2])
     doubts = [params.unposed if cost is None else cost for cost in moment.costs[k]]
     ahead = (1.0 - moment.u) / (params.sure_of + onwards * moment.u) / (params.sure_cost + doubts[0])

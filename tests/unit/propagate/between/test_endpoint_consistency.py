@@ -73,6 +73,11 @@ def test_two_passes_that_arrive_are_believed_wherever_the_limb_is_seen() -> None
     assert believed(60.0, 0.0, (CLEAR, CLEAR), gone=(2, 3)) == ([0, 1, 4, 5, 6], everywhere)
 
 
+def test_one_that_arrives_is_not_believed_where_it_had_lost_the_limb() -> None:
+    sure = (1.0, 0.9, 0.4, 0.3, 0.7, 0.8, 0.9)
+    assert believed(60.0, 0.0, (CLEAR, CLEAR), sure) == ([0, 1, 4, 5, 6], [0, 1, 2, 3, 4, 5, 6])
+
+
 @pytest.mark.parametrize("cost", [CLEAR, UNCLEAR])
 def test_the_only_one_that_arrives_is_believed_alone(cost: float) -> None:
     assert believed(60.0, 110.0, (CLEAR, cost)) == ([0, 1, 2, 3, 4, 5, 6], [6])

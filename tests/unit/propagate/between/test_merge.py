@@ -99,3 +99,26 @@ def test_what_hides_the_background_of_both_keys_is_taken_in(at_odds: tuple[float
     assert strip_taken(*at_odds, 0.0) < 0.2
     assert strip_taken(*at_odds, 0.0, BackgroundParams()) > 0.6
     assert strip_taken(*at_odds, 0.0, replace(BackgroundParams(), unlike=250.0)) < 0.2
+
+
+@pytest.mark.parametrize(("onwards", "back", "x"), [(0.4, 0.8, 30.0), (0.8, 0.4, 0.0), (0.6, 0.8, 0.0)])
+def test_a_pass_by_poses_that_is_more_likely_wrong_is_not_heard(onwards: float, back: float, x: float) -> None:
+    """The pass onwards has the part at 0 half way, the one back at 30, which missed its other key by more."""
+
+    def led(key: int, at: float, end: float, sure: float) -> DirectionalPass:
+        places = {key: (0.0, 1.0), 3: (at, sure), 6 - key: (end, 0.9)}
+        motion = Motion(None, None, (False,), pose_costs=(0.4,))
+        return DirectionalPass(
+            {
+                frame: Stop((SQUARE + np.array([by, 0.0]),), (sure,), np.eye(3), motion)
+                for frame, (by, sure) in places.items()
+            },
+            picture(90),
+        )
+
+    keys = [Key(frame, (Part(SQUARE),)) for frame in (1, 5)]
+    passes = led(1, 0.0, 0.0, onwards), led(5, 30.0, 4.0, back)
+    span = Span(*keys, *passes, SIZE, scale_for(SIZE), RegionParams())
+    [outline] = merged(span, 3)
+    assert outline is not None
+    np.testing.assert_allclose(outline.points, SQUARE + np.array([x, 0.0]))
