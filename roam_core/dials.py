@@ -67,9 +67,11 @@ def _learning(params: Any, factor: float) -> Any:
 
 def _key_colours(params: Any, factor: float) -> Any:
     if params.region is not None:
-        turned = {name: getattr(params.region, name) * factor for name in ("key_weight", "global_key_weight")}
-        turned["key_aged"] = params.region.key_aged / factor if factor > 0 else 0.0  # older the less it counts; 0: off
-        return replace(params, region=replace(params.region, **turned))
+        region = params.region
+        aged = region.key_aged / factor if factor > 0 else 0.0  # older the less it counts; 0: off
+        texture = None if region.texture is None else replace(region.texture, key=region.texture.key * factor)
+        region = replace(region, key_weight=region.key_weight * factor, key_aged=aged, texture=texture)
+        return replace(params, region=region)
     if params.appearance is None:
         return params
     share = min(params.appearance.key_share * factor, 0.95)

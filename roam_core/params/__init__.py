@@ -28,7 +28,7 @@ from roam_core.params.curves import (
     MergingParams,
 )
 from roam_core.params.drawing import CUT_OUT, GROWING, LIVE_WIRE, CutOutParams, GrowingParams, LiveWireParams
-from roam_core.params.evidence import ComponentsParams, KeyColoursParams, LabelPropagationParams
+from roam_core.params.evidence import ComponentsParams, KeyColoursParams, LabelPropagationParams, TextureParams
 from roam_core.params.figure import EDGES, EdgesParams, FigureParams, FreeEdgesParams
 from roam_core.params.keys import (
     ANCHORS,
@@ -114,6 +114,7 @@ __all__ = [
     "RoamParams",
     "SoftnessParams",
     "SpanParams",
+    "TextureParams",
     "UntyingParams",
     "departed",
     "is_doubtful",

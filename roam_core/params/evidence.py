@@ -94,3 +94,25 @@ class BackgroundParams:
     other: float = 2.0
     around: int = 31
     agreed: float = 0.4
+
+
+@dataclass(frozen=True)
+class TextureParams:
+    """Parameters of what texture tells an object from its surroundings (`appearance.texture_model`).
+
+    Attributes
+    ----------
+    windows : sides, cells, of the windows that a cell's texture is seen in (`features.texture`).
+    trees, levels : how many trees, and questions of each. tests : among how many a level chooses its own.
+    samples : cells of each side, at most, that a frame teaches.
+    key : how much the key's cells count beside those of later frames.
+    unseen : share of a side that a leaf is taken to hold unseen: one that hardly anything fell into says little.
+    """
+
+    windows: tuple[int, int, int] = (5, 9, 17)
+    trees: int = 20
+    levels: int = 10
+    tests: int = 12
+    samples: int = 8000
+    key: float = 1.0
+    unseen: float = 1e-4

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from roam_core.params.between import SpanParams
 from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import ContourFitParams
-from roam_core.params.evidence import BackgroundParams, ComponentsParams, LabelPropagationParams
+from roam_core.params.evidence import BackgroundParams, ComponentsParams, LabelPropagationParams, TextureParams
 from roam_core.params.figure import FigureParams
 from roam_core.params.patches import PatchParams
 from roam_core.params.pose import PoseParams
@@ -32,8 +32,8 @@ class RegionParams:
     key_weight, key_radius, key_spread : the same on the key frame, carried by the accumulated similarity.
     key_aged : the nearest colour of the last frame or of the key is taken, that of the key along the flow that is left;
         by how much more a difference counts there. 0: the last frame is asked alone, and the key where it is carried.
-    global_key_weight, global_weight : histograms of the key frame, and those adapted since.
-    adaptation : rate of that adaptation, a frame.
+    global_weight : histograms of the key frame, adapted since.
+    adaptation : rate of that adaptation, a frame; the same of textures.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
     motion_weight, motion_sigma : background that moves with the surroundings and not with the object is not taken in;
         the weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
@@ -74,6 +74,8 @@ class RegionParams:
     patches_inside : by how much what they say of a cell inside is taken to be surer; in full, it counts as the key's
         word. patches_outside : nats of what they say of one outside.
     background : of what the key's background says (`proposal.cues.background`); None: it is not asked.
+    texture : of what tells the object's texture from that of its surroundings (`appearance.texture_model`); None: it is
+        not asked. texture_weight : of what it says.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
         to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near : pixels of a 480-line image within
         which its patches must lie of where the pose has them. pose_agreed : the share of them that must.
@@ -102,7 +104,6 @@ class RegionParams:
     key_radius: int = 5
     key_spread: float = 0.1
     key_aged: float = 2.0
-    global_key_weight: float = 0.5
     global_weight: float = 0.7
     adaptation: float = 0.1
     clip: float = 3.0
@@ -139,6 +140,8 @@ class RegionParams:
     patches_inside: float = 3.0
     patches_outside: float = 5.0
     background: BackgroundParams | None = later(None)
+    texture: TextureParams | None = later(None)
+    texture_weight: float = later(1.0)
     pose_steady: float = later(1.4)
     pose_steady_seam: float = later(0.03)
     pose_near: float = later(2.0)

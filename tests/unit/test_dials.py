@@ -78,7 +78,8 @@ def test_key_colours_at_nothing_leave_the_key_out() -> None:
     region, usual = params_for("best+key=0").region, params_for("best").region
     assert region is not None
     assert usual is not None
-    assert (region.key_weight, region.key_aged, region.global_key_weight) == (0.0, 0.0, 0.0)
+    assert region.texture is not None
+    assert (region.key_weight, region.key_aged, region.texture.key) == (0.0, 0.0, 0.0)
     louder = params_for("best+key=2").region
     assert louder is not None
     assert 0.0 < louder.key_aged < usual.key_aged

@@ -1,4 +1,7 @@
-"""A lone shape between two keys, known by what looks alike on both: what hides it on one of them is not its own."""
+"""An object between two keys is known by the textures of both; a lone shape by what looks alike on them.
+
+What hides a shape on one of its keys is not its own.
+"""
 
 from __future__ import annotations
 
@@ -8,12 +11,14 @@ from roam_core.propagate.engines.protocol import Engine
 
 
 def as_on_both(first: Engine, last: Engine) -> tuple[Engine, Engine]:
-    """The engines that were begun on the keys of a span; what a part's pose goes by is restricted to what both show.
+    """The engines that were begun on the keys of a span, each with what it knows of the other key.
 
-    In an object in parts, what hides each of them is drawn, and nothing is gained by it.
+    That is its textures, and, of a lone shape, that its pose goes only by what both show. In an object in parts, what
+    hides each of them is drawn, and nothing is gained by it.
     """
     if not isinstance(first, RegionEngine) or not isinstance(last, RegionEngine):
         return first, last
+    first, last = first.knowing(last), last.knowing(first)
     here, there = _drawn(first), _drawn(last)
     if here is None or there is None or len(here.points) != len(there.points):
         return first, last

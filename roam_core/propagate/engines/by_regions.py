@@ -20,7 +20,7 @@ from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.propagate.whole import posed, region
 from roam_core.propagate.whole.region import RegionStep
-from roam_core.propagate.whole.state import RegionState, begin
+from roam_core.propagate.whole.state import RegionState, begin, knowing
 from roam_core.proposal.cues.evidence import cues
 from roam_core.proposal.segment.region import cleaned
 
@@ -74,6 +74,10 @@ class RegionEngine:
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> WholeStep:
         return WholeStep(region.step(self.state, picture, region_params(self.params), token), self.params)
+
+    def knowing(self, other: RegionEngine) -> RegionEngine:
+        """The same on its key, with the textures of the object on another key as well as its own."""
+        return replace(self, state=knowing(self.state, other.state))
 
     def looking_as(self, template: Template) -> RegionEngine:
         """The same on its key, where its pose goes by another template."""

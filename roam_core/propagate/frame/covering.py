@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import cv2
 import numpy as np
 
 from roam_core.appearance.global_model import GlobalModel
@@ -38,9 +39,23 @@ def carried_behind(ratio: Field, covers: Sequence[Array], expected: Expectation)
     return Field(ratio.grid, np.where(hidden, carried, ratio.values))
 
 
-def learned_colours(image: UInt8, region: Field, covers: Sequence[Array]) -> GlobalModel:
-    """The colours of a picture, in cells, inside and outside a region, without those of what covers it."""
+def sides(region: Field, covers: Sequence[Array]) -> tuple[Bools, Bools]:
+    """The cells inside and outside a region, without what covers it, unless that covers all of it."""
     inside, hidden = region.inside, covered(covers, region.grid)
     if hidden is None or not (inside & ~hidden).any():
-        return GlobalModel.learned(image, inside, ~inside)
-    return GlobalModel.learned(image, inside & ~hidden, ~inside & ~hidden)
+        return inside, ~inside
+    return inside & ~hidden, ~inside & ~hidden
+
+
+def learned_colours(image: UInt8, region: Field, covers: Sequence[Array]) -> GlobalModel:
+    """The colours of a picture, in cells, inside and outside a region, without those of what covers it."""
+    return GlobalModel.learned(image, *sides(region, covers))
+
+
+def sure_sides(region: Field, covers: Sequence[Array]) -> tuple[Bools, Bools]:
+    """The same cells without those beside the region's border."""
+    inside = region.inside.astype(np.uint8)
+    window = np.ones((3, 3), np.uint8)
+    deep, clear = cv2.erode(inside, window) > 0, cv2.dilate(inside, window) == 0
+    within, without = sides(region, covers)
+    return within & deep, without & clear

@@ -98,8 +98,9 @@ def observed(
         key = replace(key, surroundings=drawn)
         background = key.background(grid)
     sources = Sources(
-        *pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides, background
-    )
+        *pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides, background,
+        state.texture,
+    )  # fmt: skip
     return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.appearance.texture_model import TextureModel
 from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
@@ -27,7 +28,7 @@ from roam_core.propagate.frame.confidence import (
     vertex_confidence,
 )
 from roam_core.propagate.frame.contour_fit import enclosed, fitted, trusts_of
-from roam_core.propagate.frame.covering import carried_behind, learned_colours
+from roam_core.propagate.frame.covering import carried_behind, learned_colours, sure_sides
 from roam_core.propagate.frame.redetection import LastSeen, as_on_key, is_better
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.propagate.whole import patched, posed
@@ -107,6 +108,7 @@ def _as_last_seen(
         parts=parts,
         key=key,
         colours=key.colours,
+        texture=None if state.texture is None else state.texture.as_on_key(),
         rigidity=rigidity,
         flow_reliability=np.zeros(grid.shape, np.float32),  # it lies there roughly
         patch_motion=None if state.patches is None else state.patches.carried(to_now, params.believed),
@@ -148,7 +150,6 @@ def _carried(
     to_now, patches = observation.sources.key.to_now, (state.patches, observation.patch_motion)
     expected_points = [patched.expected_points(*shape, to_now, *patches, params, scale) for shape in shapes]
     placed = fitted(parts, state.constraints, found, scale, params, expected_points, expected.likely)
-    colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     flow_reliability = _flow_reliability(observation, found)
     features = ConfidenceFeatures.of(outlines, found, expected, flow_reliability, state.steps + 1, params.confidence)
@@ -160,7 +161,7 @@ def _carried(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
     return _held_while_steady(
-        _after(state, frame, observation, found, flow_reliability, parts, colours, features, results), params
+        _after(state, frame, observation, found, flow_reliability, parts, features, results, params), params
     )
 
 
@@ -188,9 +189,8 @@ def _as_one_piece(
         )
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
-    colours = _adapted(state, observation, found, params)
     flow_reliability = _flow_reliability(observation, found)
-    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+    return _after(state, frame, observation, found, flow_reliability, parts, features, results, params)
 
 
 def _as_posed(
@@ -204,9 +204,8 @@ def _as_posed(
     """The shapes as drawn on the key, under their pose."""
     found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
     features, results = PoseFeatures.of(pose), posed.results(pose, parts, params.confidence)
-    colours = _adapted(state, observation, found, params)
     flow_reliability = _flow_reliability(observation, found)
-    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+    return _after(state, frame, observation, found, flow_reliability, parts, features, results, params)
 
 
 def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
@@ -228,13 +227,18 @@ def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
     return replace(stepped, state=state, results=posed.results(pose, parts, params.confidence))
 
 
-def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
-    """The global colours after a frame on which `found` is the object's region."""
-    steadiness = overlap(observation.sources.expected.rigid, found.inside) * (0.5 + 0.5 * observation.agreement)
+def _adapted(
+    state: RegionState, observation: Observation, found: Field, params: RegionParams
+) -> tuple[GlobalModel, TextureModel | None]:
+    """The global colours and the textures after a frame on which `found` is the object's region."""
+    sources, rate = observation.sources, params.adaptation
+    steadiness = overlap(sources.expected.rigid, found.inside) * (0.5 + 0.5 * observation.agreement)
     if steadiness <= params.trusted or not found.inside.any():
-        return state.colours
-    seen = learned_colours(observation.sources.after, found, state.covers)
-    return state.colours.adapted(seen, params.adaptation)
+        return state.colours, state.texture
+    colours = state.colours.adapted(learned_colours(sources.after, found, state.covers), rate)
+    if state.texture is None:
+        return colours, None
+    return colours, state.texture.adapted(sources.texture_around, *sure_sides(found, state.covers), rate)
 
 
 def _after(
@@ -244,11 +248,12 @@ def _after(
     found: Field,
     flow_reliability: Float32,
     parts: tuple[Part, ...],
-    colours: GlobalModel,
     features: ConfidenceFeatures | PoseFeatures,
     results: tuple[StepResult, ...],
+    params: RegionParams,
 ) -> RegionStep:
     """The step to a frame on which `found` is the object's region and `parts` are its shapes."""
+    colours, texture = _adapted(state, observation, found, params)
     key = observation.sources.key
     if observation.pose is not None:
         key = replace(key, to_now=observation.pose.similarity)
@@ -259,6 +264,7 @@ def _after(
         parts=parts,
         key=key,
         colours=colours,
+        texture=texture,
         last_seen=_seen(state, key, found),
         rigidity=observation.rigidity,
         flow_reliability=flow_reliability,

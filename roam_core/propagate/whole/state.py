@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.appearance.texture_model import TextureModel
 from roam_core.arrays import Array, Float32
 from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid
+from roam_core.features.texture import texture
 from roam_core.geometry import bezier
 from roam_core.motion import pose as motion_pose
 from roam_core.motion.patches import Patches, PatchMotion
-from roam_core.params import RegionParams, scale_for
+from roam_core.params import RegionParams, TextureParams, scale_for
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, expected_overlap
 from roam_core.propagate.frame.contour_fit import enclosed
-from roam_core.propagate.frame.covering import learned_colours
+from roam_core.propagate.frame.covering import learned_colours, sure_sides
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, middle_of
 from roam_core.propagate.frame.result import Part
@@ -24,6 +27,7 @@ from roam_core.propagate.whole import patched, posed
 from roam_core.propagate.whole.interest import grid_around
 from roam_core.propagate.whole.rigid import Rigidity
 from roam_core.proposal.cues.evidence import Field, KeyMemory
+from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.outline.contour import KeyConstraints
 
 
@@ -37,7 +41,8 @@ class RegionState:
     (`proposal.cues.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of
     them went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies
     before the object; `params` those that it began with. `patches` are what was learned of small pieces of the object
-    on its key, `patch_motion` where they lie; `is_steady`: a large shape looked as on its key all the time.
+    on its key, `patch_motion` where they lie; `is_steady`: a large shape looked as on its key all the time. `texture`
+    tells the object's texture from that of its surroundings.
     """
 
     frame: PreparedFrame
@@ -59,6 +64,7 @@ class RegionState:
     patches: Patches | None = None
     patch_motion: PatchMotion | None = None
     is_steady: bool = True
+    texture: TextureModel | None = None
 
     @property
     def trust(self) -> float:
@@ -82,6 +88,19 @@ class RegionState:
         )
 
 
+def knowing(state: RegionState, other: RegionState) -> RegionState:
+    """A state on its key that knows the textures of `other`, the same object on another key, as well as its own."""
+    if state.texture is None:
+        return state
+    seen = _texture_on(other.frame, other.region.grid, state.texture.params)
+    return replace(state, texture=state.texture.on_both(seen, *sure_sides(other.region, other.covers)))
+
+
+def _texture_on(frame: PreparedFrame, grid: Grid, params: TextureParams) -> Float32:
+    """The texture `(rows, columns, F)` around the cells of a grid."""
+    return texture(lab(grid.colours_of(frame)), params)
+
+
 def begin(
     frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams, covers: Sequence[Array] = ()
 ) -> RegionState:
@@ -93,11 +112,15 @@ def begin(
     grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
     region = Field.of_coverage(grid, enclosed(parts, grid))
     colours = learned_colours(grid.colours_of(frame), region, covers)
+    model = None
+    if params.texture is not None:
+        seen = _texture_on(frame, grid, params.texture)
+        model = TextureModel.learned(seen, *sure_sides(region, covers), params.texture)
     holes = [bezier.flatten(part.points) for part in parts if part.subtracts]
     key = KeyMemory(frame, region, colours, np.eye(3), np.eye(3), (*covers, *holes))
     fit, kept = params.contour_fit, params.kept_shares
     constraints = tuple(KeyConstraints.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
-    seen = LastSeen(key.to_now, area_of(region), middle_of(region), params.redetection)
+    last_seen = LastSeen(key.to_now, area_of(region), middle_of(region), params.redetection)
     rigidity = Rigidity.learned(frame, parts, params.rigidity)
     appearance, flow_reliability = (
         AppearanceTemplate(frame, region, params.redetection, params.unseen),
@@ -105,7 +128,7 @@ def begin(
     )
     patches = patched.learned(frame, region, covers, params)
     return RegionState(
-        frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
-        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
-        patch_motion=None if patches is None else patches.on_key,
+        frame, region, parts, constraints, key, colours, parts, appearance, last_seen, rigidity, flow_reliability,
+        params, pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
+        patch_motion=None if patches is None else patches.on_key, texture=model,
     )  # fmt: skip

@@ -10,9 +10,11 @@ import cv2
 import numpy as np
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.appearance.texture_model import TextureModel
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, signed_distance
+from roam_core.features.texture import texture
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
@@ -128,7 +130,8 @@ class Sources:
     band_reach : cells to both sides of the expected outline in which pixels are in doubt.
     label_propagation : what the cells bring along from the frame before; None where that is not asked.
     patches : on which side the key's patches have them; None where there are none. background : what the key shows
-        around the object, carried by the motion of that; None where it is not asked.
+        around the object, carried by the motion of that; None where it is not asked. texture : what tells the object's
+        texture from that of its surroundings; None where it is not asked.
     """
 
     before: UInt8
@@ -143,11 +146,18 @@ class Sources:
     label_propagation: LabelPropagation | None = None
     patches: PatchSides | None = None
     background: Background | None = None
+    texture: TextureModel | None = None
 
     @cached_property
     def lab(self) -> UInt8:
         """The new frame in CIE Lab."""
         return lab(self.after)
+
+    @cached_property
+    def texture_around(self) -> Float32:
+        """The new frame's texture `(rows, columns, F)` around each cell; only where it is asked."""
+        assert self.texture is not None
+        return texture(self.lab, self.texture.params)
 
     @cached_property
     def reliability(self) -> Float32:
@@ -195,10 +205,10 @@ def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Fl
 def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
 
-    "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
-    "motion", "prior" and "bias"; "background", what the key shows around the object; "lineage", the key's word by the
-    flow and its patches, the more the less the others are heard; "patches", what those say of cells outside. Only their
-    sum in the band means anything to the region.
+    "local" and "key": nearest colours of the last and of the key frame; "global": the histograms; "motion", "prior" and
+    "bias"; "background", what the key shows around the object; "texture", what the trees say; "lineage", the key's word
+    by the flow and its patches, the more the less the others are heard; "patches", what those say of cells outside.
+    Only their sum in the band means anything to the region.
     """
     label_propagation, patches = sources.label_propagation, sources.patches
     heard: Float32 | np.float32 = np.float32(1.0)
@@ -209,6 +219,9 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
     if sources.background is not None and params.background is not None:
         outside = ~(sources.band | sources.expected.possible)
         yield "background", sources.background.log_ratio(sources.lab, outside, params.background)
+    if sources.texture is not None:
+        told = sources.texture.log_ratio(sources.texture_around, sources.band, params.clip)
+        yield "texture", np.float32(params.texture_weight) * told
     if label_propagation is None:
         return
     brought = label_propagation.log_ratio
@@ -227,7 +240,6 @@ def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Flo
 def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """Those that look at no neighbours: histograms, motion, the last region."""
     known = params.clip, params.unseen
-    yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.after, *known)
     yield "global", params.global_weight * sources.colours.log_ratio(sources.after, *known)
     yield "motion", motion_cue(sources, params)
     yield "prior", params.prior_weight * signed_distance(sources.carried, params.prior_reach)

@@ -59,7 +59,7 @@ def test_best_tells_both_sides_of_the_outline(roam: Roam, plate: Plate) -> None:
     roam("track", plate.folder, "--init", plate.mask, "--end", 1002, "--save", path)
     done = roam("explain", path, "--frame", 1002)
     head = next(line for line in done.out.splitlines() if line.split()[:1] == ["node"])
-    cues = "local key global key global motion prior bias background patches lineage"
+    cues = "local key global motion prior bias background texture patches lineage"
     assert " ".join(head.split()) == f"node point x y {cues} region difference"
     told = json.loads(roam("explain", path, "--frame", 1002, "--json").out)
     assert all(set(row["inside"]) == set(row["outside"]) == set(told["sums"]) for row in told["nodes"])

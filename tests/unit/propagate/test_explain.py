@@ -57,12 +57,12 @@ def test_the_cues_speak_for_the_object_inside_and_against_it_outside(blob_shot: 
     assert set(told.account.sides) == {
         "local",
         "key",
-        "global key",
         "global",
         "motion",
         "prior",
         "bias",
         "background",
+        "texture",
         "lineage",
         "patches",
         REGION,

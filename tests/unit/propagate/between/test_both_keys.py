@@ -33,10 +33,29 @@ def test_a_lone_shape_goes_by_what_both_keys_show() -> None:
     assert count(theirs) < 0.7 * count(last)
 
 
-def test_what_has_no_pose_stays_as_it_is() -> None:
-    first = begun(np.zeros(2), None)
-    two = (Part(outline(MOVED)), Part(outline(MOVED) + np.array([0.0, 35.0])))
-    several = RegionEngine.begun(picture(MOVED, None), two, BEST)
-    curves = CurveEngine.begun(picture(MOVED, None), two[:1], params_for("full"))
-    for other in (several, curves):
-        assert as_on_both(first, other) == (first, other)
+def two(moved: Array) -> tuple[Part, Part]:
+    """An object of two outlines, which has no pose."""
+    return Part(outline(moved)), Part(outline(moved) + np.array([0.0, 35.0]))
+
+
+def test_what_has_no_pose_knows_the_textures_of_both_keys() -> None:
+    first, last = begun(np.zeros(2), None), RegionEngine.begun(picture(MOVED, None), two(MOVED), BEST)
+    ours, theirs = as_on_both(first, last)
+    assert isinstance(theirs, RegionEngine)
+    for engine, before in ((ours, first), (theirs, last)):
+        assert isinstance(engine, RegionEngine)
+        now, then = engine.state.texture, before.state.texture
+        assert now is not None
+        assert then is not None
+        assert engine.state.pose is before.state.pose
+        np.testing.assert_array_equal(now.bounds, then.bounds)
+        assert np.abs(now.key - then.key).max() > 0.01
+        np.testing.assert_allclose(now.key.sum(axis=2), 1.0, atol=1e-5)
+
+
+def test_curves_stay_as_they_are() -> None:
+    first, curves = (
+        begun(np.zeros(2), None),
+        CurveEngine.begun(picture(MOVED, None), two(MOVED)[:1], params_for("full")),
+    )
+    assert as_on_both(first, curves) == (first, curves)
