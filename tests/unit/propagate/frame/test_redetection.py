@@ -15,7 +15,7 @@ from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
 from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
-from roam_core.params import CONFIGS, RedetectionParams, RegionParams
+from roam_core.params import CONFIGS, RedetectionParams, RegionParams, TextureParams
 from roam_core.params.evidence import BackgroundParams
 from roam_core.propagate.curves import step as outline
 from roam_core.propagate.explain import explain
@@ -210,14 +210,18 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
 def test_of_what_was_found_again_its_region_has_the_colours_of_the_key() -> None:
     """Whatever was learned since: here the background's colours for the object's."""
     key = PreparedFrame(picture(60.0))
-    state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), REGION)
+    state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), replace(REGION, texture=TextureParams()))
     misled = GlobalModel(state.colours.outside, state.colours.inside)
-    away = replace(state, colours=misled, last_seen=replace(state.last_seen, since=PARAMS.long_gone - 1))
+    assert state.texture is not None
+    wrong = replace(state.texture, since=state.texture.key[::-1])
+    away = replace(state, colours=misled, texture=wrong, last_seen=replace(state.last_seen, since=PARAMS.long_gone - 1))
     stepped = step(away, PreparedFrame(picture(200.0)), REGION)
     found, after = stepped.begun, stepped.state
     assert stepped.redetected
     np.testing.assert_array_equal(found.colours.inside, state.key.colours.inside)
     np.testing.assert_array_equal(found.colours.outside, state.key.colours.outside)
+    assert found.texture is not None
+    assert not found.texture.since.any()
     assert np.hypot(*(middle_of(after.region) - (200.0, ROW))) < 3.0
 
 
