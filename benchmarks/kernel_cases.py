@@ -25,12 +25,13 @@ from roam_core.kernels.hypotheses import best_hypothesis
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, log_ratio, nearest_colours
 from roam_core.kernels.nearest_edges import nearest_edges
+from roam_core.kernels.oblivious_trees import grown, mean_of_leaves, shares
 from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, affines, energies, refined
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
 from roam_core.kernels.settling import settled
 from roam_core.kernels.spline_fit import nearest_places, normal_band
-from roam_core.params import ANCHORS
+from roam_core.params import ANCHORS, TextureParams
 from roam_core.proposal.outline.invariants import surroundings
 
 Case = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
@@ -239,6 +240,33 @@ def _hypotheses() -> Case:
     return _call(best_hypothesis, source, source + rng.normal(0, 1, 400), alpha + 1, beta, 2.0)
 
 
+def _trees() -> tuple[Any, Any, Any]:
+    """Cells with the fourteen numbers of a texture, and the tests of all trees: which number, and its bound."""
+    params, rng = TextureParams(), _rng()
+    shape = params.trees, params.levels, params.tests
+    cells = rng.random((*GRID, 14)).astype(np.float32)
+    return cells, rng.integers(14, size=shape, dtype=np.int32), rng.random(shape).astype(np.float32)
+
+
+def _growing() -> Case:
+    cells, features, bounds = _trees()
+    samples = cells.reshape(-1, 14)
+    return _call(grown, samples, samples[:, 3] > 0.6, features, bounds)
+
+
+def _leaves() -> Case:
+    cells, features, bounds = _trees()
+    tests = np.ascontiguousarray(features[..., 0]), np.ascontiguousarray(bounds[..., 0])
+    tables = _rng().random((len(features), 2 ** features.shape[1])).astype(np.float32)
+    return _call(mean_of_leaves, cells, np.ones(GRID, dtype=bool), *tests, tables)
+
+
+def _shared() -> Case:
+    cells, features, bounds = _trees()
+    tests = np.ascontiguousarray(features[..., 0]), np.ascontiguousarray(bounds[..., 0])
+    return _call(shares, cells.reshape(-1, 14), *tests)
+
+
 CASES: dict[str, Callable[[], Case]] = {
     "affines": _affines,
     "align": _alignment,
@@ -258,9 +286,11 @@ CASES: dict[str, Callable[[], Case]] = {
     "linear_span_errors": lambda: _call(linear_span_errors, _moving(), True, 0, 50.0),
     "log_ratio": _log_ratio,
     "nearest_colours": _colours,
+    "grown": _growing,
     "log_densities": _densities,
     "looked_up": lambda: _call(looked_up, _picture(), _rng().random(32**3).astype(np.float32)),
     "matches": _matches,
+    "mean_of_leaves": _leaves,
     "nearest_edges": lambda: _call(nearest_edges, _outline(centre=(80.0, 60.0), radius=45.0), GRID, 20.0),
     "nearest_places": _nearest,
     "normal_band": _band,
@@ -270,6 +300,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
     "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0, 2.0),
     "row_sums": lambda: _call(row_sums, _field()),
+    "shares": _shared,
     "settled": _settling,
     "step_counts": lambda: _call(step_counts, segments(_spline()), 0.05),
     "swept_coverage": lambda: _call(swept_coverage, _outline(), _outline() + 8.0, SIZE),
