@@ -54,8 +54,6 @@ def test_what_has_no_pose_knows_the_textures_of_both_keys() -> None:
 
 
 def test_curves_stay_as_they_are() -> None:
-    first, curves = (
-        begun(np.zeros(2), None),
-        CurveEngine.begun(picture(MOVED, None), two(MOVED)[:1], params_for("full")),
-    )
+    first = begun(np.zeros(2), None)
+    curves = CurveEngine.begun(picture(MOVED, None), two(MOVED)[:1], params_for("full"))
     assert as_on_both(first, curves) == (first, curves)
