@@ -18,6 +18,7 @@ from roam_core.atomic_write import write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.performing import WORK
+from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.studio import cluster, driver
 from roam_core.studio.fields import schema
@@ -83,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
     outcomes: list[driver.Outcome] = []
     began, workers = time.perf_counter(), 0
     try:
-        with _client(arguments) as client, _Terminal(arguments.json) as terminal:
+        with _client(arguments) as client, _Terminal(arguments.json) as terminal, cancelling() as token:
             workers = sum(client.nthreads().values())
             _tell_where(client, workers, dashboard=not arguments.no_dashboard)
             steps = driver.run(
@@ -94,6 +95,7 @@ def run(arguments: argparse.Namespace) -> int:
                 pictures=pictures_in(out),
                 watcher=terminal,
                 ahead=0 if arguments.scheduler is None else driver.AHEAD,
+                token=token,
             )
             outcomes.extend(steps)
     finally:

@@ -18,7 +18,7 @@ AHEAD = 200
 """Steps that wait at a studio's scheduler: it sees what there is to do, and workers do not wait for us."""
 COUNTED = 50
 """Steps after which the workers are counted again: they come and go."""
-PAUSE = 0.05
+PAUSE = 0.01
 """Seconds between two looks at a token."""
 PATIENCE = 60.0
 """Seconds that a cancelled batch waits for steps to come to a safe point."""
