@@ -244,27 +244,26 @@ def _trees() -> tuple[Any, Any, Any]:
     """Cells with the fourteen numbers of a texture, and the tests of all trees: which number, and its bound."""
     params, rng = TextureParams(), _rng()
     shape = params.trees, params.levels, params.tests
-    cells = rng.random((*GRID, 14)).astype(np.float32)
-    return cells, rng.integers(14, size=shape, dtype=np.int32), rng.random(shape).astype(np.float32)
+    samples = rng.random((14, GRID[0] * GRID[1])).astype(np.float32)
+    return samples, rng.integers(14, size=shape, dtype=np.int32), rng.random(shape).astype(np.float32)
 
 
 def _growing() -> Case:
-    cells, features, bounds = _trees()
-    samples = cells.reshape(-1, 14)
-    return _call(grown, samples, samples[:, 3] > 0.6, features, bounds)
+    samples, features, bounds = _trees()
+    return _call(grown, samples, samples[3] > 0.6, features, bounds)
 
 
 def _leaves() -> Case:
-    cells, features, bounds = _trees()
+    samples, features, bounds = _trees()
     tests = np.ascontiguousarray(features[..., 0]), np.ascontiguousarray(bounds[..., 0])
     tables = _rng().random((len(features), 2 ** features.shape[1])).astype(np.float32)
-    return _call(mean_of_leaves, cells, np.ones(GRID, dtype=bool), *tests, tables)
+    return _call(mean_of_leaves, samples, *tests, tables)
 
 
 def _shared() -> Case:
-    cells, features, bounds = _trees()
+    samples, features, bounds = _trees()
     tests = np.ascontiguousarray(features[..., 0]), np.ascontiguousarray(bounds[..., 0])
-    return _call(shares, cells.reshape(-1, 14), *tests)
+    return _call(shares, samples, *tests)
 
 
 CASES: dict[str, Callable[[], Case]] = {

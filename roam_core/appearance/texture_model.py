@@ -36,15 +36,15 @@ class TextureModel:
 
     @classmethod
     def learned(cls, texture: Float32, inside: Bools, outside: Bools, params: TextureParams) -> TextureModel | None:
-        """From the texture `(rows, columns, F)` of a key, and which of its cells lie inside and outside for sure.
+        """From the texture `(F, rows, columns)` of a key, and which of its cells lie inside and outside for sure.
 
         None where there is nothing on one of the sides.
         """
         sides = _sampled(texture, inside, outside, params.samples)
-        if not all(len(each) for each in sides):
+        if not all(each.size for each in sides):
             return None
-        samples = np.concatenate(sides)
-        is_inside = np.arange(len(samples)) >= len(sides[0])
+        samples = np.concatenate(sides, axis=1)
+        is_inside = np.arange(samples.shape[1]) >= sides[0].shape[1]
         tests = oblivious_trees.grown(samples, is_inside, *_offered(samples, params))
         key = _shares(sides, *tests)
         return cls(*tests, key, np.zeros_like(key), params)
@@ -52,7 +52,7 @@ class TextureModel:
     def adapted(self, texture: Float32, inside: Bools, outside: Bools, rate: float) -> TextureModel:
         """After a later frame of which these cells lie inside and outside (exponential forgetting by `rate`)."""
         sides = _sampled(texture, inside, outside, self.params.samples)
-        if not all(len(each) for each in sides):
+        if not all(each.size for each in sides):
             return self
         keep, gain = np.float32(1.0 - rate), np.float32(rate)
         return replace(self, since=keep * self.since + gain * _shares(sides, self.features, self.bounds))
@@ -60,7 +60,7 @@ class TextureModel:
     def on_both(self, texture: Float32, inside: Bools, outside: Bools) -> TextureModel:
         """As if half of the key's cells had come from another key, of which these lie inside and outside."""
         sides = _sampled(texture, inside, outside, self.params.samples)
-        if not all(len(each) for each in sides):
+        if not all(each.size for each in sides):
             return self
         return replace(self, key=np.float32(0.5) * (self.key + _shares(sides, self.features, self.bounds)))
 
@@ -73,11 +73,12 @@ class TextureModel:
         unseen = np.float32(self.params.unseen)
         outside, inside = np.float32(self.params.key) * self.key + self.since
         tables = (inside + unseen) / (inside + outside + 2.0 * unseen)
-        p = oblivious_trees.mean_of_leaves(texture, wanted, self.features, self.bounds, tables)
-        p = np.where(wanted, p, np.float32(0.5))
+        p = oblivious_trees.mean_of_leaves(texture[:, wanted], self.features, self.bounds, tables)
         surest = np.float32(1.0 / (1.0 + np.exp(-clip)))
         p = np.clip(p, np.float32(1.0) - surest, surest)
-        return np.log(p / (np.float32(1.0) - p))
+        ratio = np.zeros(wanted.shape, np.float32)
+        ratio[wanted] = np.log(p / (np.float32(1.0) - p))
+        return ratio
 
 
 def _offered(samples: Float32, params: TextureParams) -> tuple[Int32, Float32]:
@@ -87,18 +88,18 @@ def _offered(samples: Float32, params: TextureParams) -> tuple[Int32, Float32]:
     """
     rng = np.random.default_rng(0)
     shape = params.trees, params.levels, params.tests
-    features = rng.integers(samples.shape[1], size=shape, dtype=np.int32)
-    low, high = samples[rng.integers(len(samples), size=(2, *shape)), features]
+    features = rng.integers(len(samples), size=shape, dtype=np.int32)
+    low, high = samples[features, rng.integers(samples.shape[1], size=(2, *shape))]
     return features, np.asarray(low + rng.random(shape, dtype=np.float32) * (high - low), dtype=np.float32)
 
 
 def _sampled(texture: Float32, inside: Bools, outside: Bools, most: int) -> tuple[Float32, Float32]:
-    """The texture `(n, F)` of cells outside and of cells inside, at most so many of each, evenly spread."""
-    cells = texture.reshape(-1, texture.shape[2])
+    """The texture `(F, n)` of cells outside and of cells inside, at most so many of each, evenly spread."""
+    cells = texture.reshape(len(texture), -1)
 
     def some(side: Bools) -> Float32:
         chosen = np.flatnonzero(side)
-        return np.asarray(cells[chosen[:: max(1, -(-len(chosen) // most))]])
+        return np.asarray(cells[:, chosen[:: max(1, -(-len(chosen) // most))]])
 
     return some(outside), some(inside)
 

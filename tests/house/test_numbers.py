@@ -41,6 +41,7 @@ NO_CHOICE = {
     "kernels/keeping.py": {"DIGEST"},
     # Rounding, and bounds that change the time or keep a loop from going on for ever.
     "kernels/alignment.py": {"BEAM", "ROUNDING"},
+    "kernels/oblivious_trees.py": {"BLOCK"},
     "features/frame.py": {"DECODED_TOGETHER"},
     "motion/planar.py": {"BESIDE"},
     "kernels/flattening.py": {"MOST"},

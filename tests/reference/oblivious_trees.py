@@ -19,18 +19,18 @@ def ref_shares(samples: Float32, features: Int32, bounds: Float32) -> Array:
     """As `shares`."""
     result = np.zeros((len(features), 2 ** features.shape[1]))
     for tree, tests in enumerate(zip(features, bounds, strict=True)):
-        for sample in samples:
-            result[tree, ref_leaf(sample, *tests)] += 1.0 / len(samples)
+        for sample in samples.T:
+            result[tree, ref_leaf(sample, *tests)] += 1.0 / samples.shape[1]
     return result
 
 
-def ref_mean_of_leaves(values: Float32, wanted: Bools, features: Int32, bounds: Float32, tables: Float32) -> Array:
+def ref_mean_of_leaves(samples: Float32, features: Int32, bounds: Float32, tables: Float32) -> Array:
     """As `mean_of_leaves`."""
-    result = np.zeros(wanted.shape)
-    for place in zip(*np.nonzero(wanted), strict=True):
-        leaves = [ref_leaf(values[place], *tests) for tests in zip(features, bounds, strict=True)]
-        result[place] = np.mean([table[leaf] for table, leaf in zip(tables, leaves, strict=True)])
-    return result
+    result = []
+    for sample in samples.T:
+        leaves = [ref_leaf(sample, *tests) for tests in zip(features, bounds, strict=True)]
+        result.append(np.mean([table[leaf] for table, leaf in zip(tables, leaves, strict=True)]))
+    return np.array(result)
 
 
 def ref_chosen(samples: Float32, inside: Bools, features: Int32, bounds: Float32) -> list[int]:
@@ -41,7 +41,7 @@ def ref_chosen(samples: Float32, inside: Bools, features: Int32, bounds: Float32
         for k in range(features.shape[1]):
             tests = [*chosen, k]
             rows = np.arange(len(tests))
-            leaves = [ref_leaf(each, features[rows, tests], bounds[rows, tests]) for each in samples]
+            leaves = [ref_leaf(each, features[rows, tests], bounds[rows, tests]) for each in samples.T]
             offers.append(_entropy(leaves, inside))
         chosen.append(int(np.argmin(offers)))
     return chosen

@@ -97,7 +97,7 @@ def knowing(state: RegionState, other: RegionState) -> RegionState:
 
 
 def _texture_on(frame: PreparedFrame, grid: Grid, params: TextureParams) -> Float32:
-    """The texture `(rows, columns, F)` around the cells of a grid."""
+    """The texture `(F, rows, columns)` around the cells of a grid."""
     return texture(lab(grid.colours_of(frame)), params)
 
 

@@ -155,7 +155,7 @@ class Sources:
 
     @cached_property
     def texture_around(self) -> Float32:
-        """The new frame's texture `(rows, columns, F)` around each cell; only where it is asked."""
+        """The new frame's texture `(F, rows, columns)` around each cell; only where it is asked."""
         assert self.texture is not None
         return texture(self.lab, self.texture.params)
 
