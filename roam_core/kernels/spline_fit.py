@@ -21,7 +21,7 @@ def normal_band(
 
     Least squares of the samples at their places; of the anchors' moves along their `tangents`, weighted `stay`; of the
     handles' changes against their anchors, weighted `hold`; and of the handles of `smooth` points off their tangent,
-    weighted `line`. Unknown `2 k + axis` is a coordinate of free position k.
+    weighted `line`; what nothing tells stays. Unknown `2 k + axis` is a coordinate of free position k.
 
     Parameters
     ----------
@@ -39,7 +39,8 @@ def normal_band(
     around = np.concatenate([near, np.roll(near, -1, axis=0)], axis=1)
     width = 2 * int(np.ptp(around, axis=1).max()) + 2
     band, right = np.zeros((width, 2 * count)), np.zeros(2 * count)
-    band[0] = 1e-6
+    band[0] = 1e-6  # what nothing else tells stays where it was
+    right.reshape(-1, 2)[owner] = 1e-6 * prior
     arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in (samples, places, prior, tangents)]
     _sample_rows(arrays[0], arrays[1], np.ascontiguousarray(owner), band, right)
     _point_rows(

@@ -57,6 +57,7 @@ class RefineParams:
     stay : weight, against the samples of one segment, that holds an anchor to its matched place along the outline
         from frame to frame.
     hold : weight, against the samples of one segment, that holds handles to their anchors as they were.
+    astray : steps of the samples that an anchor may lie off the outline.
     line : weight, against one sample, of a smooth point's handle off the common line.
     """
 
@@ -66,6 +67,7 @@ class RefineParams:
     stay: float = 0.3
     hold: float = 0.002
     line: float = 1.0
+    astray: float = later(4.0)
 
 
 @dataclass(frozen=True)
@@ -92,7 +94,7 @@ class ContourFitParams:
     tips, refine : of the shape of an outline, and of the last fit. untying : of taking crossings out.
     """
 
-    stretch: float = 6.0
+    stretch: float = 12.0
     near: float = 12.0
     turn: float = 1.0
     bulge: float = 240.0

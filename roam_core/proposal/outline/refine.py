@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.linalg import solveh_banded
+from scipy.spatial import KDTree
 
 from roam_core.arrays import Array, Bools, Int64
 from roam_core.geometry import bezier, polyline
@@ -35,7 +36,7 @@ def refined(points: Array, samples: Array, at: Int64, smooth: Bools, rounds: int
             (params.stay * share, params.hold * share, params.line),
         )
         free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
-        result = bounded(free[owner].reshape(-1, 3, 2), places, samples)
+        result = bounded(_beside(free[owner].reshape(-1, 3, 2), samples, params.astray), places, samples)
     return bezier.aligned(result, smooth)
 
 
@@ -91,6 +92,17 @@ def _nearest(points: Array, places: Array, samples: Array, normals: Array, param
     result = np.empty_like(found)
     result[order] = np.clip(run, run[0], run[0] + count) % count
     return result
+
+
+def _beside(points: Array, samples: Array, most: float) -> Array:
+    """The spline with no anchor farther off the outline than `most` steps of its samples; handles go with theirs.
+
+    Where an outline doubles back, as around a bridge, hardly anything else says where an anchor lies.
+    """
+    away, nearest = KDTree(samples).query(points[:, ANCHOR])
+    allowed = most * polyline.length(samples) / len(samples)
+    back = 1.0 - np.minimum(1.0, allowed / np.maximum(away, 1e-9))
+    return np.asarray(points + (back[:, None] * (samples[nearest] - points[:, ANCHOR]))[:, None])
 
 
 def bounded(points: Array, places: Array, samples: Array) -> Array:

@@ -28,6 +28,18 @@ def test_the_band_has_the_solution_of_dense_least_squares() -> None:
     assert np.allclose(ours, ref_fitted(samples, places, points, tangents, smooth, weights), atol=1e-3)
 
 
+def test_a_point_that_nothing_tells_of_stays_where_it_was() -> None:
+    points = 400.0 + blob([20.0, 26.0, 18.0, 24.0, 22.0, 19.0, 25.0])
+    places = np.linspace(0.0, 3.0, 40)
+    samples = points[0, 0] + np.stack([10.0 * places, places], axis=1)
+    owner = np.arange(3 * len(points))
+    flat = points.reshape(-1, 2)
+    band, right = normal_band(samples, places, flat, owner, np.ones((7, 2)), np.zeros(7, bool), (0.0, 0.0, 0.0))
+    ours = solveh_banded(band, right, lower=True).reshape(-1, 3, 2)
+    assert np.allclose(ours[5], points[5])
+    assert not np.allclose(ours[1], points[1])
+
+
 def test_nearest_places_are_the_nearest_of_all_edges() -> None:
     rng = np.random.default_rng(5)
     angle = np.arange(40) * (2.0 * np.pi / 40)
