@@ -241,7 +241,7 @@ def _hypotheses() -> Case:
 
 
 def _trees() -> tuple[Any, Any, Any]:
-    """Cells with the fourteen numbers of a texture, and the tests of all trees: which number, and its bound."""
+    """Cells with the fourteen numbers of a texture, and the tests offered to each tree: which number, and its bound."""
     params, rng = TextureParams(), _rng()
     shape = params.trees, params.levels, params.tests
     samples = rng.random((14, GRID[0] * GRID[1])).astype(np.float32)
@@ -253,17 +253,16 @@ def _growing() -> Case:
     return _call(grown, samples, samples[3] > 0.6, features, bounds)
 
 
+def _one_test_a_level() -> tuple[Any, Any, Any]:
+    """The same cells, and trees that have made their choice: the first test of each level."""
+    samples, features, bounds = _trees()
+    return samples, np.ascontiguousarray(features[..., 0]), np.ascontiguousarray(bounds[..., 0])
+
+
 def _leaves() -> Case:
-    samples, features, bounds = _trees()
-    tests = np.ascontiguousarray(features[..., 0]), np.ascontiguousarray(bounds[..., 0])
+    samples, features, bounds = _one_test_a_level()
     tables = _rng().random((len(features), 2 ** features.shape[1])).astype(np.float32)
-    return _call(mean_of_leaves, samples, *tests, tables)
-
-
-def _shared() -> Case:
-    samples, features, bounds = _trees()
-    tests = np.ascontiguousarray(features[..., 0]), np.ascontiguousarray(bounds[..., 0])
-    return _call(shares, samples, *tests)
+    return _call(mean_of_leaves, samples, features, bounds, tables)
 
 
 CASES: dict[str, Callable[[], Case]] = {
@@ -300,7 +299,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0, 2.0),
     "row_sums": lambda: _call(row_sums, _field()),
     "settled": _settling,
-    "shares": _shared,
+    "shares": lambda: _call(shares, *_one_test_a_level()),
     "step_counts": lambda: _call(step_counts, segments(_spline()), 0.05),
     "swept_coverage": lambda: _call(swept_coverage, _outline(), _outline() + 8.0, SIZE),
     "vertices": lambda: _call(vertices, segments(_spline()), step_counts(segments(_spline()), 0.05)),

@@ -13,8 +13,9 @@ Float32 = NDArray[np.float32]
 """Fields over cells: log-ratios, coverage, flow."""
 Bools = NDArray[np.bool_]
 UInt8 = NDArray[np.uint8]
-UInt16 = NDArray[np.uint16]
 """Pictures of 8 bits, and marks of cells."""
+UInt16 = NDArray[np.uint16]
+"""What is counted from those, in whole numbers: squares, slopes."""
 Int32 = NDArray[np.int32]
 Int64 = NDArray[np.int64]
 Indices = NDArray[np.intp]
