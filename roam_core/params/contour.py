@@ -94,7 +94,7 @@ class ContourFitParams:
     tips, refine : of the shape of an outline, and of the last fit. untying : of taking crossings out.
     """
 
-    stretch: float = 12.0
+    stretch: float = 6.0
     near: float = 12.0
     turn: float = 1.0
     bulge: float = 240.0

@@ -157,7 +157,7 @@ class RegionParams:
     closed: float = later(0.02)
     label_propagation: LabelPropagationParams = later(LabelPropagationParams())
     components: ComponentsParams = later(ComponentsParams())
-    contour_fit: ContourFitParams = later(ContourFitParams())
+    contour_fit: ContourFitParams = later(ContourFitParams(stretch=12.0))
     redetection: RedetectionParams = later(RedetectionParams())
     rigidity: RigidityParams = later(RigidityParams())
     figure: FigureParams = later(FigureParams())
