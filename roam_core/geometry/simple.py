@@ -12,44 +12,27 @@ from roam_core.params import UNTYING, UntyingParams
 
 
 def simplified(points: Array, fallback: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Array:
-    """A closed spline `(P, 3, 2)` near `points` that does not cross itself.
+    """A closed spline `(P, 3, 2)` near `points` that does not cross itself; elsewhere it keeps its place.
 
-    Segments that cross are straightened first; where that is not enough the whole spline is drawn towards `fallback`
-    (a spline of as many points), and is `fallback` in the end.
+    Segments that cross are straightened first; where that is not enough, their control points, then more and more of
+    those beside them, go back to where they are in `fallback`, a spline of as many points.
     """
-    result = points.copy()
+    result, count, width = points.copy(), len(points), 0
     for _ in range(params.straightenings):
         guilty = crossing_segments(result, scale, params)
         if len(guilty) == 0:
             return result
         result = _straightened(result, guilty)
-    for share in (0.25, 0.5, 0.75):
-        blended = (1.0 - share) * points + share * fallback
-        if len(crossing_segments(blended, scale, params)) == 0:
-            return np.asarray(blended)
-    return fallback
+    while len(guilty := crossing_segments(result, scale, params)) > 0 and 2 * width + 2 < count:
+        near = np.unique((guilty[:, None] + np.arange(-width, width + 2)) % count)
+        result[near] = fallback[near]
+        width = 2 * width + 1
+    return result if len(guilty) == 0 else fallback.copy()
 
 
 def untied(points: Array, before: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Array:
-    """A closed spline `(P, 3, 2)` like `points` that does not cross itself; elsewhere it keeps its place.
-
-    Segments that cross are straightened; where that is not enough, their control points, then the neighbours of those
-    too, go back to where they are in `before`. A curve that crossed itself before may go on doing so.
-    """
-    if len(crossing_segments(points, scale, params)) == 0 or len(crossing_segments(before, scale, params)) > 0:
-        return points
-    result, count = points.copy(), len(points)
-    for attempt in range(params.straightenings + count):
-        guilty = crossing_segments(result, scale, params)
-        if len(guilty) == 0:
-            return result
-        if attempt < params.straightenings:
-            result = _straightened(result, guilty)
-        else:
-            width = attempt - params.straightenings
-            near = (guilty[:, None] + np.arange(-width, width + 2)) % count
-            result[near] = before[near]
-    return before.copy()
+    """The same of a curve that lay at `before`. If it crossed itself there it may go on doing so."""
+    return points if len(crossing_segments(before, scale, params)) > 0 else simplified(points, before, scale, params)
 
 
 def crossing_segments(points: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Indices:

@@ -46,10 +46,10 @@ def fitted(
 
     `parts` lie where they were carried, and do not cross themselves: where no shape finds anything all stay there.
     `expected` tells where along the outline their points should come to lie, if not just there; `constraints` are what
-    they keep of their key. Components of the region are joined by bridges up to `RegionParams.longest_bridge`, or, at
-    0, not at all; `likely` is where components belong to the object that no shape claims, everywhere if it is None. A
-    shape that finds nothing while others do, and lies mostly outside the region, is out of sight and closes to almost
-    nothing, as does a hole that the region fills.
+    they keep of their key. Components of the region are joined by bridges, and bays that closed are opened by slits, up
+    to `RegionParams.longest_bridge`, or, at 0, not at all; `likely` is where components belong to the object that no
+    shape claims, everywhere if it is None. A shape that finds nothing while others do, and lies mostly outside the
+    region, is out of sight and closes to almost nothing, as does a hole that the region fills.
     """
     inside = found.inside
     hanging = likely if likely is not None else np.ones_like(inside)
@@ -64,7 +64,7 @@ def fitted(
         area = inside if field is found else _enclosed(~inside)
         strays = hanging if field is found and params.longest_bridge > 0 else np.zeros_like(inside)
         for k, mine in zip(members, shares(area, [covers[k] for k in members], strays, params.components), strict=True):
-            ring = ring_around(field, mine, params.longest_bridge, params.components)
+            ring = ring_around(field, mine, covers[k], params.longest_bridge, params.components)
             if ring is not None:
                 points = follow(wanted[k], ring, constraints[k], scale)
                 placed[k] = simplified(points, parts[k].points, scale, params.contour_fit.untying), True

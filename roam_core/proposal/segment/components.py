@@ -1,7 +1,8 @@
 """Components of a region: to which shape each belongs, and the one outline around all those of a shape.
 
 A closed curve cannot come apart. Where what it encloses does, as behind a post, it is pinched: the components hang
-together by bridges, along the shortest ways between them.
+together by bridges, along the shortest ways between them. Nor can it have holes: where a bay of it closes, as between
+an arm and the hip, a slit along the shortest way keeps it open.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import cv2
 import numpy as np
 from scipy.spatial import KDTree
 
-from roam_core.arrays import Array, Bools, Float32, Indices
+from roam_core.arrays import Array, Bools, Float32, Indices, Int32
 from roam_core.params import ComponentsParams
 from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.segment.region import contours
@@ -51,14 +52,18 @@ def shares(region: Bools, claims: Sequence[Float32], likely: Bools, params: Comp
     return [owner == number for number in range(len(claims))]
 
 
-def ring_around(field: Field, mine: Bools, longest: float, params: ComponentsParams) -> Array | None:
-    """The one outline `(K, 2)`, in pixels, around the components `mine` of a region that hang together (`joined`)."""
+def ring_around(field: Field, mine: Bools, claim: Float32, longest: float, params: ComponentsParams) -> Array | None:
+    """The one outline `(K, 2)`, in pixels, around the components `mine` of a region, which hang together (`joined`).
+
+    It goes into those of its holes that lay outside the shape, whose expected coverage is `claim` (`opened`).
+    """
     if not mine.any():
         return None
     window = _window(mine)
     body, bridges = joined(mine[window], longest, params)
     values = np.where(body, field.values[window], np.float32(-1.0))
     values[bridges] = 1.0
+    values[opened(body | bridges, claim[window], longest, params)] = -1.0
     rings = contours(values)
     return field.grid.to_image(rings[0][0] + [window[1].start, window[0].start]) if rings else None
 
@@ -70,28 +75,58 @@ def joined(mine: Bools, longest: float, params: ComponentsParams) -> tuple[Bools
     the square root of its area; specks do not.
     """
     count, labels, stats, _ = cv2.connectedComponentsWithStats(mine.astype(np.uint8), connectivity=4)
-    lines = np.zeros(mine.shape, dtype=np.uint8)
     if count <= 2:
-        return mine, lines > 0
+        return mine, np.zeros_like(mine)
     area = stats[:, cv2.CC_STAT_AREA].astype(np.float64)
     area[0] = 0.0
     largest = int(area.argmax())
-    loose = {int(k): _rim(labels == k) for k in np.flatnonzero(area >= params.least * area.sum()) if k != largest}
-    body, shore = labels == largest, _rim(labels == largest)
-    while loose:
+    return _hung_on(labels, largest, area >= params.least * area.sum(), longest * np.sqrt(area))
+
+
+def opened(body: Bools, claim: Float32, longest: float, params: ComponentsParams) -> Bools:
+    """The slits `(rows, columns)`, a cell wide, by which holes of a body open to the outside.
+
+    The dual of `joined`, under the same rules. A hole that its shape, expected to cover `claim`, has mostly outside is
+    a bay that closed, as between an arm and the hip that it came to rest on: the outline has points that go around it.
+    One that it has inside is new, or has a shape of its own.
+    """
+    outside = np.pad(~body, 1, constant_values=True)
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(outside.astype(np.uint8), connectivity=4)
+    around = int(labels[0, 0])
+    if count <= 2:
+        return np.zeros_like(body)
+    area = stats[:, cv2.CC_STAT_AREA].astype(np.float64)
+    claimed = np.bincount(labels[1:-1, 1:-1].ravel(), weights=claim.ravel(), minlength=count)
+    is_bay = (claimed <= 0.5 * area) & (area >= params.least * np.count_nonzero(body))
+    is_bay[0] = False
+    _, slits = _hung_on(labels, around, is_bay, longest * np.sqrt(area))
+    return slits[1:-1, 1:-1]
+
+
+def _hung_on(labels: Int32, body: int, loose: Bools, longest: Array) -> tuple[Bools, Bools]:
+    """The components that hang together with that labelled `body`, itself too, and the lines by which they do.
+
+    Each of those that are `loose` hangs on to what is nearest of all that does already, by a line no longer than its
+    own `longest`, in cells.
+    """
+    lines = np.zeros(labels.shape, dtype=np.uint8)
+    hanging = labels == body
+    rims = {int(k): _rim(labels == k) for k in np.flatnonzero(loose) if k != body}
+    shore = _rim(hanging)
+    while rims:
         tree = KDTree(shore)
-        lengths = {k: tree.query(rim) for k, rim in loose.items()}
-        near = [k for k, (length, _) in lengths.items() if length.min() <= longest * np.sqrt(area[k])]
+        lengths = {k: tree.query(rim) for k, rim in rims.items()}
+        near = [k for k, (length, _) in lengths.items() if length.min() <= longest[k]]
         if not near:
             break
         nearest = min(near, key=lambda k: float(lengths[k][0].min()))
         length, to = lengths[nearest]
-        rim = loose.pop(nearest)
+        rim = rims.pop(nearest)
         start, stop = rim[length.argmin()], shore[to[length.argmin()]]
         cv2.line(lines, start.tolist(), stop.tolist(), 1, 1, cv2.LINE_4)
-        body |= labels == nearest
+        hanging |= labels == nearest
         shore = np.vstack([shore, rim])
-    return body, (lines > 0) & ~body
+    return hanging, (lines > 0) & ~hanging
 
 
 def _rim(component: Bools) -> Indices:

@@ -37,6 +37,16 @@ def test_what_cannot_be_straightened_goes_back_towards_the_fallback() -> None:
     assert is_simple(result)
 
 
+def test_where_a_knot_is_put_back_the_rest_stays_where_it_was_fitted() -> None:
+    corners = [(float(x), 0.0) for x in range(0, 200, 10)] + [(float(x), 20.0) for x in range(190, -1, -10)]
+    before = bezier.polygon_points(corners)
+    after = before + np.array([0.0, 4.0])
+    after[3, :, 1] += 40.0  # through the opposite side
+    result = simplified(after, before)
+    assert is_simple(result)
+    npt.assert_array_equal(result[8:34], after[8:34])
+
+
 def test_untying_leaves_a_simple_spline_and_one_that_always_crossed_alone() -> None:
     points = blob([20.0, 24.0, 18.0, 22.0, 25.0]) + np.array([60.0, 60.0])
     npt.assert_array_equal(untied(points, points + 3.0), points)

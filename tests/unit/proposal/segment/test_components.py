@@ -8,14 +8,22 @@ import pytest
 
 from roam_core.geometry import polyline
 from roam_core.params import ComponentsParams
-from roam_core.proposal.segment.components import joined, ring_around, shares
+from roam_core.proposal.segment.components import joined, opened, ring_around, shares
 from tests.unit.proposal.cells import box, field_of
 
 SHAPE = (40, 120)
 LEFT, RIGHT = box(SHAPE, slice(5, 35), slice(5, 45)), box(SHAPE, slice(8, 30), slice(60, 100))
 """A body with a post before it."""
 EVERYWHERE = np.ones(SHAPE, dtype=bool)
+BAY = box(SHAPE, slice(12, 30), slice(15, 36))
+"""What lies between an arm and the body: to the right of it the arm, four cells wide, and then the outside."""
+BODY = box(SHAPE, slice(5, 35), slice(5, 40)) & ~BAY
 SPECK = box(SHAPE, slice(20, 23), slice(108, 111))
+
+
+def covered(cells: np.ndarray) -> np.ndarray:
+    """The claim of a shape that is expected there."""
+    return np.asarray(cells, dtype=np.float32)
 
 
 def test_shapes_that_claim_one_part_divide_it_and_others_get_their_own() -> None:
@@ -86,14 +94,14 @@ def test_a_speck_on_the_way_does_not_cut_the_thread() -> None:
     nose = box(SHAPE, slice(18, 22), slice(44, 48)) | box(SHAPE, slice(18, 22), slice(57, 61))
     speck = box(SHAPE, slice(18, 22), slice(51, 54))
     field = field_of(LEFT | RIGHT | nose | speck)
-    ring = ring_around(field, field.inside, 2.0, ComponentsParams())
+    ring = ring_around(field, field.inside, covered(field.inside), 2.0, ComponentsParams())
     assert ring is not None
     assert abs(polyline.signed_area(ring)) / 4.0 > 0.97 * (LEFT | RIGHT | nose).sum()
 
 
 def test_one_outline_goes_around_all_pieces_and_does_not_cross_itself() -> None:
     field = field_of(LEFT | RIGHT)
-    ring = ring_around(field, field.inside, 2.0, ComponentsParams())
+    ring = ring_around(field, field.inside, covered(field.inside), 2.0, ComponentsParams())
     assert ring is not None
     assert len(polyline.crossings(ring)) == 0
     cell = 4.0  # square pixels
@@ -101,10 +109,45 @@ def test_one_outline_goes_around_all_pieces_and_does_not_cross_itself() -> None:
 
 
 def test_around_nothing_there_is_no_outline() -> None:
-    assert ring_around(field_of(LEFT), np.zeros_like(LEFT), 2.0, ComponentsParams()) is None
+    assert ring_around(field_of(LEFT), np.zeros_like(LEFT), covered(LEFT), 2.0, ComponentsParams()) is None
 
 
 def test_without_threads_an_outline_has_one_piece() -> None:
     body, threads = joined(LEFT | RIGHT, 0.0, ComponentsParams())
     assert (body == LEFT).all()
     assert not threads.any()
+
+
+def test_a_bay_that_closed_is_kept_open_along_the_shortest_way() -> None:
+    slits = opened(BODY, covered(BODY), 2.0, ComponentsParams())
+    rows, columns = np.nonzero(slits)
+    assert (np.sort(columns) == np.arange(36, 40)).all()
+    assert np.ptp(rows) == 0
+    assert 12 <= rows[0] < 30
+
+
+def test_an_outline_goes_around_in_a_bay_that_closed_and_does_not_cross_itself() -> None:
+    field, cell = field_of(BODY), 4.0
+    ring = ring_around(field, BODY, covered(BODY), 2.0, ComponentsParams())
+    assert ring is not None
+    assert len(polyline.crossings(ring)) == 0
+    npt.assert_allclose(abs(polyline.signed_area(ring)) / cell, BODY.sum(), rtol=0.02)
+
+
+@pytest.mark.parametrize(
+    ("expected", "longest"), [(BODY | BAY, 2.0), (BODY, 0.1)], ids=["inside before", "a thick wall"]
+)
+def test_a_hole_that_is_new_or_lies_deep_inside_is_no_bay(expected: np.ndarray, longest: float) -> None:
+    assert not opened(BODY, covered(expected), longest, ComponentsParams()).any()
+
+
+def test_specks_of_outside_stay_closed() -> None:
+    body = box(SHAPE, slice(5, 35), slice(5, 40)) & ~box(SHAPE, slice(10, 13), slice(35, 38))
+    assert not opened(body, covered(body), 2.0, ComponentsParams()).any()
+
+
+def test_a_bay_behind_another_opens_through_it() -> None:
+    behind = box(SHAPE, slice(14, 28), slice(8, 13))
+    body = BODY & ~behind
+    slits = opened(body, covered(body), 2.0, ComponentsParams())
+    assert np.count_nonzero(slits) == (8 - 5) + (15 - 13)  # to the left, where that is nearest, and then through it
