@@ -52,7 +52,8 @@ class RegionParams:
     kept_shares : how far each component's share of an outline's length is to be the key's (1), not the last frame's
         (0).
     longest_bridge : by which components of a region hang together in one outline (`proposal.segment.components`), in
-        the square root of a component's area; 0: each outline has one component.
+        the square root of a component's area, and slit, by which a bay that closed stays open, in that of the bay's; 0:
+        each outline has one component, without holes.
     key_pull : how far points are expected to have gone back, on each frame, to where the key carried as one piece has
         them.
     key_pull_reach : pixels of a 480-line image from there at which it is half as far, for limbs swing.
