@@ -17,7 +17,7 @@ class UntyingParams:
     straightenings : times that crossing segments are straightened before more is done about them.
     """
 
-    tolerance: float = 0.1
+    tolerance: float = 0.02
     straightenings: int = 4
 
 
