@@ -165,7 +165,7 @@ def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParam
     """True when every frame in the gap holds a key that filling would only make again."""
     keyed = [s for s in request.shapes if s.id in request.asked and gap in pairwise(s.artist_frames)]
     return all(
-        (key := shape.key_at(frame)) is not None and key.inputs == stamps.filled_key(shape, gap, params, request.alone)
+        (key := shape.key_at(frame)) is not None and stamps.is_filled(shape, key, gap, params, request.alone)
         for shape in keyed
         for frame in range(gap[0] + 1, gap[1])
         if shape.exists_at(frame)

@@ -11,7 +11,7 @@ from roam_core.cli.plate import Plate
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
-from roam_core.roto import Keyframe, Origin, Project
+from roam_core.roto import Keyframe, Project
 
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""
@@ -70,15 +70,11 @@ def taken(
         keys: list[Keyframe] = []
         for gap in gaps:
             if takes_part(shape, gap) and set(gap) <= set(shape.artist_frames):
-                wanted = stamps.filled_key(shape, gap, params, picking.alone)
-                keys += [key for key in other.keys if gap[0] < key.frame < gap[1] and _is_of(key, wanted)]
+                between = [key for key in other.keys if gap[0] < key.frame < gap[1]]
+                keys += [key for key in between if stamps.is_filled(shape, key, gap, params, picking.alone)]
         if keys:
             project = project.with_shape(shape.with_keys(keys))  # as they are: they were settled when they were made
     return project
-
-
-def _is_of(key: Keyframe, stamp: str) -> bool:
-    return key.origin is Origin.ENGINE and key.inputs == stamp
 
 
 def pieces_of(project: Project, gaps: Sequence[Gap], picking: Picking = EVERYTHING) -> list[Piece]:
@@ -99,11 +95,10 @@ def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, pick
     for shape in trackable(project, picking):
         if not takes_part(shape, gap):
             continue
-        wanted = stamps.filled_key(shape, gap, params, picking.alone)
         keys = {frame: shape.key_at(frame) for frame in inside if shape.exists_at(frame)}
         made = [key for key in keys.values() if key is not None]
         if set(gap) <= set(shape.artist_frames):
-            if not made or any(key.inputs != wanted for key in made):
+            if not made or not all(stamps.is_filled(shape, key, gap, params, picking.alone) for key in made):
                 return False
             if any(key is None and plate.has_picture(frame) for frame, key in keys.items()):
                 return False

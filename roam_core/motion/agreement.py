@@ -35,6 +35,11 @@ def agreed(first: Drawn, last: Drawn) -> tuple[Template, Template]:
     return ahead, behind
 
 
+def looking_as_on(here: Drawn, there: Drawn) -> Template:
+    """The template of one key (`here`) with the look of another (`there`), the outlines laid on each other."""
+    return there.template.laid_on(here.template, _as_drawn(there, here))
+
+
 def _as_on(here: Drawn, there: Drawn) -> Template | None:
     """The template of one key where the other looks the same; None where too little does."""
     template, picture, params = here.template, there.template.pyramid, here.template.params
@@ -49,11 +54,16 @@ def _as_on(here: Drawn, there: Drawn) -> Template | None:
     return template.where(is_alike) if min(shares) >= params.alike else None
 
 
+def _as_drawn(here: Drawn, there: Drawn) -> Array:
+    """The pose `(P,)` by which the outline of a part lies as on another key."""
+    count, places = len(here.points), here.template.params.places
+    segment, t = np.repeat(np.arange(count), places), np.tile(np.arange(places) / places, count)
+    return here.template.chain.brought(*(bezier.evaluate(each.points, segment, t) for each in (here, there)))
+
+
 def _laid_on(here: Drawn, there: Drawn) -> Array:
     """The pose `(P,)` by which a part lies as on another key: as it was drawn there, and as near as it then matches."""
     template, picture, params = here.template, there.template.pyramid, here.template.params
-    count, places = len(here.points), params.places
-    segment, t = np.repeat(np.arange(count), places), np.tile(np.arange(places) / places, count)
-    drawn = template.chain.brought(*(bezier.evaluate(each.points, segment, t) for each in (here, there)))
+    drawn = _as_drawn(here, there)
     at = replace(Pose.on_key(template, params), values=drawn, like=params.like_roughly)
     return Search(at, Surroundings(picture, picture.nothing, is_complete=False), params).settled(drawn)

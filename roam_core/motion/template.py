@@ -25,6 +25,7 @@ class Template:
     levels : the samples of each level of a pyramid, finest first; the coarsest has fewer.
     scale : `params.scale_for` of the picture. seam : share of its outline beside which nothing changes, in [0, 1].
     area : what the outline encloses, square pixels. params : by which it was made.
+    is_own : the look is that of its own key; else of another one (`laid_on`), and is not blurred by motion.
     """
 
     chain: Chain
@@ -34,6 +35,7 @@ class Template:
     seam: float
     area: float
     params: PoseParams
+    is_own: bool = True
 
     @classmethod
     def of(
@@ -69,6 +71,14 @@ class Template:
             return None
         return replace(self, levels=tuple(levels))
 
+    def laid_on(self, other: Template, pose: Array) -> Template:
+        """The template of another key of the part, on which it lies under `pose (P,)`, with the look of this one."""
+        levels = []
+        for samples in self.levels:
+            places = self.chain.carried(pose, samples.places, samples.skin)
+            levels.append(samples._replace(places=places, skin=other.chain.skin(places)))
+        return replace(other, levels=tuple(levels), seam=self.seam, is_own=False)
+
     @property
     def coarsest(self) -> int:
         """The number of the last level."""
@@ -77,8 +87,10 @@ class Template:
     def blurred(self, pose: Array, velocity: Array) -> Template:
         """The template as it looks while it moves through `pose (P,)` with `velocity (P,)` a frame.
 
-        The very same one where no streak is longer than a cell.
+        The very same one where no streak is longer than a cell, or the look is another key's.
         """
+        if not self.is_own:
+            return self
         levels = tuple(self._streaked(level, pose, velocity) for level in range(self.coarsest))
         if all(streaked is sharp for streaked, sharp in zip(levels, self.levels, strict=False)):
             return self

@@ -64,7 +64,7 @@ class Stop:
             pose_costs=(by_pose.cost,) * count,
             gone=(by_pose.is_gone,) * count,
         )
-        return replace(self, points=by_pose.points, motion=motion)
+        return replace(self, points=by_pose.points, confidence=(by_pose.confidence,) * count, motion=motion)
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +83,12 @@ class DirectionalPass:
         stops = {frame: stop.posed for frame, stop in self.stops.items()}
         known = {frame: stop for frame, stop in stops.items() if stop is not None}
         return DirectionalPass(known, self.picture) if len(known) == len(stops) else None
+
+    @property
+    def is_posed(self) -> bool:
+        """Whether the pose of a lone shape is believed all the way."""
+        motions = [stop.motion for stop in self.stops.values()]
+        return all(motion.by_pose is not None and not any(motion.of_region) for motion in motions)
 
     def by_poses_alone(self, which: Sequence[bool]) -> DirectionalPass:
         """The same, those outlines `which` are true lie where their poses have them."""

@@ -72,7 +72,7 @@ class Span:
     ----------
     first, last : the keys. onwards, back : the passes that start on them; None for a key without a part.
     size : (h, w) of the pictures. scale : `params.scale_for(size)`.
-    params : how outlines are fitted to regions.
+    params : how outlines are fitted to regions. is_beyond : the nearest keys beyond these two were asked how it looks.
     """
 
     first: Key
@@ -82,6 +82,7 @@ class Span:
     size: tuple[int, int]
     scale: float
     params: RegionParams
+    is_beyond: bool = False
 
     @property
     def better(self) -> Span:
@@ -107,13 +108,13 @@ class Span:
 
         They must look as on their keys, and on most frames like a part, where they are seen at all.
         """
-        onwards = None if self.onwards is None else self.onwards.posed
-        back = None if self.back is None else self.back.posed
-        if onwards is None or back is None:
+        posed = self.posed
+        if posed is None:
             return self
         poses = [
             stop.motion.by_pose
-            for directional_pass in (onwards, back)
+            for directional_pass, _, _ in posed._ways
+            if directional_pass is not None
             for stop in directional_pass.stops.values()
             if stop.motion.by_pose is not None
         ]
@@ -122,11 +123,17 @@ class Span:
             return self
         if float(np.mean([pose.cost for pose in seen])) > self.params.span.endpoint_consistency.dear:
             return self
-        posed = replace(self, onwards=onwards, back=back)
         ours, theirs = (
             sum(residual.loss for residual in span.residuals[:2]) if span.residuals else 0.0 for span in (self, posed)
         )
         return posed if theirs < self.params.span.endpoint_consistency.lenient * ours else self
+
+    @property
+    def posed(self) -> Span | None:
+        """The same, by the poses of a lone shape alone; None where it has none."""
+        onwards = None if self.onwards is None else self.onwards.posed
+        back = None if self.back is None else self.back.posed
+        return None if onwards is None or back is None else replace(self, onwards=onwards, back=back)
 
     @cached_property
     def residuals(self) -> tuple[Residual, Residual, Residual, Residual] | None:
@@ -176,14 +183,13 @@ class Span:
         """For each outline the frames on which its pose is believed in the pass onwards, and in the one back.
 
         Where only one of them came to the other key, it alone is; where none did, the one that did not follow another
-        thing; else each on its half of the span.
+        thing. Each is on its half of the span where neither did, and none where both did.
         """
         found = {}
         for k in {*self.first.members, *self.last.members}:
-            arrived = [self._arrived(k, *way) for way in self._ways]
             onwards, back = (
                 self._believed_in(k, way, key, far)
-                for (way, key, _), far in zip(self._ways, self._reach(k, arrived), strict=True)
+                for (way, key, _), far in zip(self._ways, self._reach(k), strict=True)
             )
             found[k] = onwards | {self.first.frame}, back | {self.last.frame}
         return found
@@ -193,12 +199,33 @@ class Span:
         """Each pass, where it begins, and where it leads."""
         return (self.onwards, self.first, self.last), (self.back, self.last, self.first)
 
-    def _reach(self, k: int, arrived: Sequence[bool]) -> list[float]:
-        """How far along the span each pass is believed of an outline, when they `arrived` or not."""
-        led = arrived if any(arrived) else [not self._followed_another(k, *way) for way in self._ways]
-        if any(arrived) or led[0] != led[1]:
-            return [1.0 if each else 0.0 for each in led]
-        return [0.5, 0.5]
+    @property
+    def is_astray(self) -> bool:
+        """True of a lone shape by its pose that no pass brought to the other key, and none tells which is right."""
+        if not all(way is not None and way.is_posed for way, _, _ in self._ways):
+            return False
+        both = set(self.first.members) & set(self.last.members)
+        return any(not any(self._have_arrived(k)) and len(set(self._have_led(k))) == 1 for k in both)
+
+    @property
+    def has_arrived(self) -> bool:
+        """Whether a pass brought any outline to where it lies on the other key."""
+        return any(any(self._have_arrived(k)) for k in {*self.first.members} & {*self.last.members})
+
+    def _reach(self, k: int) -> list[float]:
+        """How far along the span each pass is believed of an outline."""
+        arrived, led = self._have_arrived(k), self._have_led(k)
+        if not any(arrived) and all(led):
+            return [0.5, 0.5]
+        return [1.0 if each else 0.0 for each in (arrived if any(arrived) else led)]
+
+    def _have_arrived(self, k: int) -> list[bool]:
+        """Which passes brought an outline to where it lies on the other key."""
+        return [self._arrived(k, *way) for way in self._ways]
+
+    def _have_led(self, k: int) -> list[bool]:
+        """Which passes did not follow another thing than the outline."""
+        return [not self._followed_another(k, *way) for way in self._ways]
 
     def _arrived(self, k: int, way: DirectionalPass | None, key: Key, other: Key) -> bool:
         """Whether a pass brought an outline to where it lies on the other key."""

@@ -18,7 +18,7 @@ from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.params.steadiness import STEADINESS
-from roam_core.propagate.between.both_keys import as_on_both
+from roam_core.propagate.between.both_keys import as_on_another, as_on_both
 from roam_core.propagate.between.directional_pass import DirectionalPass, directional_pass
 from roam_core.propagate.between.endpoint_consistency import Key, Span
 from roam_core.propagate.between.merge import Colours, Merged, merged
@@ -52,8 +52,9 @@ def fill_span(
     backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
     piece, each believed as far as it met the other key (`propagate.between.endpoint_consistency`), and with what the
     colours of both keys say (`proposal.cues.key_colours`). A lone shape is known by what looks alike on both keys
-    (`motion.agreement`). Then each outline is drawn to the motion of the picture
-    beside it (`propagate.steadiness.steadied`), the artist's keys fixed. Shapes of one object with the same keys are
+    (`motion.agreement`), and where that brings it to neither, by how it looks on its nearest keys beyond the span. Then
+    each outline is drawn to the motion of the picture beside it (`propagate.steadiness.steadied`), the artist's keys
+    fixed. Shapes of one object with the same keys are
     filled together. A shape that ends between two keys of its object is carried on from its last key; one that begins
     or ends on a key gets no keys, but tells how much of the object the others do not show there.
 
@@ -162,7 +163,7 @@ class Filling:
             span = self.passed(ours, gap, size)
             found = list(zip(between, each(partial(self.solved, span, ours), between), strict=True))
             for place, k in enumerate(members):
-                inputs = stamps.filled(k, gap, self.params, self.alone) if k in asked else ""
+                inputs = stamps.filled(k, gap, self.params, self.alone, span.is_beyond) if k in asked else ""
                 outlines = [(frame, solved[place]) for frame, solved in found]
                 made[k] = [_engine_key(shapes[k], frame, each, inputs) for frame, each in outlines if each is not None]
             made |= self._steadied({k: shapes[k] for k in members if made[k]}, made, gap)
@@ -220,11 +221,34 @@ class Filling:
         engines: Sequence[Engine | None] = each(lambda key: self._begun(shapes, key, size), keys)
         if engines[0] is not None and engines[1] is not None:
             engines = as_on_both(engines[0], engines[1])
-        frames = range(gap[0], gap[1] + 1)
+        span = self._span(shapes, keys, engines, size).better
+        if not span.is_astray:
+            return span
+        for frame in provenance.beyond(shapes, gap):
+            other = self._begun_there(shapes, frame, size)
+            looking = [as_on_another(engine, other) for engine in engines if engine is not None]
+            again = replace(self, meter=None)._span(shapes, keys, looking, size).posed
+            if again is not None and again.has_arrived:
+                span = again
+                break
+        return replace(span, is_beyond=True)
+
+    def _span(
+        self, shapes: Sequence[RotoShape], keys: Sequence[Key], engines: Sequence[Engine | None], size: tuple[int, int]
+    ) -> Span:
+        """Both passes of one object, by engines that were begun on its keys."""
+        first, last = keys
+        frames = range(first.frame, last.frame + 1)
         ways = list(zip(engines, keys, (frames, frames[::-1]), strict=True))
         ahead, behind = each(lambda way: self._directional_pass(shapes, *way), ways)
-        first, last = keys
-        return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams()).better
+        return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams())
+
+    def _begun_there(self, shapes: Sequence[RotoShape], frame: int, size: tuple[int, int]) -> Engine | None:
+        """The object on a key beyond the span; None where its picture is not to be had."""
+        try:
+            return self._begun(shapes, _key(shapes, frame), size)
+        except RoamError:
+            return None
 
     def _begun(self, shapes: Sequence[RotoShape], key: Key, size: tuple[int, int]) -> Engine | None:
         """The object on one of its keys; None where it has no outline there."""

@@ -70,7 +70,8 @@ class RegionEngine:
             return None
         points = tuple(part.points for part in posed.carried(pose, self.state.drawn))
         is_part = posed.is_believable(pose, params) or posed.is_steady(pose, params)
-        return ByPose(points, pose.cost, pose.is_gone, is_part)
+        trust = posed.trust(pose, params.confidence)
+        return ByPose(points, pose.cost, trust, pose.is_gone, is_part)
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> WholeStep:
         return WholeStep(region.step(self.state, picture, region_params(self.params), token), self.params)

@@ -27,12 +27,14 @@ POSE = "pose"
 
 @dataclass(frozen=True, eq=False)
 class ByPose:
-    """A lone shape by its pose, taken or not: its outlines, what the pose costs, whether nothing is seen of it, and
-    whether it may be a part (`posed.is_believable`, `posed.is_steady`) that still looks as on its key.
+    """A lone shape by its pose, taken or not: its outlines, what the pose costs, how far it is trusted, whether
+    nothing is seen of it, and whether it may be a part (`posed.is_believable`, `posed.is_steady`) that still looks as
+    on its key.
     """
 
     points: tuple[Array, ...]
     cost: float
+    confidence: float
     is_gone: bool
     is_believable: bool
 

@@ -25,7 +25,7 @@ from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
 
-REVISION = 14
+REVISION = 15
 """Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
 FILL = "fill"
 """The direction of a key that was filled from both sides."""
@@ -54,7 +54,8 @@ class Stamp:
     ----------
     direction : forward, backward or fill. config : name of the configuration. digest : of all that the key depends on.
     begun : the frame on which what the run knew begins; of a fill that of the key before.
-    until : of a fill the frame of the key after. alone : the shape was solved without others.
+    until : of a fill the frame of the key after. alone : the shape was solved without others. beyond : the nearest keys
+        beyond these two told how it looks.
     """
 
     direction: str
@@ -63,18 +64,20 @@ class Stamp:
     begun: int | None = None
     until: int | None = None
     alone: bool = False
+    beyond: bool = False
 
     @classmethod
     def read(cls, text: str) -> Stamp:
         """What a key's `inputs` say; empty where they say nothing."""
         direction, config, digest, *more = [*text.split(":"), "", ""][: max(3, text.count(":") + 1)]
         begun, until = (_frame(more, name) for name in ("from", "to"))
-        return cls(direction, config, digest, begun, until, "alone" in more)
+        return cls(direction, config, digest, begun, until, "alone" in more, "beyond" in more)
 
     def __str__(self) -> str:
         words = [self.direction, self.config, self.digest]
         words += [f"{name}={frame}" for name, frame in (("from", self.begun), ("to", self.until)) if frame is not None]
-        return ":".join([*words, "alone"] if self.alone else words)
+        words += [word for word, said in (("alone", self.alone), ("beyond", self.beyond)) if said]
+        return ":".join(words)
 
     @property
     def gap(self) -> tuple[int, int] | None:
@@ -113,16 +116,34 @@ def stamp(
 
 
 def fill_stamp(
-    shapes: Sequence[RotoShape], gap: tuple[int, int], params: RoamParams, clip: str, alone: bool = False
+    shapes: Sequence[RotoShape],
+    gap: tuple[int, int],
+    params: RoamParams,
+    clip: str,
+    alone: bool = False,
+    is_beyond: bool = False,
 ) -> str:
-    """The stamp of the frames between the two keys of a gap, where `shapes` are filled together."""
+    """The stamp of the frames between the two keys of a gap, where `shapes` are filled together.
+
+    `is_beyond`: the nearest keys beyond the gap were asked, too.
+    """
     content = [_said(params, clip, FILL, alone), _compounds(shapes), f"{gap}".encode()]
     for shape in shapes:
         content.append(_as_drawn(shape, *gap))
         content.extend(_as_keyed(key) for key in shape.artist_keys if key.frame in gap)
     if len(shapes) > 1:  # one that is not there leaves its place to the others
         content.append(json.dumps([_there(shape, gap) for shape in shapes]).encode())
-    return str(Stamp(FILL, params.config, _digest(content), *gap, alone))
+    if is_beyond:
+        content.append(b"beyond")
+        frames = beyond(shapes, gap)
+        content.extend(_as_keyed(key) for shape in shapes for key in shape.artist_keys if key.frame in frames)
+    return str(Stamp(FILL, params.config, _digest(content), *gap, alone, is_beyond))
+
+
+def beyond(shapes: Sequence[RotoShape], gap: tuple[int, int]) -> list[int]:
+    """The nearest frames before and after a gap on which all shapes have artist keys, as far as there are any."""
+    keyed = sorted(set.intersection(*(set(shape.artist_frames) for shape in shapes)))
+    return [*[frame for frame in keyed if frame < gap[0]][-1:], *[frame for frame in keyed if frame > gap[1]][:1]]
 
 
 def _there(shape: RotoShape, gap: tuple[int, int]) -> tuple[int, int]:
@@ -266,17 +287,27 @@ class Stamps:
         """A number for parameters, by their identity: to compare all their fields for every key would take long."""
         return self._params.setdefault(id(params), (len(self._params), params))[0]
 
-    def filled(self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False) -> str:
-        """The stamp that filling a gap gives a shape."""
-        name = (k, gap, self._number(params), alone)
+    def filled(
+        self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False, is_beyond: bool = False
+    ) -> str:
+        """The stamp that filling a gap gives a shape, whether or not the keys beyond it were asked."""
+        name = (k, gap, self._number(params), alone, is_beyond)
         if name not in self._known:
             members = [self.shapes[j] for j in self.filled_with(k, gap, alone)]
-            self._known[name] = fill_stamp(members, gap, params, self._clip, alone)
+            self._known[name] = fill_stamp(members, gap, params, self._clip, alone, is_beyond)
         return self._known[name]
 
     def filled_key(self, shape: RotoShape, gap: tuple[int, int], params: RoamParams, alone: bool = False) -> str:
         """`filled` for a shape, by its id."""
         return self.filled(self._places[shape.id], gap, params, alone)
+
+    def is_filled(
+        self, shape: RotoShape, key: Keyframe, gap: tuple[int, int], params: RoamParams, alone: bool = False
+    ) -> bool:
+        """Whether a key of a shape, which is found by its id, is one that filling a gap would make again."""
+        is_beyond = Stamp.read(key.inputs).beyond
+        wanted = self.filled(self._places[shape.id], gap, params, alone, is_beyond)
+        return key.origin is Origin.ENGINE and key.inputs == wanted
 
     def is_stale(self, shape: RotoShape, key: Keyframe) -> bool:
         """True for an ENGINE key of one of the shapes when anything that it was computed from has changed since."""
@@ -292,7 +323,7 @@ class Stamps:
             gap = made.gap
             if gap is None or not takes_part(self.shapes[k], gap):
                 return True
-            return self.filled(k, gap, params, made.alone) != key.inputs
+            return self.filled(k, gap, params, made.alone, made.beyond) != key.inputs
         if made.begun is None:
             return True
         return self.tracked(k, key.frame, made.begun, params, made.forward, made.alone) != key.inputs

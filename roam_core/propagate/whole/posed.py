@@ -158,9 +158,14 @@ def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionP
     return pose.look.against(inside) < params.pose_against
 
 
+def trust(pose: Pose, params: ConfidenceParams) -> float:
+    """The IoU with the artist's wish, in [0, 1], to be expected of a pose."""
+    return expected_overlap(PoseFeatures.of(pose), params=params)
+
+
 def results(pose: Pose, parts: Sequence[Part], params: ConfidenceParams) -> tuple[StepResult, ...]:
     """What a pose that puts the outlines at `parts` gives for each of them, trusted as far as its looks allow."""
-    confidence = expected_overlap(PoseFeatures.of(pose), params=params)
+    confidence = trust(pose, params)
     return tuple(
         StepResult(
             points=part.points,

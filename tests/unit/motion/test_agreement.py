@@ -8,7 +8,7 @@ from roam_core.arrays import Array
 from roam_core.features import PreparedFrame
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry.bezier import polygon_points
-from roam_core.motion.agreement import Drawn, agreed
+from roam_core.motion.agreement import Drawn, agreed, looking_as_on
 from roam_core.motion.template import Template
 from roam_core.params import PyramidParams
 from tests.golden.shots import texture
@@ -65,3 +65,15 @@ def test_a_part_that_is_seen_on_both_keys_keeps_its_look() -> None:
 def test_where_little_is_alike_it_may_be_by_chance_and_nothing_is_left_out() -> None:
     first, last = key(np.zeros(2), box(20, 20, 72, 70)), key(MOVED, None)
     assert agreed(first, last) == (first.template, last.template)
+
+
+def test_the_look_of_a_key_on_another_is_that_of_the_part_though_it_is_hidden_there() -> None:
+    seen, hidden = key(np.zeros(2), None), key(MOVED, box(20, 20, 130, 90))
+    borrowed = looking_as_on(hidden, seen)
+    places, colours = own(borrowed), borrowed.levels[0].colours[borrowed.levels[0].weights > 0]
+    np.testing.assert_allclose(places, own(seen.template) + MOVED, atol=0.01)
+    np.testing.assert_array_equal(colours, seen.template.levels[0].colours[seen.template.levels[0].weights > 0])
+    assert borrowed.chain is hidden.template.chain
+    fast = borrowed.chain.rest + 30.0
+    assert borrowed.blurred(borrowed.chain.rest, fast) is borrowed
+    assert seen.template.blurred(seen.template.chain.rest, fast) is not seen.template

@@ -6,7 +6,7 @@ import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.params import params_for
-from roam_core.propagate.between.both_keys import as_on_both
+from roam_core.propagate.between.both_keys import as_on_another, as_on_both
 from roam_core.propagate.engines.by_curves import CurveEngine
 from roam_core.propagate.engines.by_regions import RegionEngine
 from roam_core.propagate.frame.result import Part
@@ -57,3 +57,14 @@ def test_curves_stay_as_they_are() -> None:
     first = begun(np.zeros(2), None)
     curves = CurveEngine.begun(picture(MOVED, None), two(MOVED)[:1], params_for("full"))
     assert as_on_both(first, curves) == (first, curves)
+
+
+def test_a_lone_shape_may_go_by_another_key_and_nothing_else_may() -> None:
+    first, last = begun(np.zeros(2), box(20, 20, 72, 70)), begun(MOVED, None)
+    ours = as_on_another(first, last)
+    assert isinstance(ours, RegionEngine)
+    assert ours.state.pose is not None
+    assert not ours.state.pose.template.is_own
+    assert ours.state.frame is first.state.frame
+    assert as_on_another(first, None) is None
+    assert as_on_another(first, RegionEngine.begun(picture(MOVED, None), two(MOVED), BEST)) is None
