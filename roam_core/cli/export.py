@@ -82,7 +82,9 @@ def run(arguments: argparse.Namespace) -> int:
         files = [str(path) for path, _ in targets]
         print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})
         return 0
-    print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)
+    written = [path.name for path, _ in targets]
+    place = arguments.out if arguments.out.name in written or arguments.out.is_dir() else ", ".join(written)
+    print(f"Wrote {len(project.shapes)} shape(s) to {place}.", file=sys.stderr)
     for note in notes:
         print(note, file=sys.stderr)
     return 0

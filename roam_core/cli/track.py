@@ -26,7 +26,7 @@ from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.matte.vectorise import read_mask, shapes_from_mask
+from roam_core.matte.vectorise import LEAST_AREA, coverage_of, read_mask, shapes_from_mask, specks_left_out
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
@@ -264,9 +264,19 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
     if given is not None:
         return replace(given, clip=replace(clip, extra=given.clip.extra if given.clip else {}))
     width, height = plate.source.size
-    shapes: list[RotoShape] = shapes_from_mask(read_mask(init, (height, width)), start)
+    mask = read_mask(init, (height, width))
+    shapes: list[RotoShape] = shapes_from_mask(mask, start)
     if not shapes:
-        raise RoamError(f"The mask {init} is empty; paint the object white on frame {start}.")
+        brightest = float(coverage_of(mask).max())
+        reason = f" at half of white: its brightest value is {brightest:.1%} of it" if brightest > 0 else ""
+        raise RoamError(f"The mask {init} is empty{reason}; paint the object white on frame {start}.")
+    left_out = specks_left_out(mask)
+    if left_out:
+        print(
+            f"{left_out} specks and pinholes of the mask {init} were left out, each below {LEAST_AREA:.0f} square "
+            "pixels.",
+            file=sys.stderr,
+        )
     return Project(clip, Layer("root", "Root", tuple(shapes)))
 
 
@@ -290,13 +300,15 @@ def require_target(path: Path) -> None:
 
 def require_writable(folder: Path, *, create: bool) -> None:
     """Refuse a target before any work is done for it; make the folder where that is asked for."""
+    if folder.exists() and not folder.is_dir():
+        raise RoamError(f"{folder} is a file; name a folder to write to.")
     try:
         if create:
             folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
     if not folder.is_dir():
-        raise RoamError(f"The folder {folder} does not exist.")
+        raise RoamError(f"The folder {folder} does not exist; make it first, or name another.")
     if not os.access(folder, os.W_OK | os.X_OK):
         raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
 

@@ -76,7 +76,9 @@ class ExportOptions:
             )
         if self.frames is None:
             return clip.frame_range
-        if not self.frames or self.frames[0] < clip.first or self.frames[-1] > clip.last:
+        if not self.frames:
+            raise RoamError("The last frame to export lies before the first; name the earlier one first.")
+        if self.frames[0] < clip.first or self.frames[-1] > clip.last:
             raise RoamError(f"The frames to export must lie between {clip.first} and {clip.last}, the clip's own.")
         return self.frames
 

@@ -23,8 +23,6 @@ from roam_core.roto.project import PALETTE
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
 
-"""Of all channels of a mask, which are read as they are stored."""
-
 
 def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0) -> list[RotoShape]:
     """One shape for each outer contour of a mask, largest first, each followed by its holes as subtracting shapes.
@@ -70,23 +68,43 @@ def _fitted(ring: Array, tolerance: float) -> Array:
 
 def outlines(mask: NDArray[Any]) -> list[list[Array]]:
     """The mask's regions, largest first: each its outer contour `(K, 2)` and then the contours of its holes."""
+    regions = [[rings[0], *(ring for ring in rings[1:] if _is_large(ring))] for rings in _regions(mask)]
+    return [rings for rings in regions if _is_large(rings[0])] or regions[:1]
+
+
+def specks_left_out(mask: NDArray[Any]) -> int:
+    """How many specks and pinholes of a mask are so small that `shapes_from_mask` makes no shape of them."""
+    return sum(len(rings) for rings in _regions(mask)) - sum(len(rings) for rings in outlines(mask))
+
+
+def _is_large(ring: Array) -> bool:
+    return abs(polyline.signed_area(ring)) >= LEAST_AREA
+
+
+def _regions(mask: NDArray[Any]) -> list[list[Array]]:
+    """All regions of a mask, however small, as `outlines` has them."""
     field = np.pad(coverage_of(mask), 1)
     generator: Any = contour_generator(z=field, fill_type=FillType.OuterOffset)
     points, offsets = generator.filled(0.5, np.inf)
     regions = []
     for vertices, starts in zip(points, offsets, strict=True):
         # Index space of the padded array, whose first pixel's centre is (-0.5, -0.5) of the image.
-        rings = [vertices[a : b - 1] - 0.5 for a, b in pairwise(starts)]
-        regions.append([rings[0], *(ring for ring in rings[1:] if abs(polyline.signed_area(ring)) >= LEAST_AREA)])
-    regions.sort(key=lambda rings: -abs(polyline.signed_area(rings[0])))
-    large = [rings for rings in regions if abs(polyline.signed_area(rings[0])) >= LEAST_AREA]
-    return large or regions[:1]
+        regions.append([vertices[a : b - 1] - 0.5 for a, b in pairwise(starts)])
+    return sorted(regions, key=lambda rings: -abs(polyline.signed_area(rings[0])))
 
 
 def coverage_of(mask: NDArray[Any]) -> Array:
-    """A mask as coverage (h, w) in [0, 1]: alpha where there is one, else the brightest channel."""
-    if mask.ndim == 3:
-        mask = mask[:, :, -1] if mask.shape[2] in (2, 4) else mask.max(axis=2)
+    """A mask as coverage (h, w) in [0, 1]: alpha where there is one that is not opaque all over, else the brightest
+    colour.
+    """
+    if mask.ndim == 3 and mask.shape[2] in (2, 4):
+        alpha = _shares(mask[:, :, -1])
+        return alpha if alpha.size and alpha.min() < 1.0 else _shares(mask[:, :, :-1].max(axis=2))
+    return _shares(mask.max(axis=2) if mask.ndim == 3 else mask)
+
+
+def _shares(mask: NDArray[Any]) -> Array:
+    """The values of one channel (h, w) as shares, in [0, 1], of white."""
     if mask.ndim != 2:
         raise ValueError(f"a mask has shape {mask.shape}, not (h, w)")
     values = mask.astype(np.float64)

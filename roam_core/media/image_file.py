@@ -142,7 +142,9 @@ def read_alpha(file: Path) -> Image | None:
 
 
 def read_channels(file: Path) -> Image | None:
-    """All channels of one image `(h, w, n)` in the type that they are stored in; None where it is none, or damaged.
+    """All channels of one image `(h, w, n)`, in its display window, in the type that they are stored in.
+
+    None where it is none, or damaged.
 
     Raises
     ------
@@ -150,12 +152,20 @@ def read_channels(file: Path) -> Image | None:
         when it holds more than `MOST_BYTES` of pixels.
     """
     source = opened_image(file)
-    if source is not None and source.spec().image_bytes() > MOST_BYTES:
+    if source is not None and _most_bytes(source) > MOST_BYTES:
         raise RoamError(f"{file} holds more than {MOST_BYTES >> 20} MiB of pixels; give a mask of one channel.")
     pixels = None if source is None else source.read_image("unknown")
     # What a reader has to say is fetched, or it says it on the terminal later.
     failed = bool((source or oiio).geterror())
-    return None if failed or pixels is None else np.asarray(pixels)
+    if source is None or failed or pixels is None:
+        return None
+    return _in_display_window(np.asarray(pixels), source, _stored_area(source, None), None)
+
+
+def _most_bytes(source: Any) -> int:
+    """The bytes of all channels of an image, as they are stored or as they are shown."""
+    spec, (width, height) = source.spec(), _display_size(source)
+    return int(max(spec.image_bytes(), width * height * spec.pixel_bytes()))
 
 
 def has_several_images(file: Path) -> bool:
@@ -356,7 +366,7 @@ def _in_display_window(pixels: Image, source: Any, stored: Area, area: Area | No
     there = Area(stored.top + row, stored.end + row, stored.left + column, stored.right + column)
     if there == area:
         return pixels
-    picture = np.zeros((area.rows, area.columns, 3), pixels.dtype)
+    picture = np.zeros((area.rows, area.columns, pixels.shape[2]), pixels.dtype)
     shown = Area(
         max(there.top, area.top), min(there.end, area.end), max(there.left, area.left), min(there.right, area.right)
     )

@@ -104,14 +104,26 @@ def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int,
 
 
 class Reader:
-    """Pictures made ready, asked for by one thread at a time; none is kept, for a span may be long and its plate 4K."""
+    """Pictures made ready, asked for by one thread at a time; none is kept, for a span may be long and its plate 4K.
+
+    All have the size of the first one that is asked for.
+    """
 
     def __init__(self, images: Mapping[int, NDArray[Any] | PartialPicture]) -> None:
         self._images = images
         self._lock = threading.Lock()
+        self._first: tuple[int, tuple[int, int]] | None = None
 
     def __call__(self, frame: int) -> PreparedFrame:
-        return PreparedFrame(self.image(frame))
+        picture = PreparedFrame(self.image(frame))
+        self._first = self._first or (frame, picture.size)
+        first, (height, width) = self._first
+        if picture.size != (height, width):
+            raise RoamError(
+                f"Frame {frame} is {picture.size[1]}x{picture.size[0]}, frame {first} is {width}x{height}; "
+                "all frames of a span must have one size."
+            )
+        return picture
 
     def image(self, frame: int) -> NDArray[Any] | PartialPicture:
         """The picture as it was given."""

@@ -153,3 +153,37 @@ def test_an_interrupted_run_keeps_its_finished_frames(
     assert done.status == 130
     assert "Traceback" not in done.err
     assert file.load(path).shapes[0].frames == (1001, 1002, 1003)
+
+
+def test_what_is_left_out_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
+    mask = cv2.imread(str(plate.mask), cv2.IMREAD_GRAYSCALE)
+    assert mask is not None
+    mask[2:4, 2:4] = 255
+    cv2.imwrite(str(plate.mask), mask)
+    done = roam("track", plate.folder, "--init", plate.mask, "--end", 1001)
+    assert done.err.startswith("1 specks and pinholes of the mask")
+    assert "Tracked 1 shape(s)" in done.err
+
+
+def test_a_grey_mask_is_told_from_an_empty_one(roam: Roam, plate: Plate) -> None:
+    cv2.imwrite(str(plate.mask), np.full((110, 130), 51, np.uint8))
+    done = roam("track", plate.folder, "--init", plate.mask)
+    assert done.status == 1
+    assert "its brightest value is 20.0% of it" in done.err
+
+
+def test_a_key_of_the_engines_from_which_a_run_goes_on_is_not_called_the_artists(roam: Roam, plate: Plate) -> None:
+    path = plate.folder.parent / "a.roam"
+    roam("track", plate.folder, "--init", plate.mask, "--end", 1003, "--save", path)
+    key = file.load(path).shapes[0].key_at(1003)
+    assert key is not None
+    assert key.confidence is not None
+    first = json.loads(roam("track", plate.folder, "--init", path, "--start", 1003, "--json").out.splitlines()[0])
+    assert first["termination"] != "artist_key"
+    assert first["confidence"] == round(key.confidence, 4)
+
+
+def test_mattes_do_not_go_where_a_file_is(roam: Roam, plate: Plate) -> None:
+    done = roam("track", plate.folder, "--init", plate.mask, "--matte", plate.last_mask)
+    assert done.status == 1
+    assert "is a file; name a folder to write to" in done.err

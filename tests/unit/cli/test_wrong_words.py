@@ -47,7 +47,7 @@ EXPORTS: list[tuple[str, str]] = [
     ("{f}/p.roam --to flame {f}/x.nk", "no export format 'flame'; there are"),
     ("{f}/p.roam --to nuke {f}/none/x.nk", "cannot be written"),
     ("{f}/p.roam --to nuke {f}/empty", "cannot be written"),
-    ("{f}/p.roam --to nuke {f}/x.nk --frames 9 7", "must lie between 7 and 9"),
+    ("{f}/p.roam --to nuke {f}/x.nk --frames 9 7", "lies before the first; name the earlier one first"),
     ("{f}/p.roam --to nuke {f}/x.nk --frames 1 2", "must lie between 7 and 9"),
     ("{f}/p.roam --to nuke {f}/x.nk --keys reduced --tolerance 0", "positive number of pixels"),
     ("{f}/p.roam --to nuke {f}/x.nk --keys reduced --tolerance nan", "positive number of pixels"),
@@ -62,7 +62,7 @@ EXPORTS: list[tuple[str, str]] = [
     ("{f}/p.roam --to mattes {f}/noise.nk/out", "cannot be made"),
 ]
 RENDERS = [
-    ("{f}/p.roam --out {f}/noise.nk", "cannot be made"),
+    ("{f}/p.roam --out {f}/noise.nk", "is a file; name a folder"),
     ("{f}/p.roam --out {f}/out --start 9 --end 7", "--end 7 comes before --start 9"),
     ("{f}/p.roam --out {f}/out --start 100 --end 200", "frames 7 to 9, none of 100 to 200"),
     ("{f}/p.roam --out {f}/out --name a/b.####.png", "is no file name"),

@@ -14,9 +14,10 @@ from roam_core.arrays import Array, UInt8
 from roam_core.errors import RoamError
 from roam_core.geometry import polyline
 from roam_core.matte import render_matte, shapes_from_mask
-from roam_core.matte.vectorise import coverage_of, outlines, read_mask
+from roam_core.matte.vectorise import coverage_of, outlines, read_mask, specks_left_out
 from roam_core.roto import BlendMode, Origin
 from tests.golden.shots import dense, overlap
+from tests.unit.media.conftest import write_image
 
 SIZE = (90, 120)
 
@@ -160,6 +161,21 @@ def test_specks_are_left_out_unless_there_is_nothing_else() -> None:
     np.testing.assert_allclose(shape.at(0).anchors.mean(axis=0), (6.0, 6.0), atol=0.5)
 
 
+def test_what_is_left_out_is_counted() -> None:
+    mask = box((5, 5, 7, 7), (30, 30, 60, 60), (70, 5, 71, 6))
+    mask[40:42, 40:42] = 0
+    assert specks_left_out(mask) == 3
+    assert specks_left_out(box((5, 5, 7, 7))) == 0  # there is nothing larger
+    assert specks_left_out(np.zeros(SIZE)) == 0
+
+
+@pytest.mark.parametrize("colours", [1, 3])
+def test_an_alpha_that_is_opaque_all_over_says_nothing(colours: int) -> None:
+    white = HARD.astype(np.uint8) * 255
+    mask = np.stack([white] * colours + [np.full(SIZE, 255, np.uint8)], axis=2)
+    np.testing.assert_array_equal(coverage_of(mask), coverage_of(white))
+
+
 def test_what_is_no_mask_is_refused() -> None:
     with pytest.raises(ValueError, match="a mask has shape"):
         coverage_of(np.zeros(5))
@@ -180,6 +196,14 @@ def test_alpha_and_sixteen_bits_survive_reading(tmp_path: Path) -> None:
     rgba = np.stack([np.full(SIZE, 255, np.uint8)] * 3 + [HARD.astype(np.uint8) * 255], axis=2)
     cv2.imwrite(str(tmp_path / "b.png"), rgba)
     np.testing.assert_array_equal(coverage_of(read_mask(tmp_path / "b.png")) > 0.5, HARD)
+
+
+def test_a_mask_of_which_a_part_is_stored_lies_in_its_display_window(tmp_path: Path) -> None:
+    stored, window = SOFT[20:70, 30:100, None].astype(np.float32), {"x": 30, "y": 20}
+    file = write_image(tmp_path / "tight.exr", stored, "float", **window, full_width=SIZE[1], full_height=SIZE[0])
+    expected = np.zeros(SIZE)
+    expected[20:70, 30:100] = stored[..., 0]
+    np.testing.assert_allclose(coverage_of(read_mask(file, SIZE)), expected)
 
 
 def test_masks_that_cannot_serve_are_refused(tmp_path: Path) -> None:

@@ -215,6 +215,12 @@ def test_a_picture_that_is_not_there_is_named(shot: Shot) -> None:
         fill_span(images, [keyed(shot, FIRST, LAST)], FIRST, LAST)
 
 
+def test_a_picture_of_another_size_is_named(shot: Shot) -> None:
+    cut = {**pictures(shot), FIRST + 2: pictures(shot)[FIRST + 2][:40]}
+    with pytest.raises(RoamError, match=r"Frame 1003 is \d+x40, frame 1001 is"):
+        fill_span(cut, [keyed(shot, FIRST, LAST)], FIRST, LAST)
+
+
 def test_spans_are_the_gaps_between_neighbouring_artist_keys(shot: Shot) -> None:
     one, two = keyed(shot, 1001, 1005, 1009), replace(keyed(shot, 1001, 1009), id="other")
     next_door = replace(keyed(shot, 1001, 1002), id="no gap")
