@@ -45,7 +45,8 @@ class Recovery:
     original : the artist's file, or None for an untitled project.
     digest : SHA-256 of that file as the work builds on it; "" where there is none.
     when : the time of the last edit, in seconds since the epoch.
-    edits, tracked, shapes : how many edits, tracked frames among them, and shapes and layers that they touched.
+    edits, tracked, shapes : how many edits, but those that only brought tracked or filled frames; how many of these
+        frames; and how many shapes and layers both touched.
     settled : "" while it is to be offered; else what became of it: saved, discarded, declined or recovered.
     is_recovered : True where the first of the edits is work that was recovered from another journal.
     is_damaged : True where the journal cannot be read to its end.
@@ -75,7 +76,7 @@ class Recovery:
     @property
     def sentence(self) -> str:
         """What would come back."""
-        edits = self.edits - self.tracked - self.is_recovered
+        edits = max(self.edits - self.is_recovered, 0)
         counted = [
             tr("%n edit(s)", "", edits) if edits else "",
             tr("%n tracked frame(s)", "", self.tracked) if self.tracked else "",
@@ -187,7 +188,7 @@ def _looked_at(journal: Path) -> Recovery | None:
         is_damaged = True
     except OSError:
         return None
-    if found is None or not found.edits:
+    if found is None or not (found.edits or found.tracked):
         return None
     return replace(found, shapes=len(edited), is_damaged=is_damaged, settled=found.settled or _marked(journal))
 
@@ -206,7 +207,8 @@ def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str])
         raise ValueError("an entry before the beginning")
     if entry.kind == "edit":
         edited.update(header["ids"])
-        edits, tracked = found.edits + header["edits"], found.tracked + header["tracked"]
+        edits = found.edits + max(header["edits"] - header["tracked"], 0)  # a fill is one edit of many frames
+        tracked = found.tracked + header["tracked"]
         settled = "" if header["is_modified"] else "saved"  # undone up to what the file holds
         return replace(found, when=_time(header), edits=edits, tracked=tracked, settled=settled)
     return replace(found, settled=str(header["why"])) if entry.kind == "end" else found

@@ -88,16 +88,16 @@ class MarksOf:
         self._stamps: tuple[Project, Stamps] | None = None
         document.replaced.connect(self._known.clear)
 
-    def __call__(self, shape: RotoShape) -> KeyMarks:
-        stamps = self._of_project()
+    def __call__(self, shape: RotoShape, preview: Project | None = None) -> KeyMarks:
+        """The marks of a shape of the document's project, or of one that is shown in its place meanwhile."""
+        stamps = self._of(preview or self._document.project)
         together = stamps.together(shape)
         known = self._known.get(shape.id)
         if known is None or not _are_same(known[0], together):
             known = self._known[shape.id] = (together, key_marks(shape, stamps))
         return known[1]
 
-    def _of_project(self) -> Stamps:
-        project = self._document.project
+    def _of(self, project: Project) -> Stamps:
         if self._stamps is None or self._stamps[0] is not project:
             self._stamps = project, Stamps.of(project.shapes, project.clip)
         return self._stamps[1]

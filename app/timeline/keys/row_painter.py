@@ -11,7 +11,7 @@ from roam_core.arrays import Int64
 from roam_core.roto import RotoShape
 
 from ... import style
-from ..marks import KeyMarks, MarksOf
+from ..marks import KeyMarks
 from ..scale import LABEL_WIDTH, TimeScale
 from .depth_marks import paint_depth
 
@@ -34,42 +34,37 @@ Look = tuple[TimeScale, QSize, bool, frozenset[int], float]
 class RowPainter:
     """Keeps the picture of each shape's row: scrubbing then only moves a line over them."""
 
-    def __init__(self, marks: MarksOf) -> None:
-        self._marks = marks
-        self._known: dict[str, tuple[RotoShape, Look, QPixmap]] = {}
+    def __init__(self) -> None:
+        self._known: dict[str, tuple[RotoShape, KeyMarks, Look, QPixmap]] = {}
 
     def row(
-        self, shape: RotoShape, scale: TimeScale, size: QSize, is_selected: bool, chosen: frozenset[int], on: QWidget
-    ) -> QPixmap:
-        """The row of a shape with its `chosen` keys, for a widget of the screen that `on` is on."""
-        look = (scale, size, is_selected, chosen, on.devicePixelRatioF())
-        known = self._known.get(shape.id)
-        if known is not None and known[0] is shape and known[1] == look:
-            return known[2]
-        picture = QPixmap(size * look[4])
-        picture.setDevicePixelRatio(look[4])
-        painter = QPainter(picture)
-        painter.setFont(on.font())
-        self._paint(painter, shape, scale, size, is_selected, chosen)
-        painter.end()
-        self._known[shape.id] = (shape, look, picture)
-        return picture
-
-    def _paint(
         self,
-        painter: QPainter,
         shape: RotoShape,
+        marks: KeyMarks,
         scale: TimeScale,
         size: QSize,
         is_selected: bool,
         chosen: frozenset[int],
-    ) -> None:
+        on: QWidget,
+    ) -> QPixmap:
+        """The row of a shape with its marks and `chosen` keys, for a widget of the screen that `on` is on."""
+        look = (scale, size, is_selected, chosen, on.devicePixelRatioF())
+        known = self._known.get(shape.id)
+        if known is not None and known[0] is shape and known[1] is marks and known[2] == look:
+            return known[3]
+        picture = QPixmap(size * look[4])
+        picture.setDevicePixelRatio(look[4])
+        painter = QPainter(picture)
+        painter.setFont(on.font())
         painter.fillRect(QRectF(0, 0, size.width(), ROW), QColor(SELECTED if is_selected else style.PANEL))
         painter.fillRect(QRectF(0, ROW - 1, size.width(), 1), QColor(style.WINDOW))
         _paint_label(painter, shape)
         painter.setClipRect(QRectF(scale.left, 0, size.width() - scale.left, ROW))
-        _paint_marks(painter, shape, self._marks(shape), chosen, scale)
+        _paint_marks(painter, shape, marks, chosen, scale)
         paint_depth(painter, shape, scale)
+        painter.end()
+        self._known[shape.id] = (shape, marks, look, picture)
+        return picture
 
 
 def columns(frames: Int64, scale: TimeScale) -> list[float]:

@@ -26,7 +26,7 @@ from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...translation import tr
 from ..axis import TimeAxis, paint_playhead
-from ..marks import MarksOf
+from ..marks import KeyMarks, MarksOf
 from ..scale import LABEL_WIDTH
 from .depth_marks import change_at
 from .hand import KeyHand
@@ -60,7 +60,7 @@ class KeyRows(QAbstractScrollArea):
     ) -> None:
         super().__init__(parent)
         self._document, self._axis, self._marks, self._keys = document, axis, marks, keys
-        self._painter, self._presses = RowPainter(marks), 0
+        self._painter, self._presses = RowPainter(), 0
         self.menu = QMenu(self)
         """What a right click offers."""
         self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self.viewport().update)
@@ -92,7 +92,7 @@ class KeyRows(QAbstractScrollArea):
         shape = self.shape_at(at.y())
         if shape is None or at.x() < LABEL_WIDTH:
             return None
-        scale, artist = self._axis.scale, self._marks(shape).artist
+        scale, artist = self._axis.scale, self._marks_of(shape).artist
         distances = np.abs(scale.left + (artist - scale.first + 0.5) * scale.pixels - at.x())
         if not len(artist) or distances.min() > GRAB:
             return None
@@ -104,8 +104,9 @@ class KeyRows(QAbstractScrollArea):
         for index, shape in enumerate(self.rows()):
             middle = index * ROW + ROW / 2 - self._offset
             if box.top() - ROW / 2 <= middle <= box.bottom() + ROW / 2:
-                x = scale.left + (self._marks(shape).artist - scale.first + 0.5) * scale.pixels
-                caught = self._marks(shape).artist[(x >= box.left()) & (x <= box.right())]
+                artist = self._marks_of(shape).artist
+                x = scale.left + (artist - scale.first + 0.5) * scale.pixels
+                caught = artist[(x >= box.left()) & (x <= box.right())]
                 inside += [(shape.id, frame) for frame in caught.tolist()]
         return frozenset(inside)
 
@@ -182,7 +183,7 @@ class KeyRows(QAbstractScrollArea):
         near = self.key_at(at)
         change = change_at(shape, at.x(), self._axis.scale, GRAB)
         frame = near[1] if near is not None else self._axis.scale.frame(at.x()) if change is None else change
-        return key_tip(shape, frame, self._marks(shape))
+        return key_tip(shape, frame, self._marks_of(shape))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if event.position().x() < LABEL_WIDTH:
@@ -191,6 +192,10 @@ class KeyRows(QAbstractScrollArea):
             self._axis.wheel(event, event.position().x())
 
     # ---- the rest is private
+
+    def _marks_of(self, shape: RotoShape) -> KeyMarks:
+        """The marks of one of the `rows`."""
+        return self._marks(shape, self.hand.preview)
 
     @property
     def _offset(self) -> int:
@@ -240,8 +245,8 @@ class KeyRows(QAbstractScrollArea):
         size = QSize(viewport.width(), ROW)
         for index in range(first, last):
             shape = rows[index]
-            chosen = self.hand.chosen(shape.id)
-            row = self._painter.row(shape, self._axis.scale, size, shape.id in selected, chosen, viewport)
+            marks, chosen = self._marks_of(shape), self.hand.chosen(shape.id)
+            row = self._painter.row(shape, marks, self._axis.scale, size, shape.id in selected, chosen, viewport)
             painter.drawPixmap(0, index * ROW - self._offset, row)
         if not rows:
             self._paint_hint(painter)

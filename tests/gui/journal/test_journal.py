@@ -447,6 +447,17 @@ def test_tracked_frames_are_counted_apart(document: Document, journal: Journal, 
     assert recovery.load(found)[0] == document.project
 
 
+def test_a_fill_is_one_edit_of_many_frames(document: Document, journal: Journal, root: Path) -> None:
+    draw(document)
+    assert journal.flush()
+    (shape,) = document.project.shapes
+    keys = [Keyframe(frame, SQUARE, origin=Origin.ENGINE, confidence=0.5) for frame in range(2, 9)]
+    document.apply("Fill", document.project.with_shape(edit.set_engine_keys(shape, keys)))
+    assert journal.flush()
+    (found,) = crashed(journal, root)
+    assert found.sentence == "1 edit and 7 tracked frames in 1 shape"
+
+
 def test_a_full_disk_is_told_once_and_nothing_is_lost_when_there_is_room_again(
     qtbot: QtBot, document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -169,13 +169,13 @@ def test_scrubbing_paints_no_row_again(
     timeline: Timeline, view_state: ViewState, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     painted: list[str] = []
-    paint = row_painter.RowPainter._paint
+    paint = row_painter._paint_marks
 
-    def recorded(self: row_painter.RowPainter, painter: QPainter, shape: RotoShape, *look: Any) -> None:
+    def recorded(painter: QPainter, shape: RotoShape, *look: Any) -> None:
         painted.append(shape.id)
-        paint(self, painter, shape, *look)
+        paint(painter, shape, *look)
 
-    monkeypatch.setattr(row_painter.RowPainter, "_paint", recorded)
+    monkeypatch.setattr(row_painter, "_paint_marks", recorded)
     timeline.rows.viewport().grab()
     painted.clear()
     view_state.set_frame(1020)

@@ -57,6 +57,29 @@ def artist(document: Document, name: str) -> tuple[int, ...]:
     return document.project.shape(name).artist_frames
 
 
+def ink(timeline: Timeline, frame: int, row: int) -> bool:
+    """Whether a row shows an artist's key on a frame: something that stands out around its middle."""
+    at, picture = place(timeline, frame, row), timeline.rows.viewport().grab().toImage()
+    reach = range(-3, 4)
+    return sum(picture.pixelColor(at + QPoint(x, y)).lightness() > 120 for x in reach for y in reach) > 20
+
+
+def test_a_dragged_key_is_shown_where_it_is(timeline: Timeline, document: Document) -> None:
+    def shown() -> list[bool]:
+        return [ink(timeline, frame, 1) for frame in (1030, 1035)]
+
+    assert shown() == [True, False]
+    grab(timeline, place(timeline, 1030, 1), place(timeline, 1035, 1))
+    assert shown() == [False, True]
+    send(timeline, QEvent.Type.MouseButtonRelease, place(timeline, 1035, 1))
+    assert shown() == [False, True]
+    document.undo_stack.undo()
+    assert shown() == [True, False]
+    grab(timeline, place(timeline, 1030, 1), place(timeline, 1035, 1))
+    timeline.rows.hand.cancel()
+    assert shown() == [True, False]
+
+
 def test_a_dragged_key_snaps_to_frames_and_is_one_undo_step(
     timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:
