@@ -6,7 +6,16 @@ from collections.abc import Iterator
 
 from PySide6.QtCore import QPoint, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QContextMenuEvent, QDropEvent, QIcon, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemDelegate,
+    QAbstractItemView,
+    QHeaderView,
+    QLabel,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
 
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, RotoShape, edit
@@ -106,7 +115,12 @@ class ShapeTree(QTreeWidget):
     # ---- from the document
 
     def _pull(self, _ids: object = None) -> None:
-        """Build the rows again, but only if what they show has changed: a tracked frame changes no row."""
+        """Build the rows again, but only if what they show has changed: a tracked frame changes no row.
+
+        While a name is being typed they stay: its field belongs to one of them.
+        """
+        if self.state() is QAbstractItemView.State.EditingState:
+            return
         root = self._document.project.root
         if (shown := _summary(root)) == self._shown:
             return
@@ -152,6 +166,10 @@ class ShapeTree(QTreeWidget):
             project = edit.set_properties(self._document.project, row.data(NAME, ID), name=name)
             self._document.apply(tr("Rename"), project)
         self._shown = None
+        self._pull()
+
+    def closeEditor(self, editor: QWidget, hint: QAbstractItemDelegate.EndEditHint) -> None:
+        super().closeEditor(editor, hint)
         self._pull()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

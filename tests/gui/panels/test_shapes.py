@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QAbstractItemView, QTreeWidgetItem
+from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeWidgetItem
 from pytestqt.qtbot import QtBot
 
 from app import style
@@ -65,6 +65,22 @@ def test_the_list_asks_for_the_height_of_its_rows_within_bounds(panel: ShapesPan
 def test_the_top_most_stands_on_top(panel: ShapesPanel) -> None:
     assert names(panel) == ["hero", "Shape 2", "Shape 1"]
     assert panel.tree.item("layer-1").child(0).text(NAME) == "Shape 3"
+
+
+def test_a_name_is_typed_and_taken_over_once(qtbot: QtBot, panel: ShapesPanel, document: Document) -> None:
+    """A warning of Qt's, as of a field that was taken away while it was read, fails a test."""
+    tree = panel.tree
+    tree.editItem(tree.item("shape-1"), NAME)
+    field = tree.viewport().findChild(QLineEdit)
+    qtbot.keyClicks(field, "body")
+    document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])  # the field stays while others come
+    assert field.isVisible()
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: names(panel) == ["Shape 4", "hero", "Shape 2", "body"])
+    assert document.project.shape("shape-1").name == "body"
+    tree.editItem(tree.item("shape-1"), NAME)
+    qtbot.keyClick(tree.viewport().findChild(QLineEdit), Qt.Key.Key_Escape)
+    assert names(panel) == ["Shape 4", "hero", "Shape 2", "body"]
 
 
 def test_selection_goes_both_ways(qtbot: QtBot, panel: ShapesPanel, view_state: ViewState) -> None:
