@@ -206,8 +206,10 @@ class Propagation(QObject):
         run = self._run
         if run is None:
             return
-        touched = any(self._is_touched(shape) for i, shape in run.expected.items() if i in ids)
-        if touched or any(self._is_changed(shape) for i, shape in run.beside.items() if i in ids):
+        touched = [shape for i, shape in run.expected.items() if i in ids and self._is_touched(shape)]
+        touched += [shape for i, shape in run.beside.items() if i in ids and self._is_changed(shape)]
+        if touched:
+            run.ended_by = touched[0].name
             self.drop()
 
     def _is_touched(self, expected: RotoShape) -> bool:
@@ -225,7 +227,7 @@ class Propagation(QObject):
         if run is None:
             return
         if ending is Ending.CANCELLED:
-            sentence = run.stopped_sentence()
+            sentence = f"{run.stopped_sentence()} {run.reason()}".rstrip()
         elif ending is Ending.DONE:
             sentence = f"{sentence} {run.doubt_sentence()}".rstrip()
         self.running_changed.emit()
@@ -255,6 +257,8 @@ class _Run:
         self.merge_key, self.frames, self.config, self.alone = merge_key, frames, config, alone
         self.beside: dict[str, RotoShape] = {}
         self.reached: int | None = None
+        self.ended_by = ""
+        """The name of the shape of which an edit ended the run; empty where none did."""
         self._doubtful: set[int] = set()
 
     def take_over(self, before: _Run) -> None:
@@ -273,6 +277,10 @@ class _Run:
         if self.reached is None:
             return tr("Filling stopped before a gap was finished.")
         return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
+
+    def reason(self) -> str:
+        """Why the run ended by itself; empty where the artist stopped it."""
+        return tr("{name} was changed meanwhile.", name=self.ended_by) if self.ended_by else ""
 
     def doubt_sentence(self) -> str:
         doubtful = len(self._doubtful)

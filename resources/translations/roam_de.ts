@@ -5905,6 +5905,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} wurde von einem anderen Programm geändert, seit es hier geöffnet oder gespeichert wurde.</translation>
     </message>
     <message>
+        <source>{name} was changed meanwhile.</source>
+        <translation>{name} wurde inzwischen geändert.</translation>
+    </message>
+    <message>
         <source>{name} was not opened.</source>
         <translation>{name} wurde nicht geöffnet.</translation>
     </message>

@@ -192,6 +192,18 @@ def test_an_edit_of_a_shape_that_is_solved_along_ends_the_run(
     assert propagation.is_running is alone
 
 
+def test_a_run_that_an_edit_ends_says_of_what(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    engine.allow(2)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        document.apply("Move", document.project.with_shape(edit.set_key(shape(document), 1, SQUARE + 1.0)))
+    told = "Tracking stopped at frame 3; the finished frames stay. Shape 1 was changed meanwhile."
+    assert finished.args == [Ending.CANCELLED, told]
+
+
 def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
