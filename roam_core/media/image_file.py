@@ -142,9 +142,7 @@ def read_alpha(file: Path) -> Image | None:
 
 
 def read_channels(file: Path) -> Image | None:
-    """All channels of one image `(h, w, n)`, in its display window, in the type that they are stored in.
-
-    None where it is none, or damaged.
+    """All channels `(h, w, n)` of an image's display window, in the type they are stored in; None for none, or damaged.
 
     Raises
     ------
@@ -152,20 +150,12 @@ def read_channels(file: Path) -> Image | None:
         when it holds more than `MOST_BYTES` of pixels.
     """
     source = opened_image(file)
-    if source is not None and _most_bytes(source) > MOST_BYTES:
+    if source is not None and _bytes_told(source.spec()) > MOST_BYTES:
         raise RoamError(f"{file} holds more than {MOST_BYTES >> 20} MiB of pixels; give a mask of one channel.")
     pixels = None if source is None else source.read_image("unknown")
-    # What a reader has to say is fetched, or it says it on the terminal later.
-    failed = bool((source or oiio).geterror())
-    if source is None or failed or pixels is None:
+    if (source or oiio).geterror() or pixels is None:  # fetched, or it is said on the terminal later
         return None
     return _in_display_window(np.asarray(pixels), source, _stored_area(source, None), None)
-
-
-def _most_bytes(source: Any) -> int:
-    """The bytes of all channels of an image, as they are stored or as they are shown."""
-    spec, (width, height) = source.spec(), _display_size(source)
-    return int(max(spec.image_bytes(), width * height * spec.pixel_bytes()))
 
 
 def has_several_images(file: Path) -> bool:
@@ -328,6 +318,10 @@ def _require_size(file: Path, source: Any) -> None:
     require_size(file, *_display_size(source))
 
 
+def _bytes_told(spec: Any) -> int:
+    return int(max(spec.image_pixels(), spec.full_width * spec.full_height) * spec.pixel_bytes())
+
+
 def _is_exr(source: Any) -> bool:
     return bool(source.format_name() == "openexr")
 
@@ -389,8 +383,7 @@ def _frame_rate(spec: Any) -> float:
         value = spec.getattribute(name)
         if isinstance(value, tuple) and len(value) == 2 and value[1]:
             value = value[0] / value[1]
-        rate = _number(value, 1.0, 1000.0, 0.0)
-        if rate:
+        if rate := _number(value, 1.0, 1000.0, 0.0):
             return rate
     return 24.0
 
@@ -453,6 +446,5 @@ def _reason(speaker: Any) -> str:
     """What OpenImageIO, or one of its readers, says of the last failure, in one line."""
     try:
         return " ".join(speaker.geterror().split()) or "no reason given"
-    except UnicodeDecodeError:
-        # The message quotes bytes of the damaged file.
+    except UnicodeDecodeError:  # the message quotes bytes of the damaged file
         return "no reason given"
