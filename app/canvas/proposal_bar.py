@@ -86,12 +86,14 @@ class ProposalBar(QWidget):
         self._place()
 
     def _place(self) -> None:
-        # Where the viewer is narrow the legend gives way: the question and its answers do not.
-        self.legend.setVisible(True)
-        self.adjustSize()
-        if self.width() > self._viewer.width():
-            self.legend.setVisible(False)
+        # Where the viewer is narrow the legend gives way, and then the keys: the question and its answers do not.
+        keys = list(self._keys.values())
+        for away in ([], [self.legend], [self.legend, *keys]):
+            for label in (self.legend, *keys):
+                label.setVisible(label not in away)
             self.adjustSize()
+            if self.width() <= self._viewer.width():
+                break
         x = max((self._viewer.width() - self.width()) // 2, 0)
         self.move(x, self._viewer.height() - self.height() - 2 * style.MARGIN)
 

@@ -164,7 +164,8 @@ class Runner(QObject):
         except Exception as error:
             log.exception("the job %r failed", job.kind)
             return Ending.FAILED, tr(
-                "An error inside ROAM ended the work: {error}", error=error or type(error).__name__
+                "An error inside ROAM ended the work: {error}. Help > Problem report… tells more.",
+                error=error or type(error).__name__,
             )
 
     # ---- window's thread

@@ -27,7 +27,7 @@ SOLVE_TIP = N_(
     " together; the outlines of one mask or path are one whole; others are objects of their own, however near they lie."
 )
 CHOICE_WIDTH = 90
-"""Least width of a box: the column is narrow, and its words are as long as links' names are."""
+"""Least width of how they are solved: the column is narrow, and links' names may be long."""
 
 DEPTH_TIP = N_("What hides what, from this frame on; mattes go by the order in the list")
 ATTACHED_TIP = N_("A part hangs by joints on the parts that it overlaps")
@@ -43,6 +43,7 @@ class ObjectForm(QWidget):
         self._document, self._view, self._belonging = document, view_state, belonging
         self._verbs = ObjectVerbs(document, view_state)
         self.solve, self.level = _choice(tr(SOLVE_TIP)), _choice(tr(DEPTH_TIP))
+        self.solve.setMinimumWidth(CHOICE_WIDTH)
         self.place = QLabel()
         self.place.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)  # names can be long
         self.attached = SwitchBox(tr("Attached"), tr(ATTACHED_TIP))
@@ -128,7 +129,6 @@ class ObjectForm(QWidget):
 def _choice(tip: str) -> ChoiceBox:
     box = ChoiceBox(tip)
     box.setPlaceholderText(tr(MIXED))
-    box.setMinimumWidth(CHOICE_WIDTH)
     return box
 
 

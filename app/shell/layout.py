@@ -54,14 +54,6 @@ def scrolled(whole: QWidget) -> QScrollArea:
     return scroll
 
 
-def rolled(whole: QWidget) -> QScrollArea:
-    """A narrow column of a fixed width: where a low window cuts it off the wheel moves it."""
-    roll = scrolled(whole)
-    roll.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    roll.setFixedWidth(whole.maximumWidth())
-    return roll
-
-
 def _filled(box: QBoxLayout, parts: tuple[QWidget, ...], growing: QWidget | None) -> QWidget:
     whole = QWidget()
     whole.setLayout(box)

@@ -60,6 +60,7 @@ from ..panels.bars.mode_bar import ModeBar
 from ..panels.bars.readout import Readout
 from ..panels.bars.status import StatusBar
 from ..panels.bars.tool_column import ToolColumn
+from ..panels.bars.top_bar import TopBar
 from ..panels.bars.view_bar import ViewBar
 from ..panels.planar import PlanarPanel
 from ..panels.properties import PropertiesPanel
@@ -169,8 +170,7 @@ class MainWindow(QMainWindow):
             document, view_state, self.reader.cached_frames, self.reader.frames_without_picture, actions
         )
         self.status = StatusBar(view_state, self.under_way)
-        self.status.add(Readout(self.canvas))
-        self.status.add(ModeBar(view_state, actions))
+        self.status.add(Readout(self.canvas), ModeBar(view_state, actions))
         self._build_surroundings(actions)
 
     def _build_surroundings(self, actions: Actions) -> None:
@@ -188,15 +188,14 @@ class MainWindow(QMainWindow):
         self.context_menus = ContextMenus(self.document, view_state, actions, self)
         for part in (self.canvas, self.shapes.tree):
             part.menu_asked.connect(self.context_menus.open)
-        menu_bar = menus.menu_bar(actions, self.reopening.menu)
-        self.setMenuWidget(layout.row(menu_bar, self.view_bar, growing=menu_bar))
+        self.setMenuWidget(TopBar(menus.menu_bar(actions, self.reopening.menu), self.view_bar))
 
     def _lay_out(self) -> None:
         actions = self.actions_by_id
         self.workspace = Workspace(self, actions, self._lay_out_anew)
         second = Panel(tr("Second viewer"), self.second_viewer, (self.second_viewer.mode,))
         viewers = layout.split(Qt.Orientation.Horizontal, self.canvas, second)
-        tools, lower = layout.rolled(self.tool_column), layout.column(self.transport, self.timeline)
+        tools, lower = self.tool_column, layout.column(self.transport, self.timeline)
         self.panel_column = self._panel_column()
         upper = layout.split(Qt.Orientation.Horizontal, layout.row(tools, viewers, growing=viewers), self.panel_column)
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)

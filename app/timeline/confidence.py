@@ -22,7 +22,8 @@ from .axis import TimeAxis
 from .marks import MarksOf
 from .scale import LABEL_WIDTH
 
-LEAST_HEIGHT = 64
+LEAST_HEIGHT = 60
+"""Of the plot, unless rows that come and go need of it."""
 CLICK = 3
 """Pixels that the pointer may move between press and release of a click."""
 
@@ -49,13 +50,18 @@ class ConfidencePlot(QWidget):
             tr("Confidence of the tracked frames; under the dashed line a frame is worth a look. Click to go there")
         )
         self.lines = ConfidenceLines(document, axis, marks)
-        self.lines.setMinimumHeight(LEAST_HEIGHT)
+        self.lines.setMinimumHeight(1)  # as low as the plot is made
+        self.give(0)
         row = QHBoxLayout(self)
         row.setContentsMargins(LABEL_WIDTH, 0, 0, 0)
         row.addWidget(self.lines)
 
     def sizeHint(self) -> QSize:
         return QSize(600, LEAST_HEIGHT)
+
+    def give(self, pixels: int) -> None:
+        """Let others have so much of the least height."""
+        self.setMinimumHeight(LEAST_HEIGHT - pixels)
 
     def value_y(self, value: float) -> float:
         """Where a confidence lies, in pixels from the top."""
@@ -69,7 +75,9 @@ class ConfidencePlot(QWidget):
         painter.setFont(font)
         painter.setPen(QColor(style.WEAK))
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
-        for value, text in ((0.0, "0"), (DOUBTFUL, f"{DOUBTFUL:g}"), (1.0, "1")):
+        has_room = self.value_y(DOUBTFUL) - self.value_y(1.0) >= painter.fontMetrics().ascent()
+        ends = ((0.0, "0"), (1.0, "1")) if has_room else ()
+        for value, text in ((DOUBTFUL, f"{DOUBTFUL:g}"), *ends):
             painter.drawText(QRectF(0, self.value_y(value) - 8, LABEL_WIDTH - 6, 16), middle | right, text)
         painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, self.height()), middle, tr("confidence"))
         painter.end()

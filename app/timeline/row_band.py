@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolTip, QWidget
 
 from .. import style
 from ..model.document import Document
@@ -22,7 +22,13 @@ class RowBand(QWidget, Generic[Row]):
     """A class of its own says what is shown (`rows`), how a row is painted and what is told of a place (`tip_at`).
 
     It calls `pull` when it is made, and whenever it may have other rows.
+
+    Signals
+    -------
+    pulled() : it may have another height, or have come or gone.
     """
+
+    pulled = Signal()
 
     def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -63,9 +69,13 @@ class RowBand(QWidget, Generic[Row]):
         self.setVisible(count > 0)
         self.setFixedHeight(max(count, 1) * ROW)
         self.update()
+        self.pulled.emit()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self._axis.wheel(event, event.position().x())
+        if event.position().x() < LABEL_WIDTH:
+            event.ignore()  # over the names it scrolls
+        else:
+            self._axis.wheel(event, event.position().x())
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -88,3 +98,31 @@ class RowBand(QWidget, Generic[Row]):
             painter.restore()
         paint_playhead(painter, self._axis, self)
         painter.end()
+
+
+class BandRoom(QScrollArea):
+    """The place of a band: as high as the band where there is room, and scrolled where there is not; away with it."""
+
+    def __init__(self, band: RowBand[Any], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._band = band
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidgetResizable(True)
+        self.setWidget(band)
+        self.verticalScrollBar().setSingleStep(ROW)
+        band.pulled.connect(self._follow)
+        band.pull()
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._band.sizeHint().width(), self._band.maximumHeight())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, 0)
+
+    def _follow(self) -> None:
+        self.setMaximumHeight(self._band.maximumHeight())
+        self.updateGeometry()
+        self.setVisible(not self._band.isHidden())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QEvent, QObject, QSize, QTimer
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ..actions.actions import Actions
@@ -15,8 +15,9 @@ from ..widgets.controls import tool_button
 from ..widgets.panel import Panel
 from .axis import TimeAxis
 from .boil_band import BoilBand
-from .confidence import ConfidencePlot
+from .confidence import LEAST_HEIGHT, ConfidencePlot
 from .curves.editor import CurveEditor
+from .keys.row_painter import ROW
 from .keys.rows import KeyRows
 from .keys.selection import KeySelection
 from .keys.verbs import KeyVerbs
@@ -24,6 +25,7 @@ from .mark_band import MarkBand
 from .mark_verbs import MarkVerbs
 from .marks import MarksOf
 from .panning import PanHand, TimeBar
+from .row_band import BandRoom
 from .ruler import Ruler
 from .tracks import TrackBand
 from .values.rows import ValueRows
@@ -40,8 +42,15 @@ SHARED = ("edit.copy", "edit.cut", "edit.paste", "points.delete", "points.select
 """Actions of the viewer whose keys work in the key rows too, when these have the keyboard."""
 
 
+LEAST_ROWS = 2
+"""Key rows that have room in the lowest timeline."""
+
+
 class Timeline(QWidget):
     """Shows the document's keys over the clip's frames.
+
+    Marks, tracks and values have rows that come and go: they take their room from the plot, and scroll where that is
+    not enough. The least height is the same with and without them, so that the viewer above keeps its own.
 
     `cached` gives the frames that are decoded, `missing` those that the plate should have and does not.
     """
@@ -79,7 +88,8 @@ class Timeline(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         self.bar = TimeBar(self.axis)
-        keyed = self.tracks, self.rows, self.value_rows
+        self.band_rooms = BandRoom(self.tracks), BandRoom(self.value_rows)
+        keyed = self.band_rooms[0], self.rows, self.band_rooms[1]
         for part in (self.ruler, self.marks, *keyed, self.curve_panel, self.confidence, self.boil, self.bar):
             column.addWidget(part)
         plots = self.confidence.lines.viewport(), self.boil, self.curves.plot.viewport()
@@ -88,9 +98,25 @@ class Timeline(QWidget):
         column.setStretchFactor(self.curve_panel, 4)
         self.keys.changed.connect(lambda: self.values.clear() if self.keys.places else None)
         self.values.changed.connect(lambda: self.keys.clear() if self.values.places else None)
+        for part in (self.marks, self.bar, *self.band_rooms):
+            part.installEventFilter(self)
+        self._share()
         self._offer(actions)
         self._document = document
         document.replaced.connect(self._pull_clip)
+
+    def minimumSizeHint(self) -> QSize:
+        # What comes and goes has no part in it: Qt asks for this before `_share` has taken its room from the plot.
+        plots = 0 if self.confidence.isHidden() else LEAST_HEIGHT
+        if self.isAncestorOf(self.curve_panel) and not self.curve_panel.isHidden():
+            plots += self.curve_panel.minimumSizeHint().height() + (0 if self.curve_panel.is_folded else self._given)
+        height = self.ruler.height() + LEAST_ROWS * ROW + plots + self.boil.height()
+        return QSize(super().minimumSizeHint().width(), height)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
+            self._share()
+        return False
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -103,6 +129,16 @@ class Timeline(QWidget):
         for verbs in (self.value_rows.verbs, self.curves.plot.verbs):
             taken |= verbs.taking_over(taken)
         return taken
+
+    def _share(self) -> None:
+        """Give what comes and goes its least height, out of that of the plot."""
+        left = LEAST_HEIGHT - sum(part.height() for part in (self.marks, self.bar) if not part.isHidden())
+        shown = [room for room in self.band_rooms if not room.isHidden()]
+        for room in shown:
+            room.setMinimumHeight(min(ROW, left // len(shown)))
+        self._given = LEAST_HEIGHT - left + sum(room.minimumHeight() for room in shown)
+        self.confidence.give(self._given)
+        self.curves.give(self._given)
 
     def _pull_curves(self, actions: Actions) -> None:
         """In the timeline the curve editor has the place of the confidence plot; it takes the keyboard."""

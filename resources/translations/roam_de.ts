@@ -400,8 +400,8 @@ Jetzt: {level}, {changes}</translation>
         <translation>Eine Änderung setzt nur für die bewegten Punkte Keyframes</translation>
     </message>
     <message>
-        <source>An error inside ROAM ended the work: {error}</source>
-        <translation>Ein Fehler in ROAM hat die Arbeit beendet: {error}</translation>
+        <source>An error inside ROAM ended the work: {error}. Help &gt; Problem report… tells more.</source>
+        <translation>Ein Fehler in ROAM hat die Arbeit beendet: {error}. Hilfe &gt; Problembericht… sagt mehr.</translation>
     </message>
     <message>
         <source>Another colour…</source>
@@ -2251,8 +2251,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Mehr</translation>
     </message>
     <message>
+        <source>More controls of how the plate is looked at</source>
+        <translation>Weitere Regler für die Ansicht der Plate</translation>
+    </message>
+    <message>
         <source>More keeps more of a clip ready to play</source>
         <translation>Mehr hält mehr von einem Clip zum Abspielen bereit</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>Weitere Werkzeuge</translation>
     </message>
     <message>
         <source>Most doubtful frame</source>

@@ -23,7 +23,7 @@ __all__ = ["screen"]
 VIEWER = (36.0, 26.0, 925.0, 531.0)
 WHOLE = (0.0, 0.0, *map(float, WINDOW))
 """Left, top, right and bottom of the viewer in a window of `WINDOW`, and in full screen."""
-FRAME_FIELD, FLOAT_SHAPES, BORDER = (250, 550), (1176, 39), (500, 506)
+FRAME_FIELD, FLOAT_SHAPES, BORDER = (250, 550), (1176, 39), (500, 534)
 """On the screen: the field of the frame, the button that floats the list of shapes, the timeline's upper border."""
 SQUARE = np.array([(100.0, 60.0), (150.0, 60.0), (150.0, 110.0), (100.0, 110.0)])
 TRIANGLE = np.array([(20.0, 20.0), (140.0, 20.0), (140.0, 100.0)])

@@ -24,7 +24,7 @@ class Stage(QObject):
 
     Signals
     -------
-    changed() : something can be shown that could not before.
+    changed() : what can be shown is another than before.
     matte_ready() : the matte or cut-out that was asked for last has been rendered.
     """
 
@@ -50,11 +50,13 @@ class Stage(QObject):
         """The plate's picture of `frame`: (h, w, 3) uint8 display values, or None where the plate has none."""
         self.picture = None if image is None else Picture(image, self.plate_of(frame))
         self.frame, self.missing = frame, (frame if image is None else None)
+        self.changed.emit()
 
     def clear(self) -> None:
         """Another project was opened."""
         self.picture = self.frame = self.missing = None
         self._mattes.clear()
+        self.changed.emit()
 
     def close(self) -> None:
         """Wait for what is being made."""

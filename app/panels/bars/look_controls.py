@@ -22,7 +22,7 @@ from ...widgets.fields import NumberField
 
 STEPS = 160
 """Steps of a slider from one end to the other."""
-SLIDER_WIDTH, LEAST_SLIDER_WIDTH, FIELD_WIDTH = 72, 12, 40
+SLIDER_WIDTH, LEAST_SLIDER_WIDTH, FIELD_WIDTH = 72, 36, 40
 DISPLAY_WIDTH = 84
 PLAIN_VIEW = "sRGB"
 """The view that needs no configuration: what the engine sees."""

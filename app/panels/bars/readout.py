@@ -9,8 +9,7 @@ from ...canvas.plate.pixel_marks import values_text
 from ...canvas.view import CanvasView
 from ...translation import tr
 
-WIDTH = 276
-"""Holds positions of four figures and four values of eight bits, in widget units."""
+WIDEST = "x 8888.8  y 8888.8    R 255  G 255  B 255  A 255"
 
 
 class Readout(QLabel):
@@ -21,11 +20,15 @@ class Readout(QLabel):
         self._canvas = canvas
         self._position: tuple[float, float] | None = None
         self.setObjectName("weak")
-        self.setFixedWidth(WIDTH)
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.setToolTip(tr("The pixel under the pointer; the values are the plate's own, before exposure and gamma"))
         canvas.pointer_moved.connect(self._follow)
         canvas.stage.changed.connect(self._pull)
+
+    @property
+    def widest(self) -> int:
+        """The width that positions of four figures and values of eight bits take."""
+        return self.fontMetrics().horizontalAdvance(WIDEST)
 
     def _follow(self, position: tuple[float, float] | None) -> None:
         self._position = position

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
 from ... import style
@@ -12,12 +12,24 @@ from ...jobs.under_way import UnderWay
 from ...model.view_state import ViewState
 from ...translation import N_, tr
 from ...widgets.controls import icon_button
+from ...widgets.more import least_width
+from .readout import Readout
 
+LEAST_SENTENCE, BAR_WIDTH, GAP = 100, 120, 12
+"""Widths of the sentence, however narrow the window, and of the bar; between the parts: in widget units."""
 MEMORY = N_("memory {used} of {limit}")
 
 
 class Sentence(QLabel):
     """A line of text that ends in an ellipsis where it lacks room; what it says is in its tip as a whole."""
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(LEAST_SENTENCE, super().minimumSizeHint().height())
+
+    @property
+    def whole(self) -> int:
+        """The width in which all of it is read."""
+        return max(LEAST_SENTENCE, self.fontMetrics().horizontalAdvance(self.text()))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter, place = QPainter(self), self.contentsRect()
@@ -29,7 +41,11 @@ class Sentence(QLabel):
 
 
 class StatusBar(QWidget):
-    """One sentence; while work is under way a bar, a button that stops it and how many more go on; frames' memory."""
+    """One sentence; while work is under way a bar, a button that stops it and how many more go on; frames' memory.
+
+    The sentence comes first: what is under way is read as a whole, and what else does not fit beside it is away. The
+    button that stops it is always there, and nothing here makes the window wider.
+    """
 
     def __init__(self, view_state: ViewState, under_way: UnderWay, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,6 +58,10 @@ class StatusBar(QWidget):
         self.stop = icon_button("track-stop", "", size=20)
         self.stop.clicked.connect(under_way.stop)
         self._stop_keys = ""
+        self._readout: Readout | None = None
+        self._modes: QWidget | None = None
+        self._longest = 0
+        """The room that the sentences of this work took so far: nothing comes and goes with the length of each."""
         self._build()
         view_state.message_changed.connect(lambda: self._say(view_state.message))
         under_way.progress.connect(self._show_progress)
@@ -51,13 +71,12 @@ class StatusBar(QWidget):
     def _build(self) -> None:
         self.sentence.setObjectName("sentence")
         self.sentence.setTextFormat(Qt.TextFormat.PlainText)
-        self.sentence.setMinimumWidth(100)
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.bar.setFixedWidth(120)
+        self.bar.setFixedWidth(BAR_WIDTH)
         row = QHBoxLayout(self)
         row.setContentsMargins(style.MARGIN, 0, style.MARGIN, 0)
-        row.setSpacing(12)
+        row.setSpacing(GAP)
         row.addWidget(self.sentence, 1)
         for label in (self._hint, self._memory):
             label.setObjectName("weak")
@@ -78,11 +97,18 @@ class StatusBar(QWidget):
         if sentence or ending is not Ending.DONE:
             self._view.say(sentence)
 
-    def add(self, widget: QWidget) -> None:
-        """Give a widget a place of its own, right of the sentence."""
+    def add(self, readout: Readout, modes: QWidget) -> None:
+        """Give them places of their own: the read-out right of the sentence, the modes at the right end.
+
+        So the modes stay where they are, whatever the read-out tells and whether work is under way or not.
+        """
         row = self.layout()
         assert isinstance(row, QHBoxLayout)
-        row.insertWidget(1, widget)
+        row.insertWidget(1, readout)
+        row.addWidget(modes)
+        self._readout, self._modes = readout, modes
+        modes.installEventFilter(self)
+        self._fit()
 
     def show_memory(self, used: int, limit: int) -> None:
         """Tell how much of the frame cache is used, in bytes."""
@@ -101,12 +127,47 @@ class StatusBar(QWidget):
         more = self._under_way.count - 1
         stops = tr("{keys} stops", keys=self._stop_keys) if self._stop_keys else ""
         self._hint.setText("  ·  ".join(filter(None, [stops, tr("{count} more", count=more) if more > 0 else ""])))
-        for widget in (self.bar, self.stop, self._hint):
-            widget.setVisible(self._under_way.is_any)
+        self._fit()
 
     def _say(self, text: str) -> None:
         self.sentence.setText(text)
         self.sentence.setToolTip(text)
+        self._fit()
+
+    # ---- what has room
+
+    def minimumSizeHint(self) -> QSize:
+        """As wide as what never gives way, with work under way or without."""
+        parts = [least_width(part) for part in (self.stop, self._modes) if part is not None]
+        width = 2 * style.MARGIN + LEAST_SENTENCE + sum(GAP + part for part in parts)
+        return QSize(width, self.minimumHeight())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest:  # the modes have another field, or less
+            self._fit()
+        return False
+
+    def _fit(self) -> None:
+        """Show what has room beside the sentence, what matters more before what matters less."""
+        is_any = self._under_way.is_any
+        self._longest = max(self._longest, self.sentence.whole) if is_any else LEAST_SENTENCE
+        room = self.width() - self.minimumSizeHint().width() - (self._longest - LEAST_SENTENCE)
+        widths: dict[QWidget, int] = {self.bar: BAR_WIDTH} if is_any else {}
+        if self._readout is not None:
+            widths[self._readout] = self._readout.widest
+        widths |= {label: least_width(label) for label in ((self._memory, self._hint) if is_any else (self._memory,))}
+        shown: set[QWidget | None] = {self.stop} if is_any else set()
+        for part, width in widths.items():
+            if GAP + width <= room:
+                room -= GAP + width
+                shown.add(part)
+        for each in (self.stop, self.bar, self._hint, self._memory, self._readout):
+            if each is not None:
+                each.setVisible(each in shown)
 
 
 def _size(count: int) -> str:

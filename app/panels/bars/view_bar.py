@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QActionGroup, QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget, QWidgetAction
 
 from roam_core.roto import Clip
 
@@ -16,12 +16,19 @@ from ...model.document import Document
 from ...model.viewing import PROXIES, ViewMode
 from ...translation import tr
 from ...widgets.controls import tool_button
+from ...widgets.more import MoreButton, least_width
 from .look_controls import ChannelButton, DisplayButton, exposure_slider, gamma_slider
 from .view_options import BackgroundForm, OnionForm, options_button
 
+PLATE_GAP, GAP, END = 12, 2, 6
+"""Between the plate's name and the controls; between the buttons of views; right of them: in widget units."""
+
 
 class ViewBar(QWidget):
-    """`plate_v003 . 1001-1048 . 960x540 . sRGB`, how it is looked at, then a button for each view."""
+    """`plate_v003 . 1001-1048 . 960x540 . sRGB`, how it is looked at, then a button for each view.
+
+    Where there is little room the plate's name is cut, then controls of looking are put behind a button (`fit`).
+    """
 
     def __init__(self, document: Document, canvas: CanvasView, actions: Actions, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -31,6 +38,11 @@ class ViewBar(QWidget):
         self.display = DisplayButton(canvas.viewing)
         self.exposure, self.gamma = exposure_slider(canvas.viewing), gamma_slider(canvas.viewing)
         self.background, self.onion = BackgroundForm(canvas.viewing), OnionForm(canvas.viewing)
+        self._looks = self.exposure, self.gamma, self.channel, self.display
+        # Numbers are rarely changed; channel and display tell what is seen, and stay for longer.
+        self._giving_way = self.gamma, self.exposure, self.display, self.channel
+        self._put_away: tuple[QWidget, ...] = ()
+        self.more = MoreButton(tr("More controls of how the plate is looked at"))
         self._lay_out()
         canvas.view_changed.connect(self._pull_view)
         self._pull_view()
@@ -39,13 +51,29 @@ class ViewBar(QWidget):
 
     def _lay_out(self) -> None:
         row = QHBoxLayout(self)
-        row.setContentsMargins(0, 1, 6, 1)
-        row.setSpacing(2)
+        row.setContentsMargins(0, 1, END, 1)
+        row.setSpacing(0)
         row.addWidget(self._plate, 1)
-        row.addSpacing(12)
-        for part in (self.exposure, self.gamma, self.channel, self.display):
+        row.addSpacing(PLATE_GAP)
+        self._in_sight, self._tail = QWidget(), QWidget()
+        for part in (self._in_sight, self.more, self._tail):
             row.addWidget(part)
-            row.addSpacing(style.MARGIN)
+        self._sight_row = sight = QHBoxLayout(self._in_sight)
+        sight.setContentsMargins(0, 0, style.MARGIN, 0)
+        sight.setSpacing(style.MARGIN)
+        for look in self._looks:
+            sight.addWidget(look)
+        self._page = QWidget()
+        self._away_column = QVBoxLayout(self._page)
+        self._away_column.setContentsMargins(style.MARGIN, 4, style.MARGIN, 4)
+        self._holder = QWidgetAction(self.more.menu())
+        self._holder.setDefaultWidget(self._page)
+        self.more.menu().addAction(self._holder)
+        self._lay_out_views(QHBoxLayout(self._tail))
+
+    def _lay_out_views(self, row: QHBoxLayout) -> None:
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(GAP)
         row.addWidget(tool_button(self._actions, "view.wipe"))
         row.addSpacing(style.MARGIN)
         options = {
@@ -58,6 +86,27 @@ class ViewBar(QWidget):
             row.addWidget(tool_button(self._actions, f"view.{mode}"))
             if mode in options:
                 row.addWidget(options[mode])
+
+    def least_width(self) -> int:
+        """The width in which everything that cannot be put away has room."""
+        return self._width_without(self._giving_way)
+
+    def fit(self, width: int) -> None:
+        """Put away what does not fit in a width, and no more."""
+        ways = [self._giving_way[:count] for count in range(len(self._giving_way) + 1)]
+        away = next((away for away in ways if self._width_without(away) <= width), self._giving_way)
+        if away != self._put_away:
+            self._put_away = away
+            for look in self._looks:
+                (self._away_column if look in away else self._sight_row).addWidget(look)
+            self.more.setVisible(bool(away))
+            self._page.adjustSize()
+            self._holder.setData(len(away))  # tells the menu that it has another size
+
+    def _width_without(self, away: tuple[QWidget, ...]) -> int:
+        looks = sum(least_width(look) + style.MARGIN for look in self._looks if look not in away)
+        more = least_width(self.more) if away else 0
+        return PLATE_GAP + looks + more + least_width(self._tail) + END
 
     def _pull_view(self) -> None:
         self._actions[f"view.{self._canvas.mode}"].setChecked(True)

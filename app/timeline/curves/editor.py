@@ -67,6 +67,10 @@ class CurveEditor(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(600, 2 * LEAST_HEIGHT)
 
+    def give(self, pixels: int) -> None:
+        """Let others have so much of the least height."""
+        self.plot.setMinimumHeight(LEAST_HEIGHT - pixels)
+
     def show_kind(self, kind: Kind) -> None:
         """Show another kind of curves."""
         self.choices.button(list(Kind).index(kind)).setChecked(True)

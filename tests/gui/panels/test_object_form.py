@@ -9,11 +9,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
+from app import style
 from app.features.belonging import places
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.object_form import ObjectForm
 from app.panels.properties import PropertiesPanel
+from app.widgets.more import least_width
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Project, edit
 from roam_core.roto.linking import linked, set_depth
@@ -36,6 +38,11 @@ def form(qtbot: QtBot, document: Document, view_state: ViewState) -> ObjectForm:
         panel.show()
     view_state.select(frozenset({A}))
     return panel.object_form
+
+
+def test_every_word_of_depth_has_room_in_the_narrowest_panel(form: ObjectForm) -> None:
+    form.setStyleSheet(style.style_sheet())
+    assert least_width(form.level) >= form.level.sizeHint().width()
 
 
 def choose(box: QComboBox, word: str) -> None:

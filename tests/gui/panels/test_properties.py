@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtGui import QColor, QPalette, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QColorDialog
 from pytestqt.qtbot import QtBot
 
+from app import style
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.colour_row import OTHER
@@ -106,6 +107,10 @@ def test_a_name_belongs_to_one_shape(panel: PropertiesPanel, view_state: ViewSta
     view_state.select(frozenset({"shape-1", "shape-2"}))
     assert not panel.name.isEnabled()
     assert (panel.name.text(), panel.name.placeholderText()) == ("", "2 shapes")
+    panel.setStyleSheet(style.style_sheet())
+    placeholder = panel.name.palette().color(QPalette.ColorGroup.Disabled, QPalette.ColorRole.PlaceholderText)
+    assert placeholder.name() == style.WEAK  # read as well as what differs in the fields below
+    assert placeholder.alpha() == 255
     view_state.select(frozenset({"shape-2"}))
     assert panel.name.isEnabled()
     assert panel.name.text() == "Shape 2"

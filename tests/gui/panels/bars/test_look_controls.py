@@ -165,6 +165,16 @@ def test_the_read_out_tells_where_the_pointer_is_and_what_is_there(
     assert readout.text() == ""
 
 
+def test_the_read_out_follows_the_frame_under_a_resting_pointer(canvas: CanvasView, hand: Hand, qtbot: QtBot) -> None:
+    readout = Readout(canvas)
+    qtbot.addWidget(readout)
+    hand.move((33.5, 44.5))
+    canvas.set_image(2, np.full((150, 200, 3), 42, dtype=np.uint8))
+    assert readout.text().split()[4:] == ["R", "42", "G", "42", "B", "42"]
+    canvas.set_image(3, None)
+    assert readout.text().split() == ["x", "33.5", "y", "44.5"]
+
+
 def test_the_read_out_tells_a_float_plates_own_values(canvas: CanvasView, hand: Hand, qtbot: QtBot) -> None:
     readout = Readout(canvas)
     qtbot.addWidget(readout)
