@@ -273,7 +273,7 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
     left_out = specks_left_out(mask)
     if left_out:
         print(
-            f"{left_out} specks and pinholes of the mask {init} were left out, each below {LEAST_AREA:.0f} square "
+            f"{left_out} speck(s) or pinhole(s) of the mask {init} were left out, each below {LEAST_AREA:.0f} square "
             "pixels.",
             file=sys.stderr,
         )

@@ -161,7 +161,7 @@ def test_what_is_left_out_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
     mask[2:4, 2:4] = 255
     cv2.imwrite(str(plate.mask), mask)
     done = roam("track", plate.folder, "--init", plate.mask, "--end", 1001)
-    assert done.err.startswith("1 specks and pinholes of the mask")
+    assert done.err.startswith("1 speck(s) or pinhole(s) of the mask")
     assert "Tracked 1 shape(s)" in done.err
 
 
