@@ -68,13 +68,19 @@ def _fitted(ring: Array, tolerance: float) -> Array:
 
 def outlines(mask: NDArray[Any]) -> list[list[Array]]:
     """The mask's regions, largest first: each its outer contour `(K, 2)` and then the contours of its holes."""
-    regions = [[rings[0], *(ring for ring in rings[1:] if _is_large(ring))] for rings in _regions(mask)]
-    return [rings for rings in regions if _is_large(rings[0])] or regions[:1]
+    return _without_specks(_regions(mask))
 
 
 def specks_left_out(mask: NDArray[Any]) -> int:
     """How many specks and pinholes of a mask are so small that `shapes_from_mask` makes no shape of them."""
-    return sum(len(rings) for rings in _regions(mask)) - sum(len(rings) for rings in outlines(mask))
+    regions = _regions(mask)
+    return sum(map(len, regions)) - sum(map(len, _without_specks(regions)))
+
+
+def _without_specks(regions: list[list[Array]]) -> list[list[Array]]:
+    """The regions, and of each the holes, that are large enough; the largest region where none is."""
+    cleaned = [[rings[0], *filter(_is_large, rings[1:])] for rings in regions]
+    return [rings for rings in cleaned if _is_large(rings[0])] or cleaned[:1]
 
 
 def _is_large(ring: Array) -> bool:

@@ -72,7 +72,7 @@ class Span:
     ----------
     first, last : the keys. onwards, back : the passes that start on them; None for a key without a part.
     size : (h, w) of the pictures. scale : `params.scale_for(size)`.
-    params : how outlines are fitted to regions. is_beyond : the nearest keys beyond these two were asked how it looks.
+    params : how outlines are fitted to regions. asked_beyond : the nearest keys beyond these two were asked, too.
     """
 
     first: Key
@@ -82,7 +82,7 @@ class Span:
     size: tuple[int, int]
     scale: float
     params: RegionParams
-    is_beyond: bool = False
+    asked_beyond: bool = False
 
     @property
     def better(self) -> Span:

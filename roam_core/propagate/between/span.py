@@ -175,7 +175,7 @@ class Filling:
             span = self.passed(ours, gap, size)
             found = list(zip(between, each(partial(self.solved, span, ours), between), strict=True))
             for place, k in enumerate(members):
-                inputs = stamps.filled(k, gap, self.params, self.alone, span.is_beyond) if k in asked else ""
+                inputs = stamps.filled(k, gap, self.params, self.alone, span.asked_beyond) if k in asked else ""
                 outlines = [(frame, solved[place]) for frame, solved in found]
                 made[k] = [_engine_key(shapes[k], frame, each, inputs) for frame, each in outlines if each is not None]
             made |= self._steadied({k: shapes[k] for k in members if made[k]}, made, gap)
@@ -236,14 +236,14 @@ class Filling:
         span = self._span(shapes, keys, engines, size).better
         if not span.is_astray:
             return span
-        for frame in provenance.beyond(shapes, gap):
+        for frame in provenance.keys_beyond(shapes, gap):
             other = self._begun_there(shapes, frame, size)
             looking = [as_on_another(engine, other) for engine in engines if engine is not None]
             again = replace(self, meter=None)._span(shapes, keys, looking, size).posed
             if again is not None and again.has_arrived:
                 span = again
                 break
-        return replace(span, is_beyond=True)
+        return replace(span, asked_beyond=True)
 
     def _span(
         self, shapes: Sequence[RotoShape], keys: Sequence[Key], engines: Sequence[Engine | None], size: tuple[int, int]

@@ -54,8 +54,8 @@ class Stamp:
     ----------
     direction : forward, backward or fill. config : name of the configuration. digest : of all that the key depends on.
     begun : the frame on which what the run knew begins; of a fill that of the key before.
-    until : of a fill the frame of the key after. alone : the shape was solved without others. beyond : the nearest keys
-        beyond these two told how it looks.
+    until : of a fill the frame of the key after. alone : the shape was solved without others. asked_beyond : the
+        nearest keys beyond these two were asked how it looks.
     """
 
     direction: str
@@ -64,7 +64,7 @@ class Stamp:
     begun: int | None = None
     until: int | None = None
     alone: bool = False
-    beyond: bool = False
+    asked_beyond: bool = False
 
     @classmethod
     def read(cls, text: str) -> Stamp:
@@ -76,7 +76,7 @@ class Stamp:
     def __str__(self) -> str:
         words = [self.direction, self.config, self.digest]
         words += [f"{name}={frame}" for name, frame in (("from", self.begun), ("to", self.until)) if frame is not None]
-        words += [word for word, said in (("alone", self.alone), ("beyond", self.beyond)) if said]
+        words += [word for word, said in (("alone", self.alone), ("beyond", self.asked_beyond)) if said]
         return ":".join(words)
 
     @property
@@ -121,11 +121,11 @@ def fill_stamp(
     params: RoamParams,
     clip: str,
     alone: bool = False,
-    is_beyond: bool = False,
+    asked_beyond: bool = False,
 ) -> str:
     """The stamp of the frames between the two keys of a gap, where `shapes` are filled together.
 
-    `is_beyond`: the nearest keys beyond the gap were asked, too.
+    `asked_beyond`: the nearest keys beyond the gap were asked, too.
     """
     content = [_said(params, clip, FILL, alone), _compounds(shapes), f"{gap}".encode()]
     for shape in shapes:
@@ -133,14 +133,14 @@ def fill_stamp(
         content.extend(_as_keyed(key) for key in shape.artist_keys if key.frame in gap)
     if len(shapes) > 1:  # one that is not there leaves its place to the others
         content.append(json.dumps([_there(shape, gap) for shape in shapes]).encode())
-    if is_beyond:
+    if asked_beyond:
         content.append(b"beyond")
-        frames = beyond(shapes, gap)
+        frames = keys_beyond(shapes, gap)
         content.extend(_as_keyed(key) for shape in shapes for key in shape.artist_keys if key.frame in frames)
-    return str(Stamp(FILL, params.config, _digest(content), *gap, alone, is_beyond))
+    return str(Stamp(FILL, params.config, _digest(content), *gap, alone, asked_beyond))
 
 
-def beyond(shapes: Sequence[RotoShape], gap: tuple[int, int]) -> list[int]:
+def keys_beyond(shapes: Sequence[RotoShape], gap: tuple[int, int]) -> list[int]:
     """The nearest frames before and after a gap on which all shapes have artist keys, as far as there are any."""
     keyed = sorted(set.intersection(*(set(shape.artist_frames) for shape in shapes)))
     return [*[frame for frame in keyed if frame < gap[0]][-1:], *[frame for frame in keyed if frame > gap[1]][:1]]
@@ -288,25 +288,21 @@ class Stamps:
         return self._params.setdefault(id(params), (len(self._params), params))[0]
 
     def filled(
-        self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False, is_beyond: bool = False
+        self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False, asked_beyond: bool = False
     ) -> str:
         """The stamp that filling a gap gives a shape, whether or not the keys beyond it were asked."""
-        name = (k, gap, self._number(params), alone, is_beyond)
+        name = (k, gap, self._number(params), alone, asked_beyond)
         if name not in self._known:
             members = [self.shapes[j] for j in self.filled_with(k, gap, alone)]
-            self._known[name] = fill_stamp(members, gap, params, self._clip, alone, is_beyond)
+            self._known[name] = fill_stamp(members, gap, params, self._clip, alone, asked_beyond)
         return self._known[name]
-
-    def filled_key(self, shape: RotoShape, gap: tuple[int, int], params: RoamParams, alone: bool = False) -> str:
-        """`filled` for a shape, by its id."""
-        return self.filled(self._places[shape.id], gap, params, alone)
 
     def is_filled(
         self, shape: RotoShape, key: Keyframe, gap: tuple[int, int], params: RoamParams, alone: bool = False
     ) -> bool:
         """Whether a key of a shape, which is found by its id, is one that filling a gap would make again."""
-        is_beyond = Stamp.read(key.inputs).beyond
-        wanted = self.filled(self._places[shape.id], gap, params, alone, is_beyond)
+        asked_beyond = Stamp.read(key.inputs).asked_beyond
+        wanted = self.filled(self._places[shape.id], gap, params, alone, asked_beyond)
         return key.origin is Origin.ENGINE and key.inputs == wanted
 
     def is_stale(self, shape: RotoShape, key: Keyframe) -> bool:
@@ -323,7 +319,7 @@ class Stamps:
             gap = made.gap
             if gap is None or not takes_part(self.shapes[k], gap):
                 return True
-            return self.filled(k, gap, params, made.alone, made.beyond) != key.inputs
+            return self.filled(k, gap, params, made.alone, made.asked_beyond) != key.inputs
         if made.begun is None:
             return True
         return self.tracked(k, key.frame, made.begun, params, made.forward, made.alone) != key.inputs

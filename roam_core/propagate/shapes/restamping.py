@@ -45,5 +45,5 @@ def _stamp(stamps: Stamps, k: int, key: Keyframe) -> str:
     if params is None or made.begun is None:
         return key.inputs
     if made.direction == FILL:
-        return key.inputs if made.gap is None else stamps.filled(k, made.gap, params, made.alone, made.beyond)
+        return key.inputs if made.gap is None else stamps.filled(k, made.gap, params, made.alone, made.asked_beyond)
     return stamps.tracked(k, key.frame, made.begun, params, made.forward, made.alone)

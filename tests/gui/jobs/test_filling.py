@@ -51,8 +51,8 @@ class Engine:
         self.asked.append((start, stop, tuple(shape.id for shape in shapes if shape.id in asked)))
         stamps = Stamps(shapes, clip, SIZE)
         filled = []
-        for shape in shapes:
-            inputs = stamps.filled_key(shape, (start, stop), params, alone)
+        for k, shape in enumerate(shapes):
+            inputs = stamps.filled(k, (start, stop), params, alone)
             keys = [
                 Keyframe(f, SQUARE + f, origin=Origin.ENGINE, confidence=0.3, inputs=inputs)
                 for f in range(start + 1, stop)

@@ -41,6 +41,13 @@ def solved(document: Document, frames: list[int]) -> Callable[[], bool]:
     return lambda: [key.frame for key in shape(document).keys if key.origin is Origin.ENGINE] == frames
 
 
+def run_to_the_third_frame(qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine) -> None:
+    """A run over frames 1 to 5 that waits after frame 3."""
+    engine.allow(2)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+
+
 def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
     qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine
 ) -> None:
@@ -104,9 +111,7 @@ def test_the_status_tells_what_how_far_and_how_fast(
 def test_stop_keeps_the_frames_that_are_finished(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
-    engine.allow(2)
-    propagation.start(["shape-1"], range(1, 6))
-    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    run_to_the_third_frame(qtbot, propagation, document, engine)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
         propagation.stop()
     assert finished.args == [Ending.CANCELLED, "Tracking stopped at frame 3; the finished frames stay."]
@@ -118,9 +123,7 @@ def test_an_engine_that_does_not_listen_is_not_waited_for(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     engine.is_deaf = True
-    engine.allow(2)
-    propagation.start(["shape-1"], range(1, 6))
-    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    run_to_the_third_frame(qtbot, propagation, document, engine)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
         propagation.stop()
     assert finished.args == [Ending.CANCELLED, "Tracking stopped at frame 3; the finished frames stay."]
@@ -195,9 +198,7 @@ def test_an_edit_of_a_shape_that_is_solved_along_ends_the_run(
 def test_a_run_that_an_edit_ends_says_of_what(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
-    engine.allow(2)
-    propagation.start(["shape-1"], range(1, 6))
-    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    run_to_the_third_frame(qtbot, propagation, document, engine)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
         document.apply("Move", document.project.with_shape(edit.set_key(shape(document), 1, SQUARE + 1.0)))
     told = "Tracking stopped at frame 3; the finished frames stay. Shape 1 was changed meanwhile."

@@ -332,7 +332,8 @@ def test_a_tip_tells_frame_maker_and_confidence(
 ) -> None:
     if frame == 1024:
         shape = document.project.shape("shape-1")
-        inputs = Stamps.of(document.project.shapes, CLIP).filled_key(shape, (1001, 1030), CONFIGS["best"])
+        shapes = document.project.shapes
+        inputs = Stamps.of(shapes, CLIP).filled(shapes.index(shape), (1001, 1030), CONFIGS["best"])
         filled = Keyframe(1024, SQUARE, origin=Origin.ENGINE, confidence=0.9, inputs=inputs)
         document.apply("Fill", document.project.with_shape(edit.set_engine_keys(shape, [filled])))
     told: list[str] = []

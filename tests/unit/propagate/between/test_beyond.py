@@ -9,7 +9,7 @@ from roam_core import RotoShape, fill_span, render_matte
 from roam_core.arrays import Array, UInt8
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import params_for
-from roam_core.propagate.shapes.provenance import Stamp, Stamps, beyond
+from roam_core.propagate.shapes.provenance import Stamp, Stamps, keys_beyond
 from roam_core.roto import Keyframe
 from tests.golden.shots import texture
 from tests.unit.motion.test_pose import polyline_mask
@@ -74,7 +74,7 @@ def test_the_key_that_shows_it_tells_its_look(filled: RotoShape) -> None:
 def test_its_keys_are_stale_once_that_key_changes(filled: RotoShape) -> None:
     key = filled.key_at(FIRST + 1)
     assert key is not None
-    assert Stamp.read(key.inputs).beyond
+    assert Stamp.read(key.inputs).asked_beyond
     stamps = Stamps([filled])
     assert stamps.is_filled(filled, key, (FIRST, LAST), params_for("best"))
     assert not stamps.is_stale(filled, key)
@@ -96,5 +96,5 @@ def test_where_the_picture_of_that_key_is_not_to_be_had_the_two_keys_tell_alone(
 
 def test_the_nearest_keys_beyond_a_gap_are_those_that_all_shapes_have() -> None:
     shape, other = keyed(SEEN, FIRST, 6, LAST), keyed(SEEN, 6, 8, LAST)
-    assert beyond([shape], (FIRST, 6)) == [SEEN, LAST]
-    assert beyond([shape, other], (6, LAST)) == [SEEN]
+    assert keys_beyond([shape], (FIRST, 6)) == [SEEN, LAST]
+    assert keys_beyond([shape, other], (6, LAST)) == [SEEN]
