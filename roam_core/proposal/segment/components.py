@@ -88,7 +88,8 @@ def opened(body: Bools, claim: Float32, longest: float, params: ComponentsParams
 
     The dual of `joined`, under the same rules. A hole that its shape, expected to cover `claim`, has mostly outside is
     a bay that closed, as between an arm and the hip that it came to rest on: the outline has points that go around it.
-    One that it has inside is new, or has a shape of its own.
+    One that it has inside is new, or has a shape of its own; one around which the shape is mostly not expected either
+    is ground that a leak encloses.
     """
     outside = np.pad(~body, 1, constant_values=True)
     count, labels, stats, _ = cv2.connectedComponentsWithStats(outside.astype(np.uint8), connectivity=4)
@@ -96,9 +97,12 @@ def opened(body: Bools, claim: Float32, longest: float, params: ComponentsParams
     if count <= 2:
         return np.zeros_like(body)
     area = stats[:, cv2.CC_STAT_AREA].astype(np.float64)
-    claimed = np.bincount(labels[1:-1, 1:-1].ravel(), weights=claim.ravel(), minlength=count)
+    claim = np.pad(claim, 1)
+    claimed = np.bincount(labels.ravel(), weights=claim.ravel(), minlength=count)
     is_bay = (claimed <= 0.5 * area) & (area >= params.least * np.count_nonzero(body))
-    is_bay[0] = False
+    is_bay[[0, around]] = False
+    for hole in np.flatnonzero(is_bay):
+        is_bay[hole] = claim[_rim_around(labels == hole)].mean() > 0.5
     _, slits = _hung_on(labels, around, is_bay, longest * np.sqrt(area))
     return slits[1:-1, 1:-1]
 
@@ -135,6 +139,11 @@ def _rim(component: Bools) -> Indices:
         component.astype(np.uint8), np.ones((3, 3), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0
     )
     return np.argwhere(component & (inner == 0))[:, ::-1]
+
+
+def _rim_around(component: Bools) -> Bools:
+    """The cells outside a component that are next to one of it, across corners too."""
+    return np.asarray(cv2.dilate(component.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0) & ~component
 
 
 def _deepest(claims: Sequence[Float32]) -> Indices:

@@ -141,6 +141,13 @@ def test_a_hole_that_is_new_or_lies_deep_inside_is_no_bay(expected: np.ndarray, 
     assert not opened(BODY, covered(expected), longest, ComponentsParams()).any()
 
 
+def test_ground_that_a_leak_encloses_is_no_bay() -> None:
+    """Most of what lies around it is not expected to be the shape's, as between a leg and the other, leaked into."""
+    own = box(SHAPE, slice(5, 35), slice(5, 15))
+    assert not opened(BODY, covered(own), 2.0, ComponentsParams()).any()
+    assert opened(BODY, covered(own | box(SHAPE, slice(5, 12), slice(15, 40))), 2.0, ComponentsParams()).any()
+
+
 def test_specks_of_outside_stay_closed() -> None:
     body = box(SHAPE, slice(5, 35), slice(5, 40)) & ~box(SHAPE, slice(10, 13), slice(35, 38))
     assert not opened(body, covered(body), 2.0, ComponentsParams()).any()
