@@ -45,6 +45,9 @@ class RecoveryDialog(QDialog):
         self.list = QListWidget()
         self.list.setIconSize(PICTURE)
         self.list.setSpacing(2)
+        self.list.setWordWrap(True)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.setResizeMode(QListWidget.ResizeMode.Adjust)
         for each in found:
             self.list.addItem(_row(each))
         self.recover, self.decline, self.later = (

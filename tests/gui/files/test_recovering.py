@@ -97,6 +97,19 @@ def test_every_crash_is_offered_with_what_would_come_back(
     assert [each.original for each in recovery.offered(recovery.recoveries(root))] == [None]
 
 
+def test_a_long_row_is_broken_to_lines_and_not_cut(qtbot: QtBot, tmp_path: Path) -> None:
+    long, short = (
+        recovery.Recovery(tmp_path / name, tmp_path / f"{name}.roam", "", 0.0, edits=1, shapes=1)
+        for name in ("a shot of a long name " * 16, "short")
+    )
+    dialog = RecoveryDialog([long, short])
+    qtbot.addWidget(dialog)
+    dialog.show()
+    rows = [dialog.list.visualItemRect(dialog.list.item(row)) for row in (0, 1)]
+    assert rows[0].width() <= dialog.list.viewport().width()
+    assert rows[0].height() > rows[1].height()
+
+
 def test_a_project_that_is_opened_brings_its_own_and_no_others(
     qtbot: QtBot, window: MainWindow, root: Path, mine: Path, tmp_path: Path
 ) -> None:
