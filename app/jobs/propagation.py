@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -313,7 +314,7 @@ def _track(report: Report, request: _Request) -> str:
     done, bridged, seconds = 0, 0, 0.0
     for result in track(
         request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory,
-        only=request.asked, alone=request.alone,
+        begun=partial(_report_renewed, report, request), only=request.asked, alone=request.alone,
     ):  # fmt: skip
         report.token.check()
         _make_ready(result)
@@ -335,6 +336,18 @@ def _track(report: Report, request: _Request) -> str:
     )
     gaps = tr(" Bridged without a picture: {bridged}.", bridged=bridged) if bridged else ""
     return tr("Tracked {names} to frame {frame}: {paced}.{gaps}", names=names, frame=frames[-1], paced=paced, gaps=gaps)
+
+
+def _report_renewed(report: Report, request: _Request, first: FrameResult) -> None:
+    """Of the frame from which a run goes on only what was out of date there, and solved anew, is news."""
+    was = {shape.id: shape.key_at(first.frame) for shape in request.shapes}
+    renewed = tuple(each for each in first.results if _inputs(each.key) != _inputs(was[each.shape.id]))
+    if renewed:
+        report.partial(replace(first, results=renewed))
+
+
+def _inputs(key: Keyframe | None) -> str:
+    return "" if key is None else key.inputs
 
 
 def _make_ready(result: FrameResult) -> None:

@@ -152,6 +152,8 @@ def track_project(
     pictures = None if mattes is None else Mattes(plate, mattes)
 
     def finished(solved: FrameResult) -> None:
+        nonlocal project
+        project = with_results(project, solved)
         plate.ahead_of(solved.frame, frames)  # not before something was looked at of the first: the same is decoded
         keeper.offer(project)
         if pictures is not None:
@@ -167,7 +169,6 @@ def track_project(
             plate.parts_or_bridge, shapes, frames, config, token, stamp, begun=finished, only=asked, alone=picking.alone
         )
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
-            project = with_results(project, result)
             finished(result)
         if pictures is not None:
             pictures.finish(project)

@@ -18,7 +18,7 @@ from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.propagate.group import GroupTracker, Standing
 from roam_core.propagate.shapes.provenance import Stamp, Stamps, is_known
-from roam_core.roto import Origin, RotoShape
+from roam_core.roto import Keyframe, Origin, RotoShape
 
 ReadPicture = Callable[[int], PreparedFrame]
 
@@ -58,12 +58,14 @@ class Beginning:
 def begins(stamps: Stamps, k: int, frame: int, config: str, *, forward: bool, alone: bool = False) -> Beginning:
     """Where the run began that goes on from `frame` with shape `k`, as if it had not been stopped there.
 
-    Where the shape is on the frame neither the artist's nor as this engine leaves it, the run begins with what is
-    there.
+    Where the artist corrected one of its object on the frame, the others are out of date there; they are solved anew
+    as he gave it. Where the shape is otherwise neither the artist's nor as this engine leaves it, the run begins with
+    what is there.
     """
     key, here = stamps.shapes[k].key_at(frame), stamps.solved_with(k, frame, forward, alone)
     begun = None
-    if key is not None and key.origin is Origin.ARTIST:
+    is_corrected = any(frame in stamps.shapes[j].artist_frames for j in here)
+    if key is not None and is_corrected and (key.origin is Origin.ARTIST or _is_of(key, config, forward, alone)):
         left = {_left_by(stamps, j, frame, config, forward, alone) for j in here} - {None}
         begun = left.pop() if len(left) == 1 else _last_given(stamps, here, frame, forward)
     elif key is not None:
@@ -85,7 +87,10 @@ def take_up(
     forward: bool,
     alone: bool = False,
 ) -> None:
-    """Put `tracker` on `frame`, in the state that a run from its `beginning` would be in there."""
+    """Put `tracker` on `frame`, in the state that a run from its `beginning` would be in there.
+
+    A key of the engine's on `frame` that is out of date gives way to what that run gives there.
+    """
     shapes = [stamps.shapes[k] for k in beginning.members]
     if beginning.frame == frame:
         tracker.start(read(frame), shapes, frame, forward=forward)
@@ -96,7 +101,13 @@ def take_up(
         step = 1 if forward else -1
         solve_again(tracker, read, shapes, range(beginning.frame, frame + step, step), token)
         known = tracker.standing
-    tracker.resume(known, shapes)
+    tracker.resume(known, [_renewed(*each, frame, stamps) for each in zip(shapes, known.shapes, strict=True)])
+
+
+def _renewed(shape: RotoShape, solved: RotoShape, frame: int, stamps: Stamps) -> RotoShape:
+    """A shape with what was solved on a frame in place of a key of the engine's there that is out of date."""
+    key, made = shape.key_at(frame), solved.key_at(frame)
+    return shape.with_key(made) if key is not None and made is not None and stamps.is_stale(shape, key) else shape
 
 
 def solve_again(
@@ -116,9 +127,13 @@ def _left_by(stamps: Stamps, k: int, frame: int, config: str, forward: bool, alo
     key = stamps.shapes[k].key_at(frame)
     if key is None or key.origin is Origin.ARTIST or stamps.is_stale(stamps.shapes[k], key):
         return None
+    return Stamp.read(key.inputs).begun if _is_of(key, config, forward, alone) else None
+
+
+def _is_of(key: Keyframe, config: str, forward: bool, alone: bool) -> bool:
+    """Whether a key of the engine's was tracked, up to date or not, by a run like this."""
     made = Stamp.read(key.inputs)
-    same = (made.config, made.forward, made.alone) == (config, forward, alone) and made.gap is None
-    return made.begun if same else None
+    return (made.config, made.forward, made.alone) == (config, forward, alone) and made.gap is None
 
 
 def _last_given(stamps: Stamps, members: Sequence[int], frame: int, forward: bool) -> int | None:

@@ -38,8 +38,9 @@ def track(
     `shapes` come bottom first. Those that belong together (`propagate.shapes.objects`) are solved together; all share
     one preparation of each picture. Results come one frame at a time; a caller that stops early keeps what it has. The
     first frame yields nothing: it is the artist's, or an engine frame from which the run goes on as if it had never
-    been stopped (`memory` spares it the way there). `begun` is told of it before the others are solved: the shapes as
-    given, and the landmarks to start with.
+    been stopped (`memory` spares it the way there). `begun` is told of it before the others are solved: the landmarks
+    to start with, and the shapes as given; but a key of the engine's there that is out of date, as where the artist
+    corrected another of its object, is solved anew.
 
     `only` are the ids of the shapes that are wanted; None: all. The others are solved with those whose object they
     belong to, and are not given back: what is wanted comes out the same whichever of its object is. With `alone` each

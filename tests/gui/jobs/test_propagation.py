@@ -14,7 +14,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
-from tests.gui.engines import GlidingEngine, put_in
+from tests.gui.engines import OUT_OF_DATE, GlidingEngine, put_in
 
 WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -82,6 +82,22 @@ def test_a_run_derives_the_points_of_a_key_that_the_artist_did_not_set(
     np.testing.assert_array_equal(key.points[0], SQUARE[0] - 5.0)
     np.testing.assert_array_equal(key.points[1:], SQUARE[1:] + 2.0)
     assert solved(document, [2, 4, 5])()
+    document.undo_stack.undo()
+    assert document.project is before
+
+
+def test_a_run_takes_over_what_was_out_of_date_on_its_first_frame(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    """As where the artist corrected another part there."""
+    stale = Keyframe(2, SQUARE, origin=Origin.ENGINE, confidence=0.9, inputs=OUT_OF_DATE)
+    document.apply("Track", document.project.with_shape(edit.set_engine_keys(shape(document), [stale])))
+    before = document.project
+    engine.allow(1)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.start(["shape-1"], range(2, 4))
+    assert solved(document, [2, 3])()
+    np.testing.assert_array_equal(shape(document).at(2).points, SQUARE + 1.0)
     document.undo_stack.undo()
     assert document.project is before
 

@@ -14,7 +14,7 @@ from roam_core.params import OBJECTS
 from roam_core.propagate import TrackMemory
 from roam_core.propagate.engines.protocol import POSE, REGION
 from roam_core.propagate.explain import explain
-from roam_core.propagate.frame.result import Termination
+from roam_core.propagate.frame.result import FrameResult, Termination
 from roam_core.propagate.shapes.objects import Role, near, objects, units
 from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
@@ -55,8 +55,14 @@ def tracked(
 ) -> list[RotoShape]:
     """All shapes, those that were asked for with the keys of a run."""
     found = {shape.id: shape for shape in shapes}
-    for result in track(figure.read, shapes, frames or figure.frames, config, memory=memory, only=only, alone=alone):
-        found |= {each.shape.id: each.shape for each in result.results}
+
+    def take(result: FrameResult) -> None:
+        found.update({each.shape.id: each.shape for each in result.results})
+
+    for result in track(
+        figure.read, shapes, frames or figure.frames, config, memory=memory, begun=take, only=only, alone=alone
+    ):
+        take(result)
     return list(found.values())
 
 
@@ -150,6 +156,22 @@ def test_an_edit_of_a_neighbour_makes_stale_what_it_led_to(figure: Figure, whole
     fresh = figure.shapes()
     fresh[2] = edit.set_key(fresh[2], 5, whole[2].at(5).points + 1.0)
     assert same(again, tracked(figure, fresh))
+
+
+@pytest.mark.parametrize("names", [("body", "arm", "head"), ("body",)], ids=["all", "another"])
+def test_a_run_from_a_correction_solves_anew_what_it_made_stale_there(
+    figure: Figure, whole: list[RotoShape], names: tuple[str, ...]
+) -> None:
+    """The other parts do not begin with what they were on that frame: they are as in one run past the correction."""
+    corrected = [*whole[:2], edit.set_key(whole[2], 4, whole[2].at(4).points + 1.0)]
+    fresh = figure.shapes()
+    fresh[2] = edit.set_key(fresh[2], 4, whole[2].at(4).points + 1.0)
+    expected = tracked(figure, fresh)
+    on = tracked(figure, corrected, range(4, 8), names)
+    for k, shape in enumerate(on):
+        is_asked = shape.id in names
+        assert stale_frames(on, k) == ([] if is_asked else list(range(4 if k < 2 else 5, 8)))
+        assert same([shape], [expected[k]]) == is_asked
 
 
 def at_depth(shape: RotoShape, *pairs: tuple[int, int]) -> RotoShape:
