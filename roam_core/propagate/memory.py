@@ -58,9 +58,9 @@ class Beginning:
 def begins(stamps: Stamps, k: int, frame: int, config: str, *, forward: bool, alone: bool = False) -> Beginning:
     """Where the run began that goes on from `frame` with shape `k`, as if it had not been stopped there.
 
-    Where the artist corrected one of its object on the frame, the others are out of date there; they are solved anew
-    as he gave it. Where the shape is otherwise neither the artist's nor as this engine leaves it, the run begins with
-    what is there.
+    Where the artist corrected a shape of its object on the frame, what the engine left of the others there is out of
+    date and is solved anew. Where the shape is otherwise neither the artist's nor as this engine leaves it, the run
+    begins with what is there.
     """
     key, here = stamps.shapes[k].key_at(frame), stamps.solved_with(k, frame, forward, alone)
     begun = None
