@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
 from roam_core.params import CONFIGS
-from roam_core.roto import Origin, edit, file
+from roam_core.roto import Layer, Origin, Project, edit, file
 from tests.golden.shots import overlap
-from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte
+from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte, write_picture
+from tests.unit.propagate.figures import body_with_arms
 
 FRAMES = list(SHOT.frames)
 
@@ -153,6 +155,29 @@ def test_an_interrupted_run_keeps_its_finished_frames(
     assert done.status == 130
     assert "Traceback" not in done.err
     assert file.load(path).shapes[0].frames == (1001, 1002, 1003)
+
+
+def test_a_run_from_a_correction_leaves_nothing_out_of_date(roam: Roam, tmp_path: Path) -> None:
+    """One part was corrected on the frame from which all go on: the others are solved anew there, too."""
+    figure, plate, path = body_with_arms(6), tmp_path / "plate", tmp_path / "figure.roam"
+    plate.mkdir()
+    for frame in figure.frames:
+        write_picture(plate / f"{frame:04d}.png", figure.read(frame))
+    file.save(Project(root=Layer("root", "Root", tuple(figure.shapes()))), path)
+    run = ("track", plate, "--init", path, "--save", path)
+    assert roam(*run, "--overwrite").status == 0
+    project = file.load(path)
+    head = project.shape("head")
+    file.save(project.with_shape(edit.set_key(head, 3, head.at(3).points + 1.0)), path)
+
+    def stale() -> dict[str, list[int]]:
+        return {shape["name"]: shape["stale"] for shape in json.loads(roam("info", path, "--json").out)["shapes"]}
+
+    assert stale() == {"body": [3, 4, 5], "arm": [3, 4, 5], "head": [4, 5]}
+    assert roam(*run, "--start", 3, "--end", 3, "--overwrite").status == 0
+    assert stale() == {"body": [4, 5], "arm": [4, 5], "head": [4, 5]}
+    assert roam(*run, "--start", 3, "--overwrite").status == 0
+    assert stale() == {"body": [], "arm": [], "head": []}
 
 
 def test_what_is_left_out_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
