@@ -24,7 +24,7 @@ from roam_core.proposal.cues.background import followed
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
 from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.cues.label_propagation import label_propagation
-from roam_core.proposal.cues.motion_cue import motion_on
+from roam_core.proposal.cues.motion_cue import MotionMisfit
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ def observed(
     if token is not None:
         token.check()
     around, _ = flow_similarity(flows[0], ~everywhere, fine)
-    motion = motion_on(grid, back, moved, around, agreement, params.motion_sigma * scale, params)
+    misfit = MotionMisfit.on(grid, back, moved, around, params.motion_sigma * scale)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
     lines = sides = None
     patch_motion = state.patch_motion
@@ -90,7 +90,11 @@ def observed(
     key = replace(state.key, to_now=moved @ state.key.to_now, surroundings=surroundings)
     last = state.region.on(grid)
     expected = Expectation(
-        last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
+        last,
+        state.region.on(grid, moved) > 0.5,
+        carried_by_flow(last, back) > 0.5,
+        key.region.on(grid, key.to_now),
+        misfit.left_behind,
     )
     background = None
     if params.background is not None:
@@ -98,8 +102,8 @@ def observed(
         key = replace(key, surroundings=drawn)
         background = key.background(grid)
     sources = Sources(
-        *pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides, background,
-        state.texture,
+        *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,
+        sides, background, state.texture,
     )  # fmt: skip
     return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
 

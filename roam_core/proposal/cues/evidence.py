@@ -86,13 +86,15 @@ class Expectation:
     """Where the object should be on the new frame's grid, `(rows, columns)` each.
 
     `last` is its coverage on the frame before, where it was; `rigid` and `fluid` the region carried by the similarity
-    and by the flow; `remembered` the coverage of the key's region, carried all the way.
+    and by the flow; `remembered` the coverage of the key's region, carried all the way; `left_behind` what moves with
+    the surroundings and not with the object.
     """
 
     last: Float32
     rigid: Bools
     fluid: Bools
     remembered: Float32
+    left_behind: Bools
 
     @property
     def possible(self) -> Bools:
@@ -101,8 +103,8 @@ class Expectation:
 
     @property
     def likely(self) -> Bools:
-        """Where either the last frame or the key puts it as a whole."""
-        return np.asarray(self.rigid | (self.remembered > 0.5))
+        """Where either the last frame or the key puts it as a whole, but for what is left behind."""
+        return np.asarray((self.rigid | (self.remembered > 0.5)) & ~self.left_behind)
 
     @property
     def certain(self) -> Bools:

@@ -20,7 +20,7 @@ from roam_core.kernels.coverage import coverage
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.params import RegionParams, scale_for
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, local_cues, motion_cue
-from roam_core.proposal.cues.motion_cue import motion_on
+from roam_core.proposal.cues.motion_cue import MotionMisfit
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,18 +83,20 @@ class NearestColours:
         last = self.region.on(cells)
         rigid = self.region.on(cells, _square(transform)) > 0.5
         fluid = carried_by_flow(last, backward) > 0.5
-        expected = Expectation(last, rigid, fluid, key.region.on(cells, key.to_now))
-        motion = self._motion(cells, flow, backward, fine, scale_for(frame.size))
+        misfit, agreement = self._motion(cells, flow, backward, fine, scale_for(frame.size))
+        expected = Expectation(last, rigid, fluid, key.region.on(cells, key.to_now), misfit.left_behind)
+        motion = misfit.told(agreement, self.params)
         pictures = cells.colours_of(self.frame), cells.colours_of(frame)
         return Sources(*pictures, cells, expected, backward, key, key.colours, motion, self.params.band)
 
-    def _motion(self, cells: Grid, flow: Float32, backward: Float32, fine: Grid, scale: float) -> Float32:
-        """What moves with the object: hurdles as white as the horse are told from it by nothing else."""
+    def _motion(
+        self, cells: Grid, flow: Float32, backward: Float32, fine: Grid, scale: float
+    ) -> tuple[MotionMisfit, float]:
+        """What moves with the object, as white hurdles do not with a white horse, and how much of it moves as one."""
         inside = self.region.on(fine) > 0.5
         moved, agreement = flow_similarity(flow, inside, fine)
         around, _ = flow_similarity(flow, ~inside, fine)
-        sigma = self.params.motion_sigma * scale
-        return motion_on(cells, backward, moved, around, agreement, sigma, self.params)
+        return MotionMisfit.on(cells, backward, moved, around, self.params.motion_sigma * scale), agreement
 
     def _key_after(self, transform: Array) -> KeyMemory:
         return replace(self.key, to_now=_square(transform) @ self.key.to_now)

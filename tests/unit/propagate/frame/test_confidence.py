@@ -43,7 +43,8 @@ def box(nats: float) -> Field:
 
 
 def everywhere(field: Field) -> Expectation:
-    return Expectation(field.inside.astype(np.float32), field.inside, field.inside, field.inside.astype(np.float32))
+    inside, coverage = field.inside, field.inside.astype(np.float32)
+    return Expectation(coverage, inside, inside, coverage, np.zeros_like(inside))
 
 
 @pytest.mark.parametrize("weights", [CONFIDENCE.features, CONFIDENCE.span_features])

@@ -26,11 +26,17 @@ def sources(rigid: Bools, fluid: Bools, remembered: Bools, motion: list[float]) 
     picture = PreparedFrame(np.zeros((1, 8, 3), np.uint8))
     nothing = np.zeros((1, 8), dtype=np.float32)
     key = KeyMemory(picture, Field(GRID, nothing), None, np.eye(3), np.eye(3))  # type: ignore[arg-type]
-    expected = Expectation(nothing, rigid, fluid, remembered.astype(np.float32))
+    expected = Expectation(nothing, rigid, fluid, remembered.astype(np.float32), np.zeros_like(rigid))
     flow = np.zeros((1, 8, 2), dtype=np.float32)
     return Sources(
         picture.image, picture.image, GRID, expected, flow, key, None, np.array([motion], np.float32), 3  # type: ignore[arg-type]
     )  # fmt: skip
+
+
+def test_nothing_is_likely_where_what_is_seen_stays_behind_with_the_surroundings() -> None:
+    expected = Expectation(np.zeros((1, 8), np.float32), cells(0, 1), cells(2), np.zeros((1, 8), np.float32), cells(1))
+    np.testing.assert_array_equal(expected.likely, cells(0))
+    np.testing.assert_array_equal(expected.possible, cells(0, 1, 2))
 
 
 def test_motion_speaks_against_new_and_uncovered_background_only() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.testing as npt
 
 from roam_core.proposal.cues.evidence import uncertain_band
-from roam_core.proposal.cues.motion_cue import motion_ratio
+from roam_core.proposal.cues.motion_cue import MotionMisfit
 from roam_core.proposal.segment.region import cleaned, outlines
 from tests.unit.proposal.cells import box, field_of
 
@@ -46,7 +46,19 @@ def test_the_motion_cue_tells_what_moves_with_the_object() -> None:
     backward[:, :10] = (-4.0, 1.0)
     with_object, still = np.eye(3), np.eye(3)
     with_object[:2, 2] = (-4.0, 1.0)
-    ratio = motion_ratio(backward, with_object, still, 1.5, 3.0)
+    misfit = MotionMisfit.of(backward, with_object, still, 1.5)
+    ratio = misfit.log_ratio(3.0)
     npt.assert_allclose(ratio[:, :10], 3.0)
     npt.assert_allclose(ratio[:, 10:], -3.0)
-    npt.assert_allclose(motion_ratio(backward, still, still, 1.5, 3.0), 0.0)
+    assert misfit.left_behind[:, 10:].all()
+    assert not misfit.left_behind[:, :10].any()
+    together = MotionMisfit.of(backward, still, still, 1.5)
+    npt.assert_allclose(together.log_ratio(3.0), 0.0)
+    assert not together.left_behind.any()
+
+
+def test_what_moves_as_neither_is_not_left_behind() -> None:
+    backward = np.full((4, 4, 2), 9.0, dtype=np.float32)
+    with_object = np.eye(3)
+    with_object[:2, 2] = (-4.0, 1.0)
+    assert not MotionMisfit.of(backward, with_object, np.eye(3), 1.5).left_behind.any()
