@@ -94,7 +94,7 @@ def observed(
         state.region.on(grid, moved) > 0.5,
         carried_by_flow(last, back) > 0.5,
         key.region.on(grid, key.to_now),
-        misfit.left_behind,
+        misfit.left_behind(agreement, params),
     )
     background = None
     if params.background is not None:

@@ -56,14 +56,16 @@ class MotionMisfit:
         return np.asarray(np.clip(self.outside - self.inside, np.float32(-clip), np.float32(clip)))
 
     def told(self, agreement: float, params: RegionParams) -> Float32:
-        """The log-ratio as far as it is heard: the more of the object moves as one, the more its motion says.
+        """The log-ratio as far as it is heard (`heard`)."""
+        return np.asarray(np.float32(heard(agreement, params)) * self.log_ratio(params.clip))
 
-        `agreement` in [0, 1] is the share of the object that does.
-        """
-        share = np.clip(params.motion_agreed * agreement - 1.0, 0.0, 1.0)
-        return np.asarray(np.float32(share) * self.log_ratio(params.clip))
-
-    @property
-    def left_behind(self) -> Bools:
-        """The cells that go with the surroundings, by sigma, and not with the object."""
+    def left_behind(self, agreement: float, params: RegionParams) -> Bools:
+        """The cells that go with the surroundings, by sigma, and not with the object; none where that is not heard."""
+        if heard(agreement, params) == 0.0:
+            return np.zeros(self.inside.shape, dtype=bool)
         return np.asarray((self.outside < 0.5) & (self.inside > 0.5))
+
+
+def heard(agreement: float, params: RegionParams) -> float:
+    """How far the object's motion is heard, in [0, 1]: the farther the more of it, `agreement`, moves as one."""
+    return float(np.clip(params.motion_agreed * agreement - 1.0, 0.0, 1.0))

@@ -84,7 +84,9 @@ class NearestColours:
         rigid = self.region.on(cells, _square(transform)) > 0.5
         fluid = carried_by_flow(last, backward) > 0.5
         misfit, agreement = self._motion(cells, flow, backward, fine, scale_for(frame.size))
-        expected = Expectation(last, rigid, fluid, key.region.on(cells, key.to_now), misfit.left_behind)
+        expected = Expectation(
+            last, rigid, fluid, key.region.on(cells, key.to_now), misfit.left_behind(agreement, self.params)
+        )
         motion = misfit.told(agreement, self.params)
         pictures = cells.colours_of(self.frame), cells.colours_of(frame)
         return Sources(*pictures, cells, expected, backward, key, key.colours, motion, self.params.band)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.testing as npt
 
+from roam_core.params import RegionParams
 from roam_core.proposal.cues.evidence import uncertain_band
 from roam_core.proposal.cues.motion_cue import MotionMisfit
 from roam_core.proposal.segment.region import cleaned, outlines
@@ -50,15 +51,17 @@ def test_the_motion_cue_tells_what_moves_with_the_object() -> None:
     ratio = misfit.log_ratio(3.0)
     npt.assert_allclose(ratio[:, :10], 3.0)
     npt.assert_allclose(ratio[:, 10:], -3.0)
-    assert misfit.left_behind[:, 10:].all()
-    assert not misfit.left_behind[:, :10].any()
+    left_behind = misfit.left_behind(0.9, RegionParams())
+    assert left_behind[:, 10:].all()
+    assert not left_behind[:, :10].any()
+    assert not misfit.left_behind(0.3, RegionParams()).any()  # too little of the object moves as one
     together = MotionMisfit.of(backward, still, still, 1.5)
     npt.assert_allclose(together.log_ratio(3.0), 0.0)
-    assert not together.left_behind.any()
+    assert not together.left_behind(0.9, RegionParams()).any()
 
 
 def test_what_moves_as_neither_is_not_left_behind() -> None:
     backward = np.full((4, 4, 2), 9.0, dtype=np.float32)
     with_object = np.eye(3)
     with_object[:2, 2] = (-4.0, 1.0)
-    assert not MotionMisfit.of(backward, with_object, np.eye(3), 1.5).left_behind.any()
+    assert not MotionMisfit.of(backward, with_object, np.eye(3), 1.5).left_behind(0.9, RegionParams()).any()
