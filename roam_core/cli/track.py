@@ -9,7 +9,9 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.atomic_write import writable_target
@@ -34,6 +36,8 @@ from roam_core.propagate.shapes.provenance import clip_stamp
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
 
 Report = Callable[[FrameResult], None]
+MANY = 100
+"""Shapes of one mask, beyond which it may be noise."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -271,14 +275,24 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
         brightest = float(coverage_of(mask).max())
         reason = f" at half of white: its brightest value is {brightest:.1%} of it" if brightest > 0 else ""
         raise RoamError(f"The mask {init} is empty{reason}; paint the object white on frame {start}.")
+    for sentence in _odd_about(mask, init, len(shapes)):
+        print(sentence, file=sys.stderr)
+    return Project(clip, Layer("root", "Root", tuple(shapes)))
+
+
+def _odd_about(mask: NDArray[Any], init: Path, count: int) -> Iterator[str]:
+    """What an artist should know of a mask that became `count` shapes."""
     left_out = specks_left_out(mask)
     if left_out:
-        print(
+        yield (
             f"{left_out} speck(s) or pinhole(s) of the mask {init} were left out, each below {LEAST_AREA:.0f} square "
-            "pixels.",
-            file=sys.stderr,
+            "pixels."
         )
-    return Project(clip, Layer("root", "Root", tuple(shapes)))
+    if count > MANY:
+        yield (
+            f"The mask {init} makes {count} shapes, and tracking so many takes long. If they are noise, stop (Ctrl+C) "
+            "and clean the mask first."
+        )
 
 
 def require_landmarks(config: str, path: Path) -> None:

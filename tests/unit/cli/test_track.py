@@ -190,6 +190,16 @@ def test_what_is_left_out_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
     assert "Tracked 1 shape(s)" in done.err
 
 
+def test_a_mask_of_very_many_shapes_is_told(roam: Roam, plate: Plate) -> None:
+    mask = np.zeros((110, 130), np.uint8)
+    for row, column in np.ndindex(10, 12):
+        mask[8 * row + 8 :, 8 * column + 8 :][:4, :4] = 255
+    cv2.imwrite(str(plate.mask), mask)
+    done = roam("track", plate.folder, "--init", plate.mask, "--end", 1001)
+    assert f"The mask {plate.mask} makes 120 shapes" in done.err
+    assert "clean the mask" in done.err
+
+
 def test_a_grey_mask_is_told_from_an_empty_one(roam: Roam, plate: Plate) -> None:
     cv2.imwrite(str(plate.mask), np.full((110, 130), 51, np.uint8))
     done = roam("track", plate.folder, "--init", plate.mask)
