@@ -13,7 +13,7 @@ from roam_core.errors import RoamError
 from roam_core.installation import resource
 from roam_core.translatable import N_, Sentence
 
-__all__ = ["LANGUAGES", "N_", "SYSTEM", "chosen", "shown_language", "speak", "tr", "translated"]
+__all__ = ["LANGUAGES", "N_", "SYSTEM", "chosen", "number", "shown_language", "speak", "tr", "translated"]
 
 SOURCE = "en"
 """The language in which the texts stand in the code."""
@@ -41,6 +41,11 @@ def tr(text: str, disambiguation: str = "", n: int = -1, /, **values: object) ->
     if n >= 0:
         found = found.replace("%n", str(n))
     return _FILLING.vformat(found, (), values) if values else found
+
+
+def number(value: float) -> str:
+    """A number as short as it goes, with the decimal point of the window's language."""
+    return _FILLING.vformat("{:g}", (value,), {})
 
 
 def translated(text: str) -> str:

@@ -17,7 +17,7 @@ from .. import style
 from ..features.tracking import doubt_sentence, doubtful_points
 from ..model.document import Document
 from ..model.view_state import shapes_in_hand
-from ..translation import tr
+from ..translation import number, tr
 from .axis import TimeAxis
 from .marks import MarksOf
 from .scale import LABEL_WIDTH
@@ -77,7 +77,7 @@ class ConfidencePlot(QWidget):
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
         has_room = self.value_y(DOUBTFUL) - self.value_y(1.0) >= painter.fontMetrics().ascent()
         ends = ((0.0, "0"), (1.0, "1")) if has_room else ()
-        for value, text in ((DOUBTFUL, f"{DOUBTFUL:g}"), *ends):
+        for value, text in ((DOUBTFUL, number(DOUBTFUL)), *ends):
             painter.drawText(QRectF(0, self.value_y(value) - 8, LABEL_WIDTH - 6, 16), middle | right, text)
         painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, self.height()), middle, tr("confidence"))
         painter.end()

@@ -12,7 +12,7 @@ from ..actions.actions import Actions
 from ..features.navigation import Navigation
 from ..features.playback import Playback, Repeat
 from ..model.view_state import ViewState
-from ..translation import tr
+from ..translation import number, tr
 from ..widgets.controls import number_field, tool_button, weak_label
 
 BUTTONS = (
@@ -117,5 +117,5 @@ class Transport(QWidget):
         """The clip's speed; while it plays also how many pictures a second come to the screen, and how fast."""
         speed, rate = abs(self._playback.speed), self._playback.rate
         shown = "" if rate is None else tr("{rate:.0f} of ", rate=rate)
-        times = "" if speed in (0, 1) else f" × {speed:g}"
+        times = "" if speed in (0, 1) else f" × {number(speed)}"
         self._speed.setText(tr("{shown}{fps:g} fps{times}", shown=shown, fps=self._playback.fps, times=times))

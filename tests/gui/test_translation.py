@@ -14,7 +14,7 @@ from app.actions.actions import Actions
 from app.actions.keymaps import load_keymap
 from app.actions.search_words import words_for
 from app.model.preferences import Preferences, load_preferences, save_preferences
-from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, shown_language, speak, tr, translated
+from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, number, shown_language, speak, tr, translated
 from roam_core.translatable import listed, sentence
 
 
@@ -48,6 +48,7 @@ def test_german(german: None) -> None:
 
 def test_numbers_and_keys_go_with_the_language(german: None) -> None:
     assert tr("Confidence is {confidence:.2f} at least.", confidence=0.5) == "Die Konfidenz ist mindestens 0,50."
+    assert [number(0.75), number(2)] == ["0,75", "2"]
     assert QKeySequence("Ctrl+Z").toString(QKeySequence.SequenceFormat.NativeText) == "Strg+Z"
     assert QKeySequence("Ctrl+Z").toString() == "Ctrl+Z"
     assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Abbrechen"

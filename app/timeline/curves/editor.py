@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButto
 
 from ... import style
 from ...model.document import Document
-from ...translation import N_, tr
+from ...translation import N_, number, tr
 from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
 from ..values.selection import ValueSelection
@@ -93,6 +93,6 @@ class CurveEditor(QWidget):
         for value in self.plot.grid():
             y = self.plot.key_point(0, value).y()
             painter.drawText(
-                QRectF(CHOICES_WIDTH, y - 8, LABEL_WIDTH - CHOICES_WIDTH - 6, 16), flags, f"{value:g} {unit}"
+                QRectF(CHOICES_WIDTH, y - 8, LABEL_WIDTH - CHOICES_WIDTH - 6, 16), flags, f"{number(value)} {unit}"
             )
         painter.end()
