@@ -103,7 +103,10 @@ def weights_of(frames: Mapping[tuple[str, str], Sequence[Rated]]) -> Array:
 def confidences(frames: Sequence[Rated], weights: Array) -> Array:
     """The confidence `(M,)` of whole frames: that of their objects by area, nothing for what was not found."""
     return np.array(
-        [sum(share * float(logistic.expected(np.array(v), weights)) for share, v in each.known) for each in frames]
+        [
+            frame.apart + sum(share * float(logistic.expected(np.array(v), weights)) for share, v in frame.known)
+            for frame in frames
+        ]
     )
 
 

@@ -17,7 +17,7 @@ from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.between.span import Filling, Reader, spans
 from roam_core.propagate.engines.by_regions import RegionEngine
-from roam_core.propagate.frame.confidence import ConfidenceFeatures, SpanFeatures
+from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, SpanFeatures, expected_overlap
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.shapes.objects import near, objects
 from roam_core.propagate.shapes.provenance import Stamps
@@ -31,14 +31,24 @@ LENGTH = 20
 
 Known = tuple[float, tuple[float, ...]]
 """The share of the frame's area that an object has, as far as it was found, and its features."""
+Told = tuple[float, ConfidenceFeatures | SpanFeatures | float]
+"""The area of an object, as far as it was found, and its features, or its confidence where another model told it."""
 
 
 @dataclass(frozen=True)
 class Rated:
-    """One frame: its IoU, and what was known of each of its objects."""
+    """One frame.
+
+    Attributes
+    ----------
+    iou : of its matte. known : what was known of each object that the fitted model rates. apart : the confidence of
+        the others, each times its share: those that lie as on their keys but for a pose (`PoseFeatures`, fitted to
+        figures), and those that only one pass of a fill has.
+    """
 
     iou: float
     known: tuple[Known, ...]
+    apart: float = 0.0
 
 
 def of_job(job: tuple[str, str]) -> list[Rated]:
@@ -60,15 +70,17 @@ def carried(shot: Shot, run: range) -> Iterator[Rated]:
     for tracker, members in zip(trackers, groups, strict=True):
         tracker.start(first, [shapes[k] for k in members], run[0])
     for frame in run[1:]:
-        picture, known, outlines = PreparedFrame(shot.read(frame)), [], list[RotoShape]()
+        picture, known, outlines = PreparedFrame(shot.read(frame)), list[Told](), list[RotoShape]()
         for tracker in trackers:
             results = tracker.step(picture, frame)
             engine = tracker.standing.engine
             assert isinstance(engine, RegionEngine)
             features = engine.state.features
             outlines += [each.shape for each in results]
-            found = [each.shape for each in results if each.confidence > 0.0]
-            known.append((_area(found, frame), features if isinstance(features, ConfidenceFeatures) else None))
+            if found := [each.shape for each in results if each.confidence > 0.0]:
+                told = expected_overlap(features) if isinstance(features, PoseFeatures) else features
+                assert told is not None
+                known.append((_area(found, frame), told))
         yield _rated(shot, frame, outlines, known)
 
 
@@ -88,13 +100,15 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
             for group in ([shapes[k] for k in members] for members in groups)
         ]
         for frame in range(start + 1, stop):
-            known, outlines = [], list[RotoShape]()
+            known, outlines = list[Told](), list[RotoShape]()
             for group, span in made:
                 solved = filling.solved(span, group, frame)
                 pairs = [(s, each) for s, each in zip(group, solved, strict=True) if each is not None]
                 here = [RotoShape(s.id, s.name, (Keyframe(frame, m.points),), blend=s.blend) for s, m in pairs]
                 outlines += here
-                known.append((_area(here, frame), pairs[0][1].features if pairs else None))
+                known += [
+                    (_area([line], frame), m.features or m.confidence) for line, (_, m) in zip(here, pairs, strict=True)
+                ]
             yield _rated(shot, frame, outlines, known)
 
 
@@ -102,11 +116,16 @@ def _rated(
     shot: Shot,
     frame: int,
     outlines: list[RotoShape],
-    known: list[tuple[float, ConfidenceFeatures | SpanFeatures | None]],
+    known: list[Told],
 ) -> Rated:
     iou = shots.overlap(shots.matte(outlines, frame, shot.size), shot.mask(frame))
     whole = max(_area(outlines, frame), 1.0)
-    return Rated(iou, tuple((area / whole, astuple(features)) for area, features in known if features is not None))
+    told = [(area / whole, each) for area, each in known]
+    return Rated(
+        iou,
+        tuple((share, astuple(each)) for share, each in told if not isinstance(each, float)),
+        sum(share * each for share, each in told if isinstance(each, float)),
+    )
 
 
 def _area(shapes: Sequence[RotoShape], frame: int) -> float:
