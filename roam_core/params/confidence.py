@@ -29,9 +29,9 @@ class ConfidenceParams:
     reach: int = 8
     least: float = 0.02
     far_apart: float = 0.5
-    features: tuple[float, ...] = (3.73, 1.01, 3.74, 3.64, 0.67, 0.089, 0.65, 2.26)
+    features: tuple[float, ...] = (4.34, 1.44, 5.87, 0.93, 0.27, 1.13, 0.13, 0.5)
     pose_features: tuple[float, ...] = (3.96, 5.91, 1.88, 0.54)
-    span_features: tuple[float, ...] = (3.94, 1.64, 3.3, 0.74, 0.21)
+    span_features: tuple[float, ...] = (3.48, 1.29, 3.23, 0.52)
     vertex: tuple[float, float, float] = (-1.33, 1.72, 0.79)
     near: float = later(1.5)
     faint: float = later(0.15)

@@ -367,27 +367,33 @@ def _span_features(moment: _Moment, known: list[int], outlines: list[Part]) -> S
     span = moment.span
     if not known or span.residuals is None or moment.onwards is None or moment.back is None:
         return None
-    sides = [
-        [Part(points[k], span.subtracts(k)) for k in known if k in points] for points in (moment.there, moment.here)
-    ]
-    splines = [part.points for side in (outlines, *sides) for part in side]
-    grid = grid_over(splines, span.size, span.params.span.endpoint_consistency.look, span.scale)
-    ours, *theirs = (enclosed(side, grid) > 0.5 for side in (outlines, *sides))
     onwards, back, _, _ = span.residuals
-    missed, nearer = 0.5 * (onwards.loss + back.loss), max(overlap(ours, each) for each in theirs)
-    return SpanFeatures.of(missed, nearer, moment.u, span.last.frame - span.first.frame, span.params.confidence)
+    return _features(moment, known, outlines, 0.5 * (onwards.loss + back.loss))
 
 
 def _features_of_one(moment: _Moment, k: int, points: Array) -> SpanFeatures | None:
     """What speaks against one outline that was carried by its pose; None where only one pass knows of it."""
-    span, sides = moment.span, [side[k] for side in (moment.there, moment.here) if k in side]
-    if k not in span.losses or len(sides) < 2:
+    if k not in moment.span.losses or k not in moment.there or k not in moment.here:
         return None
-    grid = grid_over([points, *sides], span.size, span.params.span.endpoint_consistency.look, span.scale)
-    ours, *theirs = (enclosed([Part(each)], grid) > 0.5 for each in (points, *sides))
-    nearer = max(overlap(ours, each) for each in theirs)
-    frames = span.last.frame - span.first.frame
-    return SpanFeatures.of(span.losses[k], nearer, moment.u, frames, span.params.confidence)
+    return _features(moment, [k], [Part(points)], moment.span.losses[k])
+
+
+def _features(moment: _Moment, known: list[int], outlines: list[Part], missed: float) -> SpanFeatures:
+    """What speaks against outlines, beside what each pass says of them; `missed` is by how much the keys were."""
+    span = moment.span
+    ends = ((moment.onwards, span.first, moment.there), (moment.back, span.last, moment.here))
+    sides, trusts = [], []
+    for stop, key, points in ends:
+        ours = [k for k in known if k in points]
+        if stop is not None and ours:
+            sides.append([Part(points[k], span.subtracts(k)) for k in ours])
+            trusts.append(float(np.mean([stop.confidence[key.members.index(k)] for k in ours])))
+    splines = [part.points for side in (outlines, *sides) for part in side]
+    grid = grid_over(splines, span.size, span.params.span.endpoint_consistency.look, span.scale)
+    merged, *theirs = (enclosed(side, grid) > 0.5 for side in (outlines, *sides))
+    overlaps = [overlap(merged, each) for each in theirs]
+    nearer = int(np.argmax(overlaps))
+    return SpanFeatures.of(missed, overlaps[nearer], trusts[nearer], span.params.confidence)
 
 
 def _alone(moment: _Moment) -> float:

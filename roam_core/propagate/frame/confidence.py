@@ -8,7 +8,7 @@ and tried on each with that shot left out (`benchmarks/confidence.py` does both,
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 
 import cv2
 import numpy as np
@@ -32,27 +32,27 @@ class ConfidenceFeatures:
     ----------
     unenclosed : -ln of the overlap of what the curves enclose with the region that they were fitted to.
     flat : how little the log-ratio rises beside the border of the region: 1 where it says nothing, 0 where it is sure.
-    undecided : cells under one nat to either side, per cell of the region; at most 3.
     new : the share of the region that lies outside the key's, carried all the way.
+    missing : what of the key's, so carried, the region has not, per cell of the region.
+    thin : cells beside the border per cell of the region: the same error along it weighs more on what is thin.
     age : ln of the frames since the key. Errors add up, and what was lost seldom comes back.
-    broken : how little of the key's word the flow has brought to the border of the region
-        (`proposal.cues.label_propagation`).
-    disagreeing : where the curves moved as one piece, with none of the above but the age, the share of the key's
-        corners that are not found where they should be.
+    disagreeing : where the curves moved as one piece, with none of the above but `thin` and `age`, the share of the
+        key's corners that are not found where they should be.
     """
 
     unenclosed: float
     flat: float
-    undecided: float
     new: float
+    missing: float
+    thin: float
     age: float
-    broken: float = 0.0
     disagreeing: float = 0.0
 
     @classmethod
-    def of_one_piece(cls, disagreeing: float, frames: int) -> ConfidenceFeatures:
-        """Of an object that moved as one piece, so many frames after the key."""
-        return cls(0.0, 0.0, 0.0, 0.0, float(np.log(frames)), disagreeing=disagreeing)
+    def of_one_piece(cls, disagreeing: float, inside: Bools, frames: int) -> ConfidenceFeatures:
+        """Of an object that moved as one piece, so many frames after the key, to the cells `inside (rows, columns)`."""
+        thin = int(np.count_nonzero(beside_border(inside))) / max(int(np.count_nonzero(inside)), 1)
+        return cls(0.0, 0.0, 0.0, 0.0, thin, float(np.log(frames)), disagreeing)
 
     @classmethod
     def of(
@@ -60,28 +60,30 @@ class ConfidenceFeatures:
         parts: Sequence[Part],
         found: Field,
         expected: Expectation,
-        flow_reliability: Float32,
         frames: int,
         params: ConfidenceParams = CONFIDENCE,
     ) -> ConfidenceFeatures:
-        """Of the outlines fitted to the region `found`, so many frames after the key.
-
-        `flow_reliability (rows, columns)`, on the region's grid, is how sound the flow has been since the key.
-        """
-        inside = found.inside
-        nats = np.abs(np.clip(found.values, -SURE, SURE))
+        """Of the outlines fitted to the region `found`, so many frames after the key."""
+        inside, remembered = found.inside, expected.remembered > 0.5
         cells = max(int(np.count_nonzero(inside)), 1)
-        square = np.ones((3, 3), np.uint8)
-        rim = cv2.morphologyEx(inside.astype(np.uint8), cv2.MORPH_GRADIENT, square)
-        near = cv2.dilate(rim, np.ones((5, 5), np.uint8)) > 0
+        near = beside_border(inside)
+        nats = np.abs(np.clip(found.values, -SURE, SURE))
         return cls(
             unenclosed=-float(np.log(max(overlap(enclosed(parts, found.grid) > 0.5, inside), params.least))),
             flat=1.0 - float(nats[near].mean()) / SURE if near.any() else 1.0,
-            undecided=min(int(np.count_nonzero(nats < 1.0)) / cells, 3.0),
-            new=int(np.count_nonzero(inside & (expected.remembered <= 0.5))) / cells,
+            new=int(np.count_nonzero(inside & ~remembered)) / cells,
+            missing=int(np.count_nonzero(remembered & ~inside)) / cells,
+            thin=int(np.count_nonzero(near)) / cells,
             age=float(np.log(frames)),
-            broken=1.0 - float(flow_reliability[near].mean()) if near.any() else 1.0,
         )
+
+    def over_the_key_as(self, other: ConfidenceFeatures) -> ConfidenceFeatures:
+        """With as much new and missing as another region of the same frame has.
+
+        A region that was looked for as it is on the key lies over the key as a matter of course. That is no reason to
+        prefer it to one that was carried.
+        """
+        return replace(self, new=other.new, missing=other.missing)
 
 
 @dataclass(frozen=True)
@@ -121,7 +123,7 @@ def expected_overlap(
         SpanFeatures: params.span_features,
     }
     constant, *slopes = weights or fitted[type(features)]
-    return float(1.0 / (1.0 + np.exp(np.dot(slopes, astuple(features)) - constant)))
+    return float(0.5 + 0.5 * np.tanh(0.5 * (constant - np.dot(slopes, astuple(features)))))
 
 
 @dataclass(frozen=True)
@@ -133,22 +135,18 @@ class SpanFeatures:
     missed : share of both regions in which the object, carried from one key all the way, differs from the other key.
     apart : -ln of the overlap of the outlines with the nearer of what the two keys, each carried, say on this frame; at
         most that of `ConfidenceParams.far_apart`: what comes out from behind something is on neither.
-    middle : 0 beside a key, 1 half way between them.
-    length : ln of the frames from key to key.
+    doubted : by how much the log-odds of that nearer pass lie under those of a pass in no doubt.
     """
 
     missed: float
     apart: float
-    middle: float
-    length: float
+    doubted: float
 
     @classmethod
-    def of(
-        cls, missed: float, nearer: float, u: float, frames: int, params: ConfidenceParams = CONFIDENCE
-    ) -> SpanFeatures:
-        """From the miss at the keys, the overlap with the `nearer` pass, and the place in a span of `frames`."""
-        middle = 2.0 * float(np.sqrt(u * (1.0 - u)))
-        return cls(missed, -float(np.log(max(nearer, params.far_apart))), middle, float(np.log(frames)))
+    def of(cls, missed: float, nearer: float, confidence: float, params: ConfidenceParams = CONFIDENCE) -> SpanFeatures:
+        """From the miss at the keys, the overlap with the `nearer` pass, and the confidence of that."""
+        doubted = log_odds(1.0, params) - log_odds(confidence, params)
+        return cls(missed, -float(np.log(max(nearer, params.far_apart))), doubted)
 
 
 def vertex_confidence(support: Array, confidence: float, params: ConfidenceParams = CONFIDENCE) -> Array:
@@ -159,8 +157,13 @@ def vertex_confidence(support: Array, confidence: float, params: ConfidenceParam
     support : (P,) `edge_support` of the anchors. confidence : that of the frame.
     """
     constant, own, whole = params.vertex
-    logit = np.log(max(confidence, params.least) / max(1.0 - confidence, params.least))
-    return np.asarray(1.0 / (1.0 + np.exp(-(constant + own * support + whole * logit))))
+    logit = constant + own * support + whole * log_odds(confidence, params)
+    return np.asarray(1.0 / (1.0 + np.exp(-logit)))
+
+
+def log_odds(confidence: float, params: ConfidenceParams = CONFIDENCE) -> float:
+    """ln(p / (1 - p)), finite for the surest and for what is lost."""
+    return float(np.log(max(confidence, params.least) / max(1.0 - confidence, params.least)))
 
 
 def edge_support(anchors: Array, found: Field, params: ConfidenceParams) -> Array:
@@ -174,6 +177,12 @@ def edge_support(anchors: Array, found: Field, params: ConfidenceParams) -> Arra
         x, y = np.clip(cell[:, 0], 0, columns - 1), np.clip(cell[:, 1], 0, rows - 1)
         sides.append(found.values[y, x].astype(np.float64))
     return np.asarray(np.clip((sides[0] - sides[1]) / (params.steep * SURE), 0.0, 1.0))
+
+
+def beside_border(inside: Bools) -> Bools:
+    """The cells within three of the border of a region `(rows, columns)`, on either side of it."""
+    rim = cv2.morphologyEx(inside.astype(np.uint8), cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
+    return np.asarray(cv2.dilate(rim, np.ones((5, 5), np.uint8)) > 0)
 
 
 def overlap(a: Bools, b: Bools) -> float:

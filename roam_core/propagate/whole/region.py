@@ -79,7 +79,15 @@ def step(
         return carried
     around = carried.state.key.surroundings
     again = replace(_carried(found, frame, params, token, tuple(covers), around), redetected=True)
-    return again if is_better(again.state.trust, carried.state.trust, params) else carried
+    return again if is_better(_promise(again.state, carried.state), carried.state.trust, params) else carried
+
+
+def _promise(again: RegionState, carried: RegionState) -> float:
+    """The trust in a state that was looked for, to be compared with that in the one that was carried on."""
+    ours, theirs = again.features, carried.features
+    if carried.trust > 0.0 and isinstance(ours, ConfidenceFeatures) and isinstance(theirs, ConfidenceFeatures):
+        again = replace(again, features=ours.over_the_key_as(theirs))
+    return again.trust
 
 
 def _as_last_seen(
@@ -152,7 +160,7 @@ def _carried(
     placed = fitted(parts, state.constraints, found, scale, params, expected_points, expected.likely)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     flow_reliability = _flow_reliability(observation, found)
-    features = ConfidenceFeatures.of(outlines, found, expected, flow_reliability, state.steps + 1, params.confidence)
+    features = ConfidenceFeatures.of(outlines, found, expected, state.steps + 1, params.confidence)
     confidence = expected_overlap(features, params=params.confidence)
     seen = [seen for _, seen in placed]
     trusts = trusts_of(state.drawn, seen, confidence)
@@ -176,7 +184,7 @@ def _as_one_piece(
     """The shapes as drawn on the key, carried by the motion of a plane."""
     grid, parts = observation.sources.grid, pose.carried(state.drawn)
     found = Field.of_coverage(grid, enclosed(parts, grid))
-    features = pose.features(state.steps + 1)
+    features = pose.features(found.inside, state.steps + 1)
     confidence = expected_overlap(features, params=params.confidence)
     energy = {"rigid": features.disagreeing, "total": features.disagreeing}
     results = tuple(

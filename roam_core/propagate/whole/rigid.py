@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from roam_core.arrays import Array
+from roam_core.arrays import Array, Bools
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier, polyline, projective, similarity
 from roam_core.geometry.plane_motion import PlaneMotion, fit
@@ -48,9 +48,9 @@ class Pose:
         agreeing = np.exp(-((_distances(anchors, match.agreeing) / reach[:, None]) ** 2)).sum(axis=1)
         return np.asarray(np.clip(agreeing / all_of, 0.0, 1.0))
 
-    def features(self, frames: int) -> ConfidenceFeatures:
-        """What speaks against it, so many frames after the key."""
-        return ConfidenceFeatures.of_one_piece(1.0 - self.match.agreement, frames)
+    def features(self, inside: Bools, frames: int) -> ConfidenceFeatures:
+        """What speaks against it, so many frames after the key, where it covers the cells `inside (rows, columns)`."""
+        return ConfidenceFeatures.of_one_piece(1.0 - self.match.agreement, inside, frames)
 
 
 @dataclass(frozen=True, eq=False)

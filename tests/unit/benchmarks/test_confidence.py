@@ -7,10 +7,11 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 
-from benchmarks import confidence, logistic, rated
+from benchmarks import confidence, logistic, rated, shots
 from benchmarks.rated import Rated
 from benchmarks.shots import Shot
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, SpanFeatures, expected_overlap
+from tests.unit.propagate.figures import SIZE, body_and_sleeve
 
 
 def made(weights: np.ndarray, seed: int, count: int = 60) -> list[Rated]:
@@ -35,7 +36,7 @@ def test_no_weight_is_negative() -> None:
 
 
 def test_the_model_is_that_of_the_engine() -> None:
-    features = ConfidenceFeatures(0.1, 0.2, 0.05, 0.1, 1.5, 0.4)
+    features = ConfidenceFeatures(0.1, 0.2, 0.05, 0.1, 0.6, 1.5, 0.4)
     weights = np.array([3.0, 2.0, 5.0, 0.3, 0.7, 0.1, 0.5, 2.0])
     assert logistic.expected(np.array(astuple(features)), weights) == pytest.approx(
         expected_overlap(features, weights.tolist())
@@ -43,7 +44,7 @@ def test_the_model_is_that_of_the_engine() -> None:
 
 
 def test_as_it_ships_frames_have_the_confidence_of_the_engine() -> None:
-    features, span = ConfidenceFeatures(0.1, 0.2, 0.05, 0.1, 1.5, 0.4), SpanFeatures(0.1, 0.8, 0.3, 0.2)
+    features, span = ConfidenceFeatures(0.1, 0.2, 0.05, 0.1, 0.6, 1.5, 0.4), SpanFeatures(0.1, 0.8, 0.3)
     frames = {
         ("a", "whole"): [Rated(0.7, ((1.0, astuple(features)),))],
         ("a", "fill 10"): [Rated(0.9, ((1.0, astuple(span)),))],
@@ -71,12 +72,22 @@ def test_the_worst_fifth_and_what_is_possible() -> None:
 def test_objects_count_by_their_area_and_what_is_lost_for_nothing() -> None:
     weights = np.array([0.0, 1.0])
     frame = Rated(0.5, ((0.5, (0.0,)), (0.25, (0.0,))))
-    assert confidence.confidences([frame, Rated(0.0, ())], weights) == pytest.approx([0.375, 0.0])
+    by_pose = Rated(0.9, ((0.5, (0.0,)),), apart=0.4)
+    assert confidence.confidences([frame, Rated(0.0, ()), by_pose], weights) == pytest.approx([0.375, 0.0, 0.65])
 
 
 def test_calibration_of_a_rating_that_tells_the_truth() -> None:
     said, meant = confidence.calibration({"a": (np.linspace(0, 1, 50), np.linspace(0, 1, 50))})
     np.testing.assert_allclose(said, meant)
+
+
+def test_what_lies_by_its_pose_has_the_confidence_of_that() -> None:
+    figure = body_and_sleeve()
+    body = figure.shapes(*figure.frames)[:1]
+    masks = [shots.matte(body, frame, SIZE) > 0.5 for frame in figure.frames]
+    for frame in rated.carried(Shot("body", 0, figure.pictures, masks), figure.frames):
+        assert frame.known == ()
+        assert frame.apart == pytest.approx(frame.iou, abs=0.1)
 
 
 def test_frames_of_a_shot_are_rated_in_both_ways(gliding: Shot) -> None:

@@ -23,16 +23,13 @@ from roam_core.propagate.group import GroupTracker
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field
 from tests.golden.shots import Shot
 
-WELL = ConfidenceFeatures(0.0, 0.0, 0.0, 0.0, 0.0)
-HALF_WAY = SpanFeatures(0.05, 0.05, 1.0, 2.3)
+WELL = ConfidenceFeatures(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+HALF_WAY = SpanFeatures(0.05, 0.05, 1.0)
 GRID = Grid(Region(0, 0, 60, 40), 40, 60)
 
 
 def square(x0: float, y0: float, x1: float, y1: float) -> Part:
     return Part(bezier.polygon_points([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))
-
-
-RELIABLE = np.ones(GRID.shape, np.float32)
 
 
 def box(nats: float) -> Field:
@@ -65,29 +62,37 @@ def test_a_frame_without_a_flaw_is_given_nearly_one() -> None:
 
 
 def test_the_model_is_logistic() -> None:
-    assert expected_overlap(HALF_WAY, (0.05, 1.0, 0.0, 0.0, 0.0)) == pytest.approx(0.5)
+    assert expected_overlap(HALF_WAY, (0.05, 1.0, 0.0, 0.0)) == pytest.approx(0.5)
 
 
 def test_signs_of_a_region_that_is_found_as_expected() -> None:
     sure = box(SURE)
-    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], sure, everywhere(sure), RELIABLE, 1)
-    np.testing.assert_allclose(astuple(features), astuple(WELL), atol=1e-9)
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], sure, everywhere(sure), 1)
+    np.testing.assert_allclose(astuple(replace(features, thin=0.0)), astuple(WELL), atol=1e-9)
+
+
+def test_what_is_thin_has_more_border_for_its_cells() -> None:
+    wide, narrow = box(SURE), Field(GRID, np.full(GRID.shape, -SURE, dtype=np.float32))
+    narrow.values[10:30, 20:24] = SURE
+    features = [
+        ConfidenceFeatures.of([square(20, 10, x, 30)], field, everywhere(field), 1)
+        for x, field in ((40, wide), (24, narrow))
+    ]
+    assert features[0].thin == pytest.approx((26**2 - 14**2) / 20**2)  # three cells to both sides
+    assert features[1].thin == pytest.approx(10 * 26 / (4 * 20))
+    assert expected_overlap(features[1]) < expected_overlap(features[0])
 
 
 def test_curves_that_enclose_half_the_region() -> None:
     sure = box(SURE)
-    features = ConfidenceFeatures.of([square(20, 10, 30, 30)], sure, everywhere(sure), RELIABLE, 1)
+    features = ConfidenceFeatures.of([square(20, 10, 30, 30)], sure, everywhere(sure), 1)
     assert features.unenclosed == pytest.approx(np.log(2.0))
 
 
-def test_faint_evidence_is_flat_and_undecided() -> None:
-    faint, features = box(0.5), []
-    for field in (faint, box(2.0)):
-        features.append(ConfidenceFeatures.of([square(20, 10, 40, 30)], field, everywhere(field), RELIABLE, 1))
-    assert features[0].flat == pytest.approx(1.0 - 0.5 / SURE)
-    assert features[1].flat == pytest.approx(0.5)
-    assert features[0].undecided == 3.0  # of 2400 cells, for 400 inside, capped
-    assert features[1].undecided == 0.0
+def test_faint_evidence_is_flat() -> None:
+    for field, flat in ((box(0.5), 1.0 - 0.5 / SURE), (box(2.0), 0.5)):
+        features = ConfidenceFeatures.of([square(20, 10, 40, 30)], field, everywhere(field), 1)
+        assert features.flat == pytest.approx(flat)
 
 
 def test_what_the_key_did_not_have_is_new() -> None:
@@ -95,29 +100,36 @@ def test_what_the_key_did_not_have_is_new() -> None:
     known = found.inside.astype(np.float32)
     known[:, 30:] = 0.0
     expected = replace(everywhere(found), remembered=known)
-    assert ConfidenceFeatures.of([square(20, 10, 40, 30)], found, expected, RELIABLE, 1).new == pytest.approx(0.5)
+    assert ConfidenceFeatures.of([square(20, 10, 40, 30)], found, expected, 1).new == pytest.approx(0.5)
 
 
-def test_what_the_flow_did_not_bring_from_the_key_is_broken() -> None:
-    found, flow_reliability = box(SURE), RELIABLE.copy()
-    flow_reliability[:, 30:] = 0.2  # half of the border
-    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], found, everywhere(found), flow_reliability, 1)
-    assert features.broken == pytest.approx(0.4, abs=0.01)
+def test_what_the_key_had_and_the_region_has_not_is_missing() -> None:
+    found = box(SURE)
+    expected = replace(everywhere(found), remembered=np.roll(found.inside, 5, axis=1).astype(np.float32))
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], found, expected, 1)
+    assert (features.missing, features.new) == pytest.approx((0.25, 0.25))
+
+
+def test_what_was_looked_for_is_not_preferred_for_lying_over_the_key() -> None:
+    looked_for = replace(WELL, unenclosed=0.1, new=0.0, missing=0.0)
+    carried = replace(WELL, unenclosed=0.1, new=0.3, missing=0.2)
+    assert expected_overlap(looked_for) > expected_overlap(carried)
+    assert expected_overlap(looked_for.over_the_key_as(carried)) == expected_overlap(carried)
+    assert replace(looked_for, unenclosed=0.0).over_the_key_as(carried) == replace(carried, unenclosed=0.0)
 
 
 def test_nothing_found_leaves_no_confidence() -> None:
     nothing = Field(GRID, np.full(GRID.shape, -SURE, dtype=np.float32))
-    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), RELIABLE, 1)
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), 1)
     assert np.isfinite(astuple(features)).all()
     assert expected_overlap(features) < 0.05
 
 
-def test_a_filled_frame_is_surest_beside_a_key_and_in_a_short_span() -> None:
-    beside, middle = (expected_overlap(SpanFeatures.of(0.1, 0.9, u, 10)) for u in (0.1, 0.5))
-    assert beside > middle > expected_overlap(SpanFeatures.of(0.1, 0.9, 0.5, 20))
-    assert middle > expected_overlap(SpanFeatures.of(0.3, 0.9, 0.5, 10))
-    assert middle > expected_overlap(SpanFeatures.of(0.1, 0.6, 0.5, 10))
-    assert SpanFeatures.of(0.1, 0.9, 0.2, 10).middle == pytest.approx(SpanFeatures.of(0.1, 0.9, 0.8, 10).middle)
+def test_a_filled_frame_is_as_sure_as_its_passes_and_keys() -> None:
+    well = expected_overlap(SpanFeatures.of(0.1, 0.9, 0.95))
+    for worse in ((0.3, 0.9, 0.95), (0.1, 0.6, 0.95), (0.1, 0.9, 0.7), (0.1, 0.9, 0.0)):
+        assert expected_overlap(SpanFeatures.of(*worse)) < well
+    assert astuple(SpanFeatures.of(0.0, 1.0, 1.0)) == (0.0, 0.0, 0.0)
 
 
 def test_a_vertex_is_trusted_by_its_edge_and_by_its_frame() -> None:
