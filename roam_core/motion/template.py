@@ -24,6 +24,8 @@ class Template:
     chain : its bones. pyramid : the key's picture around it, for the colours under motion blur.
     levels : the samples of each level of a pyramid, finest first; the coarsest has fewer.
     scale : `params.scale_for` of the picture. seam : share of its outline beside which nothing changes, in [0, 1].
+    densest_seam : the same of the stretch of it, `params.stretch` long, that has most. A limb hangs on there; what has
+        its ground's colours here and there all around does not.
     area : what the outline encloses, square pixels. params : by which it was made.
     is_own : the look is that of its own key; else of another one (`laid_on`), and is not blurred by motion.
     """
@@ -33,6 +35,7 @@ class Template:
     levels: tuple[Samples, ...]
     scale: float
     seam: float
+    densest_seam: float
     area: float
     params: PoseParams
     is_own: bool = True
@@ -56,10 +59,10 @@ class Template:
             _samples(pyramid, level, fine if level < count - 1 else coarse, beside, within, chain, params)
             for level in range(count)
         ]
-        beside_it = contrasts(levels[0], params)
-        seam = float(np.mean(beside_it < 0.5)) if len(beside_it) else 1.0
+        flat = contrasts(levels[0], params) < 0.5
+        seam = float(np.mean(flat)) if len(flat) else 1.0
         area = abs(float(polyline.signed_area(line)))
-        return cls(chain, pyramid, tuple(levels), scale, seam, area, params)
+        return cls(chain, pyramid, tuple(levels), scale, seam, _densest(flat, params.stretch), area, params)
 
     def where(self, is_own: Callable[[Array], Bools]) -> Template | None:
         """The template without those places `(N, 2)` inside the outline that `is_own` says are not the part's.
@@ -77,7 +80,7 @@ class Template:
         for samples in self.levels:
             places = self.chain.carried(pose, samples.places, samples.skin)
             levels.append(samples._replace(places=places, skin=other.chain.skin(places)))
-        return replace(other, levels=tuple(levels), seam=self.seam, is_own=False)
+        return replace(other, levels=tuple(levels), seam=self.seam, densest_seam=self.densest_seam, is_own=False)
 
     @property
     def coarsest(self) -> int:
@@ -155,6 +158,13 @@ def _beside(pyramid: Pyramid, line: Array, away: float, covers: Sequence[Array])
         free &= (column >= 0) & (row >= 0) & (column < width) & (row < height)
         free &= hidden[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)] == 0
     return outside[free], inside[free]
+
+
+def _densest(ring: Bools, stretch: float) -> float:
+    """The greatest share of True in a `stretch`, a share itself, of a closed `ring (M,)`; 1 for an empty one."""
+    count = max(1, round(stretch * len(ring)))
+    sums = np.cumsum(np.concatenate([[0], ring, ring[:count]]))
+    return float((sums[count:] - sums[:-count]).max()) / count if len(ring) else 1.0
 
 
 def _samples(

@@ -110,6 +110,7 @@ class PoseParams:
         is taken to be open, on frames that look blurred.
     margin : pixels of a 480-line image around a part, and around where it is searched. narrow : pixels across a
         picture, or what is left of it, that shows nothing.
+    stretch : share of an outline within which its seam is counted where it is densest.
     alike : share of a part that must look the same on both keys of a span for the rest to be taken for what hides it
         there. It does up to a difference of `like_roughly`. places : on each segment of the two outlines, by
         which they are laid on each other.
@@ -161,6 +162,7 @@ class PoseParams:
     recent: int = later(2)
     along: int = later(30)
     narrow: int = later(8)
+    stretch: float = later(0.2)
     alike: float = later(0.4)
     places: int = later(4)
     glimpse: float = later(0.25)

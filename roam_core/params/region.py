@@ -66,10 +66,10 @@ class RegionParams:
         carried as one piece (`propagate.whole.rigid`); above 1: never.
     part : of the poses of an object drawn in parts (`propagate.parts.figure`); None: it is carried as one region.
     pose : of the pose of a lone shape, one more hypothesis (`propagate.whole.posed`); None: it is not asked.
-    pose_seam : share of the outline on the key beside which nothing changes, from which it is. pose_area : square
-        pixels of a 480-line image that the outline encloses at most for it to be. pose_edged : how unlike
-        the key a small one with an edge all around may be. pose_agrees : overlap with the region from
-        which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
+    pose_densest_seam : share of the part of the outline with the densest seam (`motion.template`) on the key, from
+        which it is. pose_area : square pixels of a 480-line image that the outline encloses at most for it to be.
+        pose_edged : how unlike the key a small one that hangs on nothing may be. pose_agrees : overlap with the region
+        from which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
         against it at the disputed places.
     patches : of the key's patches that are followed one by one (`motion.patches`); None: they are not asked.
     patches_inside : by how much what they say of a cell inside is taken to be surer; in full, it counts as the key's
@@ -78,8 +78,9 @@ class RegionParams:
     texture : of what tells the object's texture from that of its surroundings (`appearance.texture_model`); None: it is
         not asked. texture_weight : of what it says.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
-        to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near : pixels of a 480-line image within
-        which its patches must lie of where the pose has them. pose_agreed : the share of them that must.
+        to its pose. pose_steady_seam : share of the outline of a large shape beside which nothing changes, from which
+        it may be. pose_near : pixels of a 480-line image within which its patches must lie of where the pose has them.
+        pose_agreed : the share of them that must.
         pose_kept : the pose of a large shape that is no longer held to it is looked for as long as anything is clearly
         as on the key: a fill may take it.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
@@ -131,7 +132,7 @@ class RegionParams:
     rigid: float = 0.6
     pose: PoseParams | None = None
     part: PoseParams | None = None
-    pose_seam: float = 0.1
+    pose_densest_seam: float = later(0.45)
     pose_area: float = 6500.0
     pose_edged: float = 0.45
     pose_agrees: float = 0.97

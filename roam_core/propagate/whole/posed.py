@@ -99,9 +99,9 @@ def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
 
 
 def is_believable(pose: Pose, params: RegionParams) -> bool:
-    """Whether a lone shape may be a part: a small one, part of its outline without an edge.
+    """Whether a lone shape may be a part: a small one, one stretch of its outline without an edge.
 
-    One with an edge all around is taken for a whole object, but where it still looks as on its key. A large one is.
+    One that hangs on nothing is taken for a whole object, but where it still looks as on its key. A large one is.
     """
     if may_be_limb(pose, params):
         return True
@@ -109,8 +109,8 @@ def is_believable(pose: Pose, params: RegionParams) -> bool:
 
 
 def may_be_limb(pose: Pose, params: RegionParams) -> bool:
-    """Whether a lone shape is small, and part of its outline without an edge."""
-    return pose.template.seam >= params.pose_seam and is_small(pose, params)
+    """Whether a lone shape is small, and one stretch of its outline, where it hangs on, without an edge."""
+    return pose.template.densest_seam >= params.pose_densest_seam and is_small(pose, params)
 
 
 def is_steady(pose: Pose, params: RegionParams) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -222,7 +223,29 @@ def test_a_part_like_its_ground_has_a_seam_all_around() -> None:
     frame = PreparedFrame(np.full((*SIZE, 3), 90, np.uint8))
     template = Template.of(Pyramid.of(frame, WHOLE, 1.0, PyramidParams()), PATCH, PARAMS, 1.0)
     assert template is not None
-    assert template.seam == 1.0
+    assert (template.seam, template.densest_seam) == (1.0, 1.0)
+
+
+def bordered(nothing: Callable[[int, int], bool]) -> Template:
+    """Of a square before grey ground, whose border is as grey at the places (x, y) that `nothing` names."""
+    picture = np.full((*SIZE, 3), 90, np.uint8)
+    picture[40:80, 60:100] = (200, 60, 40)
+    for y in range(40, 80):
+        for x in range(60, 100):
+            if nothing(x, y):
+                picture[y, x] = 90
+    frame = PreparedFrame(picture)
+    template = Template.of(Pyramid.of(frame, WHOLE, 1.0, PyramidParams()), box(60, 40, 40, 40), PARAMS, 1.0)
+    assert template is not None
+    return template
+
+
+def test_a_seam_in_one_place_is_where_a_limb_hangs_on() -> None:
+    in_one = bordered(lambda x, y: y >= 66)
+    here_and_there = bordered(lambda x, y: min(abs(x - 80), abs(y - 60)) < 5 and max(abs(x - 80), abs(y - 60)) > 8)
+    assert here_and_there.seam > 0.1
+    assert in_one.densest_seam == 1.0
+    assert here_and_there.densest_seam < 0.45
 
 
 def still_over(pyramid: Pyramid, drift: Array) -> Surroundings:

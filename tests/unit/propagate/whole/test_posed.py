@@ -34,7 +34,7 @@ EDGED, SEAMED = 0.0, 0.3
 
 def pose(area: float, seam: float, apart: float, *, gone: bool = False) -> Pose:
     """A pose of a shape of that size and seam, all of which differs by so much from its key."""
-    template = replace(learned(PATCH), area=area, seam=seam)
+    template = replace(learned(PATCH), area=area, seam=seam, densest_seam=2.0 * seam)
     wrong = apart**2 / (apart**2 + 25.0)
     count = len(PLACES)
     look = Look(PLACES, np.ones(count, bool), np.full(count, apart**2), np.full(count, wrong), 1.0)
