@@ -66,8 +66,9 @@ class RegionParams:
         carried as one piece (`propagate.whole.rigid`); above 1: never.
     part : of the poses of an object drawn in parts (`propagate.parts.figure`); None: it is carried as one region.
     pose : of the pose of a lone shape, one more hypothesis (`propagate.whole.posed`); None: it is not asked.
-    pose_densest_seam : share of the part of the outline with the densest seam (`motion.template`) on the key, from
-        which it is. pose_area : square pixels of a 480-line image that the outline encloses at most for it to be.
+    pose_densest_seam : share without an edge, on the key, of the stretch of the outline that has most of it
+        (`motion.template`), from which it is. pose_area : square pixels of a 480-line image that the outline encloses
+        at most for it to be.
         pose_edged : how unlike the key a small one that hangs on nothing may be. pose_agrees : overlap with the region
         from which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
         against it at the disputed places.

@@ -15,7 +15,7 @@ from roam_core.geometry import polyline
 from roam_core.kernels.posing import Ties
 from roam_core.motion.pose import NOTHING, Pose, Surroundings
 from roam_core.motion.template import Template
-from roam_core.params import CONFIGS, PoseParams, PyramidParams
+from roam_core.params import CONFIGS, PoseParams, PyramidParams, RegionParams
 from tests.golden.shots import texture
 
 SIZE = 120, 160
@@ -245,7 +245,7 @@ def test_a_seam_in_one_place_is_where_a_limb_hangs_on() -> None:
     here_and_there = bordered(lambda x, y: min(abs(x - 80), abs(y - 60)) < 5 and max(abs(x - 80), abs(y - 60)) > 8)
     assert here_and_there.seam > 0.1
     assert in_one.densest_seam == 1.0
-    assert here_and_there.densest_seam < 0.45
+    assert here_and_there.densest_seam < RegionParams().pose_densest_seam
 
 
 def still_over(pyramid: Pyramid, drift: Array) -> Surroundings:
