@@ -29,6 +29,7 @@ from roam_core.params.curves import (
 )
 from roam_core.params.drawing import CUT_OUT, GROWING, LIVE_WIRE, CutOutParams, GrowingParams, LiveWireParams
 from roam_core.params.evidence import ComponentsParams, KeyColoursParams, LabelPropagationParams, TextureParams
+from roam_core.params.fast_motion import FastMotionParams
 from roam_core.params.figure import EDGES, EdgesParams, FigureParams, FreeEdgesParams
 from roam_core.params.keys import (
     ANCHORS,
@@ -87,6 +88,7 @@ __all__ = [
     "CutOutParams",
     "EdgesParams",
     "EndpointConsistencyParams",
+    "FastMotionParams",
     "FigureParams",
     "FilterParams",
     "FreeEdgesParams",

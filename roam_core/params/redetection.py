@@ -12,7 +12,8 @@ class RedetectionParams:
     Attributes
     ----------
     across : cells across the object (the root of its area) at which it is looked for.
-    sizes : sizes that are tried, in relation to the last one that was sure.
+    sizes : sizes that are tried, in relation to the last one that was sure; and of more, each by the last of them, up
+        to the largest that was.
     alike : share of the key's own score from which a place is the object's.
     alone : share of the best score that no other place may have.
     ring : width of the surroundings that must look unlike the object, in roots of its area.

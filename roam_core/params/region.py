@@ -8,6 +8,7 @@ from roam_core.params.between import SpanParams
 from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import ContourFitParams
 from roam_core.params.evidence import BackgroundParams, ComponentsParams, LabelPropagationParams, TextureParams
+from roam_core.params.fast_motion import FastMotionParams
 from roam_core.params.figure import FigureParams
 from roam_core.params.patches import PatchParams
 from roam_core.params.pose import PoseParams
@@ -90,8 +91,9 @@ class RegionParams:
     closed : size, of its last one, to which an outline shrinks while the region has no place for it.
     label_propagation : of what a cell brings along. components : of the region's components. contour_fit : of laying
         points along it.
-    redetection : of looking for what was lost. rigidity : of what is carried as one piece. figure : of an object in
-        parts. span : of filling between two keys. confidence : of how far all that is trusted.
+    fast_motion : of where an object went that moves fast. redetection : of looking for what was lost. rigidity : of
+        what is carried as one piece. figure : of an object in parts. span : of filling between two keys. confidence :
+        of how far all that is trusted.
     """
 
     grid_factor: float = 0.5
@@ -161,6 +163,7 @@ class RegionParams:
     label_propagation: LabelPropagationParams = later(LabelPropagationParams())
     components: ComponentsParams = later(ComponentsParams())
     contour_fit: ContourFitParams = later(ContourFitParams(stretch=12.0))
+    fast_motion: FastMotionParams = later(FastMotionParams())
     redetection: RedetectionParams = later(RedetectionParams())
     rigidity: RigidityParams = later(RigidityParams())
     figure: FigureParams = later(FigureParams())

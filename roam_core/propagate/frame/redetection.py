@@ -35,6 +35,7 @@ class LastSeen:
     ----------
     carried : (3, 3) similarity from the key when the object was last whole. area : its area then, square pixels.
     middle : (2,) centroid of what was last seen of it. params : where it is looked for. since : frames since then.
+    largest : the largest area that it has had when it was whole, where that is more than `area`.
     """
 
     carried: Array
@@ -42,11 +43,23 @@ class LastSeen:
     middle: Array
     params: RedetectionParams
     since: int = 0
+    largest: float = 0.0
+
+    @property
+    def sizes(self) -> list[float]:
+        """Sizes in relation to `carried` that the object may have, up to the largest that it has had.
+
+        What is about to be hidden seems to shrink: the size that was last seen may be too small.
+        """
+        sizes, step = list(self.params.sizes), self.params.sizes[-1]
+        while 0.0 < sizes[-1] ** 2 * step * self.area < self.largest:
+            sizes.append(sizes[-1] * step)
+        return sizes
 
     @property
     def reach(self) -> float:
         """Pixels around `middle` in which the object may be."""
-        return float(np.sqrt(self.area) * (self.params.near + self.params.pace * self.since))
+        return float(np.sqrt(max(self.area, self.largest)) * (self.params.near + self.params.pace * self.since))
 
     @property
     def is_worth_a_look(self) -> bool:
@@ -69,7 +82,8 @@ class LastSeen:
         """
         area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
         if resemblance >= self.params.almost and area_of(region) >= self.params.whole * area:
-            return LastSeen(key.to_now, area, middle_of(region), self.params)
+            largest = max(area, self.area, self.largest)
+            return LastSeen(key.to_now, area, middle_of(region), self.params, largest=largest)
         return replace(self, middle=middle_of(region), since=0)
 
 
@@ -148,13 +162,13 @@ class AppearanceTemplate:
     def found(self, frame: PreparedFrame, last_seen: LastSeen, behind: Behind | None = None) -> Array | None:
         """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
 
-        Turn and size are those where it was last seen, but for `RedetectionParams.sizes`. `behind` tells where the
-        key's background is seen.
+        Turn and size are those where it was last seen, but for `LastSeen.sizes`. `behind` tells where the key's
+        background is seen.
         """
         if self.extent < 1.0:
             return None
         near, reach = last_seen.middle, last_seen.reach
-        turns = [size * last_seen.carried[:2, :2] for size in self.params.sizes]
+        turns = [size * last_seen.carried[:2, :2] for size in last_seen.sizes]
         tried = each(lambda turn: self._likeness(frame, turn, near, reach, behind), turns)
         seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))

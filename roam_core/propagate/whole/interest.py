@@ -13,12 +13,17 @@ from roam_core.params import RegionParams
 from roam_core.proposal.cues.evidence import Field
 
 
-def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
+def grid_around(
+    positions: Array, size: tuple[int, int], params: RegionParams, scale: float, displacement: Array | None = None
+) -> Grid:
     """The region of interest around `positions (N, 2)`, with finer cells for a small object.
+
+    It takes in the place to which a known `displacement (2,)` takes them, too.
 
     Cells lie where they lay on other frames: what is carried from grid to grid is not blurred by it.
     """
-    area = Region.around(positions, params.margin * scale, size)
+    there = positions if displacement is None else np.vstack([positions, positions + displacement])
+    area = Region.around(there, params.margin * scale, size)
     if area.is_empty:  # wholly outside: the nearest pixel stands for a picture without the object
         x, y = min(area.x0, size[1] - 1), min(area.y0, size[0] - 1)
         return Grid(Region(x, y, x + 1, y + 1), 1, 1)

@@ -8,12 +8,13 @@ import numpy as np
 
 from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
-from roam_core.features import PreparedFrame
+from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
+from roam_core.motion.fast import fast_displacement, with_fast_flow
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.motion.patches import PatchMotion
-from roam_core.params import RegionParams, scale_for
+from roam_core.params import FastMotionParams, RegionParams, scale_for
 from roam_core.propagate.frame.covering import visible
 from roam_core.propagate.frame.redetection import Behind
 from roam_core.propagate.whole import patched
@@ -60,14 +61,17 @@ def observed(
     """
     scale = scale_for(frame.size)
     spots = np.vstack([corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
-    grid = grid_around(spots, frame.size, params, scale)
+    displacement = _displacement(state, frame, spots, params.fast_motion)
+    grid = grid_around(spots, frame.size, params, scale, displacement)
     if min(grid.shape) < 4:
         return None
     fine = Grid.over(grid.region, 1.0 / scale)
     flows = dense_flow(state.frame, frame, fine, is_exact=params.label_propagation_weight > 0)
-    forth, back = (on_grid(flow, fine, grid) for flow in flows)
     everywhere = state.region.on(fine) > 0.5
     inside = visible(everywhere, state.covers, fine, params.least_seen)
+    if displacement is not None:
+        flows = with_fast_flow(state.frame, frame, fine, flows, inside, displacement, params.fast_motion)
+    forth, back = (on_grid(flow, fine, grid) for flow in flows)
     moved, agreement = flow_similarity(flows[0], inside, fine)
     pictures = grid.colours_of(state.frame), grid.colours_of(frame)
     if token is not None:
@@ -106,6 +110,16 @@ def observed(
         sides, background, state.texture,
     )  # fmt: skip
     return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
+
+
+def _displacement(state: RegionState, frame: PreparedFrame, spots: Array, params: FastMotionParams) -> Array | None:
+    """Pixels `(2,)` by which the object with these corners `(N, 2)` went to `frame`; None of one that is slow."""
+    scale = scale_for(frame.size)
+    area = Region.around(spots, params.window * scale, frame.size)
+    if area.is_empty:
+        return None
+    grid = Grid.over(area, params.factor / scale)
+    return fast_displacement(state.frame, frame, grid, state.region.on(grid) > 0.5, scale, params)
 
 
 def behind(key: KeyMemory, frame: PreparedFrame, params: RegionParams) -> Behind | None:

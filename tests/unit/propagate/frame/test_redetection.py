@@ -82,6 +82,37 @@ def test_it_is_seen_though_it_has_grown() -> None:
     assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(1.25)
 
 
+def test_it_is_looked_for_at_each_size_that_it_has_had() -> None:
+    """As it went behind something, it seemed to shrink."""
+    eye, last_seen = appearance()
+    shrunk = replace(last_seen, carried=np.diag([0.5, 0.5, 1.0]), area=0.25 * last_seen.area)
+    known = replace(shrunk, largest=last_seen.area)
+    frame = PreparedFrame(picture(90.0))
+    assert eye.found(frame, shrunk) is None
+    placed = eye.found(frame, known)
+    assert placed is not None
+    assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(1.0, rel=0.13)
+    assert np.hypot(*(placed[:2] @ (60.0, ROW, 1.0) - (90.0, ROW))) < 3.0
+    assert known.reach == last_seen.reach > shrunk.reach
+
+
+def test_the_largest_size_is_that_of_a_sure_frame_or_of_the_key() -> None:
+    eye, last_seen = appearance()
+
+    def seen(before: LastSeen, size: float) -> LastSeen:
+        way = np.diag([size, size, 1.0])
+        way[:2, 2] = (1.0 - size) * np.array([60.0, ROW])
+        region = Field(eye.region.grid, eye.region.on(eye.region.grid, way) - np.float32(0.5))
+        return before.after(KeyMemory(eye.frame, eye.region, eye.colours, way, np.eye(3)), region)
+
+    grown = seen(last_seen, 1.4)
+    after = seen(grown, 0.7)
+    assert last_seen.sizes == list(PARAMS.sizes)
+    assert grown.largest == grown.area == after.largest
+    assert seen(last_seen, 0.7).largest == pytest.approx(last_seen.area)
+    assert after.sizes == pytest.approx([*PARAMS.sizes, *(PARAMS.sizes[-1] ** power for power in (2, 3))])
+
+
 def test_nothing_is_seen_where_nothing_is() -> None:
     eye, last_seen = appearance()
     assert eye.found(PreparedFrame(picture()), last_seen) is None
