@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from roam_core.params.stamped import later
+
 
 @dataclass(frozen=True)
 class RedetectionParams:
@@ -22,7 +24,9 @@ class RedetectionParams:
     whole : share of it from which its size and turn are sure.
     almost : resemblance from which they are.
     least, distinct : root of its area on the key in pixels, and nats by which it differs there from its
-        surroundings, from which an outline's inside can be known again by its colours.
+        surroundings, from which it can be known again by its colours.
+    indistinct : share of `RegionParams.doubted` under which an object is looked for that cannot, or that is held to
+        its pose.
     long_gone, sometimes : frames unseen after which an object is looked for on every fourth frame only.
     near, pace : roots of its area around its last place within which an object is looked for, and by how many more
         a frame unseen.
@@ -39,6 +43,7 @@ class RedetectionParams:
     almost: float = 0.8
     least: float = 12.0
     distinct: float = 2.0
+    indistinct: float = later(0.85)
     long_gone: int = 8
     sometimes: int = 4
     near: float = 2.0

@@ -129,7 +129,7 @@ class RegionParams:
     contrast: float = 12.0
     sweeps: int = 20
     overlap: float = 0.3
-    doubted: float = 0.6
+    doubted: float = 0.7
     better: float = 0.05
     believed: float = 0.5
     rigid: float = 0.6

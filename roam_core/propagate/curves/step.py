@@ -143,7 +143,8 @@ def step(state: TrackerState, frame: PreparedFrame, params: RoamParams, token: C
     if found is None:
         return carried
     again = _carried(found, frame, params, token)
-    return again if is_better(again.state.promise, carried.state.promise, params.appearance.cues) else carried
+    promise = again.state.promise
+    return again if is_better(promise, promise, carried.state.promise, params.appearance.cues) else carried
 
 
 def _as_last_seen(state: TrackerState, frame: PreparedFrame, params: RoamParams) -> TrackerState | None:

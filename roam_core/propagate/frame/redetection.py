@@ -159,6 +159,11 @@ class AppearanceTemplate:
         likeness = self._likeness(self.frame, np.eye(2), self.middle, 2.0 * cell)
         return likeness.best(self.middle, 2.0 * cell)[0]
 
+    @property
+    def is_distinct(self) -> bool:
+        """Whether it is large enough on the key, and its colours tell it from its surroundings there."""
+        return self.extent >= self.params.least and self.own_score >= self.params.distinct
+
     def found(self, frame: PreparedFrame, last_seen: LastSeen, behind: Behind | None = None) -> Array | None:
         """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
 
@@ -258,7 +263,7 @@ class Watch:
     def begun(cls, drawn: Array, frame: PreparedFrame, region: Field, params: RegionParams) -> Watch | None:
         """On the key, where the outline encloses `region`; None of what could not be told from its surroundings."""
         appearance = AppearanceTemplate(frame, region, params.redetection, params.unseen)
-        if appearance.extent < params.redetection.least or appearance.own_score < params.redetection.distinct:
+        if not appearance.is_distinct:
             return None
         return cls(drawn, appearance, LastSeen(np.eye(3), area_of(region), middle_of(region), params.redetection))
 
@@ -273,9 +278,12 @@ class Watch:
         return replace(self, last_seen=self.last_seen.missed(), resemblance=0.0)
 
 
-def is_better(again: float, promise: float, params: RegionParams) -> bool:
-    """Whether what was found elsewhere promises enough more than what was carried on to be taken in its place."""
-    return again > max(promise + params.better, params.believed)
+def is_better(again: float, compared: float, carried: float, params: RegionParams) -> bool:
+    """Whether what was found elsewhere is taken in place of what was carried on.
+
+    `again` is what it promises by itself, `compared` what it does beside `carried`, the promise of the other.
+    """
+    return again > params.believed and compared > carried + params.better
 
 
 def as_on_key(key: PreparedFrame, to_now: Array) -> PreparedFrame:

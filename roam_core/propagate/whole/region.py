@@ -72,14 +72,27 @@ def step(
     if state.pose is not None and params.pose is not None:
         state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params, covers))
     carried = _carried(state, frame, params, token, tuple(covers))
-    if carried.state.trust >= params.doubted:
+    if not _is_doubted(carried.state, params):
         return carried
     found = _as_last_seen(state, carried.state, frame, params)
     if found is None:
         return carried
     around = carried.state.key.surroundings
     again = replace(_carried(found, frame, params, token, tuple(covers), around), redetected=True)
-    return again if is_better(_promise(again.state, carried.state), carried.state.trust, params) else carried
+    compared = _promise(again.state, carried.state)
+    return again if is_better(again.state.trust, compared, carried.state.trust, params) else carried
+
+
+def _is_doubted(state: RegionState, params: RegionParams) -> bool:
+    """Whether so little is to be expected of a frame that the object is looked for on it.
+
+    What its colours do not tell from its surroundings, and a limb that is held to its pose, soon have lookalikes: only
+    where less is to be expected of them.
+    """
+    bound = params.doubted
+    if state.trust < bound and (state.is_posed or not state.appearance.is_distinct):
+        bound *= params.redetection.indistinct
+    return state.trust < bound
 
 
 def _promise(again: RegionState, carried: RegionState) -> float:
@@ -95,9 +108,10 @@ def _as_last_seen(
 ) -> RegionState | None:
     """As if, the frame before, the object had lain as on the key where it is seen on `frame`.
 
-    `carried` is what came of carrying it there.
+    `carried` is what came of carrying it there. What was held to its pose is looked for without it, and only if its
+    colours tell it from its surroundings: those of a limb, where it hangs on, do not.
     """
-    if not carried.last_seen.is_worth_a_look:
+    if not carried.last_seen.is_worth_a_look or (carried.is_posed and not state.appearance.is_distinct):
         return None
     to_now = state.appearance.found(frame, carried.last_seen, behind(carried.key, frame, params))
     if to_now is None:
@@ -119,6 +133,7 @@ def _as_last_seen(
         texture=None if state.texture is None else state.texture.as_on_key(),
         rigidity=rigidity,
         flow_reliability=np.zeros(grid.shape, np.float32),  # it lies there roughly
+        pose=None if carried.is_posed else state.pose,
         patch_motion=None if state.patches is None else state.patches.carried(to_now, params.believed),
     )
 

@@ -19,7 +19,8 @@ from roam_core.params import CONFIGS, RedetectionParams, RegionParams, TexturePa
 from roam_core.params.evidence import BackgroundParams
 from roam_core.propagate.curves import step as outline
 from roam_core.propagate.explain import explain
-from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, Watch, middle_of
+from roam_core.propagate.frame.confidence import PoseFeatures
+from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, Watch, is_better, middle_of
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.whole.observation import behind
 from roam_core.propagate.whole.region import step
@@ -175,6 +176,41 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
 
     assert last_seen_at(0.5)
     assert not last_seen_at(1.0)
+
+
+@pytest.mark.parametrize(("distinct", "is_found"), [(2.0, True), (9.0, False)])
+def test_what_lost_its_pose_is_found_without_it_where_its_colours_are_its_own(distinct: float, is_found: bool) -> None:
+    """As a limb it would be held to where it was: something may hide it."""
+    region = CONFIGS["best"].region
+    assert region is not None
+    params = replace(region, redetection=replace(region.redetection, distinct=distinct))
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
+    state = begin(PreparedFrame(picture(60.0)), parts, params)
+    assert state.pose is not None
+    lost = replace(state.pose, template=replace(state.pose.template, densest_seam=1.0), is_gone=True)
+    held = replace(state, pose=lost, features=PoseFeatures(unlike=0.9, beside=0.0, hidden=0.0))
+    stepped = step(held, PreparedFrame(picture(110.0)), params)
+    assert stepped.redetected is is_found
+    assert stepped.state.is_posed is not is_found
+    assert (stepped.state.pose is None) is is_found
+    assert np.hypot(*(stepped.results[0].points[:, 0].mean(axis=0) - (110.0 if is_found else 60.0, ROW))) < 20.0
+
+
+@pytest.mark.parametrize(
+    ("distinct", "indistinct", "is_found"), [(2.0, 0.0, True), (9.0, 0.0, False), (9.0, 0.8, True)]
+)
+def test_what_its_colours_do_not_tell_is_looked_for_later(distinct: float, indistinct: float, is_found: bool) -> None:
+    params = replace(REGION, redetection=replace(PARAMS, distinct=distinct, indistinct=indistinct))
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
+    stepped = step(begin(PreparedFrame(picture(60.0)), parts, params), PreparedFrame(picture(112.0)), params)
+    assert stepped.redetected is is_found
+
+
+def test_what_is_found_must_promise_enough_by_itself_and_more_beside_what_was_carried_on() -> None:
+    little, enough, more = REGION.believed, REGION.believed + 0.1, 0.1 + REGION.better
+    assert is_better(enough, more + 0.01, 0.1, REGION)
+    assert not is_better(little, 1.0, 0.1, REGION)
+    assert not is_better(1.0, more, 0.1, REGION)
 
 
 def ring_of(column: float, radius: float = RADIUS) -> Array:
