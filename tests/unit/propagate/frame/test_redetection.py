@@ -178,12 +178,16 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
     assert not last_seen_at(1.0)
 
 
-@pytest.mark.parametrize(("distinct", "is_found"), [(2.0, True), (9.0, False)])
-def test_what_lost_its_pose_is_found_without_it_where_its_colours_are_its_own(distinct: float, is_found: bool) -> None:
+@pytest.mark.parametrize(
+    ("distinct", "indistinct", "is_found"), [(2.0, 0.8, True), (2.0, 0.0, False), (9.0, 0.8, False)]
+)
+def test_what_lost_its_pose_is_found_without_it_where_its_colours_are_its_own(
+    distinct: float, indistinct: float, is_found: bool
+) -> None:
     """As a limb it would be held to where it was: something may hide it."""
     region = CONFIGS["best"].region
     assert region is not None
-    params = replace(region, redetection=replace(region.redetection, distinct=distinct))
+    params = replace(region, redetection=replace(region.redetection, distinct=distinct, indistinct=indistinct))
     parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
     state = begin(PreparedFrame(picture(60.0)), parts, params)
     assert state.pose is not None
