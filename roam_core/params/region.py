@@ -92,8 +92,8 @@ class RegionParams:
     label_propagation : of what a cell brings along. components : of the region's components. contour_fit : of laying
         points along it.
     fast_motion : of where an object went that moves fast. redetection : of looking for what was lost. rigidity : of
-        what is carried as one piece. figure : of an object in parts. span : of filling between two keys. confidence :
-        of how far all that is trusted.
+        what is carried as one piece. figure : of an object in parts. span : of filling between two keys.
+    confidence : of how far all that is trusted.
     """
 
     grid_factor: float = 0.5
