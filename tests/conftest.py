@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import signal
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from roam_core.cli.stopping import STOPPING
 
 # No test is timed, and a suite that passes here passes elsewhere: the same examples everywhere.
 settings.register_profile("suite", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
@@ -22,3 +26,12 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip("needs the shots and samples in ../shared, which are not part of the repository")
     return folder
+
+
+@pytest.fixture
+def heard() -> Iterator[None]:
+    """No signal is ignored, as all are in a process that a script left in the background, and in what it starts."""
+    before = {number: signal.signal(number, signal.default_int_handler) for number in STOPPING}
+    yield
+    for number, was in before.items():
+        signal.signal(number, was)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import multiprocessing
 import os
+import signal
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -97,12 +98,21 @@ def local(shares: Shares, *, dashboard: bool = True, loading: Sequence[str] = ()
             dashboard_address=f"{HERE}:{DASHBOARD}" if dashboard else f"{HERE}:0",
             memory_limit=shares.memory,
             env=shares.environment,
+            preload=[__name__],
             scheduler_kwargs={"dashboard": dashboard},
             silence_logs=logging.CRITICAL,
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
         yield client
+
+
+def dask_setup(_worker: Any) -> None:
+    """Called by Dask on each worker of ours as it starts (`preload`): Ctrl-C is for the batch, which stops its workers.
+
+    A terminal sends it to all processes. A worker that heard of it would end in the middle of a step.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 @contextmanager

@@ -210,7 +210,7 @@ class _Batch:
             return
         running = {key for keys in self._client.processing().values() for key in keys}
         self._client.cancel([future for future in waiting if future.key not in running], force=True)
-        self._client.run(self._work.cancel, self._name)
+        self._client.run(self._work.cancel, self._name, on_error="ignore")  # a worker that is gone has stopped
         left = [future for future in waiting if future.key in running and future.status == "pending"]
         if left:
             try:

@@ -105,15 +105,6 @@ def test_an_error_says_what_has_become_of_the_rest() -> None:
 
 
 @pytest.fixture
-def heard() -> Iterator[None]:
-    """No signal is ignored, as all are in a process that a script left in the background."""
-    before = {number: signal.signal(number, signal.default_int_handler) for number in STOPPING}
-    yield
-    for number, was in before.items():
-        signal.signal(number, was)
-
-
-@pytest.fixture
 def on_frame(monkeypatch: pytest.MonkeyPatch) -> Callable[[int, Callable[[], object]], None]:
     """`on_frame(1003, act)`: something happens when tracking has come to that frame."""
 

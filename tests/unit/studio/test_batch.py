@@ -80,6 +80,7 @@ def test_a_batch_by_address_is_bit_by_bit_what_single_runs_give(
     assert results(out) == made
 
 
+@pytest.mark.usefixtures("heard")
 def test_a_cluster_of_its_own_is_stopped_by_a_signal_and_resumed(tmp_path: Path) -> None:
     put_shot(tmp_path / "show" / "a")
     frames = 6
