@@ -17,6 +17,7 @@ from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.between.span import Filling, Reader, spans
 from roam_core.propagate.engines.by_regions import RegionEngine
+from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, SpanFeatures, expected_overlap
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.shapes.objects import near, objects
@@ -89,6 +90,7 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
     keys = list(shot.frames[::gap])
     shapes = true_keys.of(shot).over(keys)
     filling = Filling(Reader({frame: shot.read(frame) for frame in shot.frames}), params_for(CONFIGS["best"]))
+    view = EngineView.of(shot.size, filling.params)
     for start, stop in pairwise(keys):
         gaps = spans(shapes, start, stop)
         if not gaps:
@@ -96,13 +98,13 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
         stamps = Stamps(shapes, size=shot.size)
         groups = sorted({stamps.filled_with(k, (start, stop)) for k in gaps[0][2]})
         made = [
-            (group, filling.passed(group, (start, stop), shot.size))
+            (group, filling.passed(group, (start, stop), view))
             for group in ([shapes[k] for k in members] for members in groups)
         ]
         for frame in range(start + 1, stop):
             known, outlines = list[Told](), list[RotoShape]()
             for group, span in made:
-                solved = filling.solved(span, group, frame)
+                solved = filling.solved(span, group, view, frame)
                 pairs = [(s, each) for s, each in zip(group, solved, strict=True) if each is not None]
                 here = [RotoShape(s.id, s.name, (Keyframe(frame, m.points),), blend=s.blend) for s, m in pairs]
                 outlines += here

@@ -89,6 +89,8 @@ class PreparedFrame:
         self.size: tuple[int, int] = image.size if isinstance(image, PartialPicture) else (self._box.y1, self._box.x1)
         self._lock = threading.Lock()
         self._gradients: dict[tuple[Region, float, float, float], Float32] = {}
+        self._resizing = threading.Lock()
+        self._resized: dict[tuple[int, int], PreparedFrame] = {}
 
     @property
     def image(self) -> UInt8:
@@ -119,6 +121,15 @@ class PreparedFrame:
     def grey_within(self, region: Region) -> UInt8:
         """Luma `(rows, columns)` of a part of it."""
         return _luma(self.within(region))
+
+    def resized(self, size: tuple[int, int]) -> PreparedFrame:
+        """The same picture at another size (h, w), bicubic."""
+        if size == self.size:
+            return self
+        with self._resizing:
+            if size not in self._resized:
+                self._resized[size] = PreparedFrame(cv2.resize(self.image, size[::-1], interpolation=cv2.INTER_CUBIC))
+            return self._resized[size]
 
     def squared_gradient(self, region: Region, sigma: float, floor: float, top: float) -> Float32:
         """|grad I|^2 of equation 3 over a region, (rows, columns), normalised to [0, 1].

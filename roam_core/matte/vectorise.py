@@ -16,7 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
 from roam_core.geometry.simple import simplified
 from roam_core.media.decoding import read_channels
-from roam_core.params import UNTYING
+from roam_core.params import UNTYING, enlargement_for
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
 
@@ -24,14 +24,15 @@ LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
 
 
-def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0) -> list[RotoShape]:
+def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None = None) -> list[RotoShape]:
     """One shape for each outer contour of a mask, largest first, each followed by its holes as subtracting shapes.
 
     Parameters
     ----------
     mask : (h, w) or (h, w, c); bool, integer or float; white inside. A grey antialiased edge is met at half intensity.
     frame : the frame of the shapes' one artist key.
-    tolerance : pixels by which the spline may stray from the mask's outline.
+    tolerance : pixels by which the spline may stray from the mask's outline; None: one, as the engine sees a picture
+        of that size (`params.enlargement_for`).
 
     Returns
     -------
@@ -39,13 +40,14 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0)
     """
     shapes: list[RotoShape] = []
     compound = compound_of(mask, frame)
+    within = 1.0 / enlargement_for((mask.shape[0], mask.shape[1])) if tolerance is None else tolerance
     for number, rings in enumerate(outlines(mask), start=1):
         for hole, ring in enumerate(rings):
             shapes.append(
                 RotoShape(
                     id=f"shape-{len(shapes) + 1}",
                     name=f"Shape {number}" if hole == 0 else f"Shape {number} hole {hole}",
-                    keys=(Keyframe(frame, _fitted(ring, tolerance)),),
+                    keys=(Keyframe(frame, _fitted(ring, within)),),
                     colour=PALETTE[len(shapes) % len(PALETTE)],
                     blend=BlendMode.ADD if hole == 0 else BlendMode.SUBTRACT,
                     compound=compound,

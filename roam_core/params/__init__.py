@@ -49,7 +49,7 @@ from roam_core.params.proposals import ProposalParams
 from roam_core.params.redetection import RedetectionParams
 from roam_core.params.region import RegionParams
 from roam_core.params.rigid import PLANAR, PlanarParams, RigidityParams
-from roam_core.params.roam import RoamParams, scale_for
+from roam_core.params.roam import RoamParams, enlargement_for, scale_for
 from roam_core.params.softness import SOFTNESS, SoftnessParams
 
 __all__ = [
@@ -119,6 +119,7 @@ __all__ = [
     "TextureParams",
     "UntyingParams",
     "departed",
+    "enlargement_for",
     "is_doubtful",
     "params_for",
     "scale_for",

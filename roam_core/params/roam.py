@@ -101,6 +101,17 @@ class RoamParams:
         return values(self)
 
 
+STANDARD_LINES = 480
+"""Lines of the image that lengths of parameters are told for."""
+MOST_ENLARGED = 2.0
+"""Factor by which a picture is enlarged at most: more shows nothing more."""
+
+
+def enlargement_for(size: tuple[int, int]) -> float:
+    """By how much a picture of `size` (h, w) is enlarged for an engine of regions: towards `STANDARD_LINES`."""
+    return min(max(1.0, STANDARD_LINES / max(min(size), 1)), MOST_ENLARGED)
+
+
 def scale_for(size: tuple[int, int]) -> float:
     """How much longer lengths are in an image of `size` (h, w) than in one of 480 lines; never below 1."""
-    return max(1.0, min(size) / 480.0)
+    return max(1.0, min(size) / STANDARD_LINES)

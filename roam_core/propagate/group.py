@@ -15,6 +15,7 @@ from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
+from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes import provenance
@@ -25,21 +26,18 @@ from roam_core.roto.edit import set_engine_keys
 
 @dataclass(frozen=True, eq=False)
 class Standing:
-    """Where a group stands: the frame, the shapes with all their keys so far, and what the engine knows of them.
+    """Where a group stands: the frame, its picture, the shapes with all their keys so far, and what the engine knows.
 
     `began` is the frame whose outlines the landmarks go back to; `known_from` the one on which all that is known of the
     shapes begins: each was given there (`provenance`).
     """
 
     frame: int
+    picture: PreparedFrame
     shapes: tuple[RotoShape, ...]
     engine: Engine
     began: int
     known_from: int
-
-    @property
-    def picture(self) -> PreparedFrame:
-        return self.engine.frame
 
 
 class GroupTracker:
@@ -86,8 +84,14 @@ class GroupTracker:
             if shape.point_count < provenance.MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
-        engine = begin(picture, parts, self.params, units(given, near(picture.size)), stacked(given, frame))
-        self._standing = Standing(frame, given, engine, frame, frame)
+        self._standing = Standing(frame, picture, given, self._begun(picture, given, frame, parts), frame, frame)
+
+    def _begun(
+        self, picture: PreparedFrame, shapes: Sequence[RotoShape], frame: int, parts: tuple[Part, ...]
+    ) -> Engine:
+        view = EngineView.of(picture.size, self.params)
+        made, order = units(shapes, near(picture.size)), stacked(shapes, frame)
+        return begin(view.picture(picture), view.parts(parts), self.params, made, order)
 
     def given(self) -> tuple[TrackResult, ...]:
         """The shapes on the frame where the group stands, as they were given there, with what was learned of them."""
@@ -125,7 +129,8 @@ class GroupTracker:
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(replace(result, seconds=seconds) for result in self.given())
-        step = standing.engine.step(picture, stacked(standing.shapes, frame), token)
+        view = EngineView.of(picture.size, self.params)
+        step = view.step(standing.engine, picture, stacked(standing.shapes, frame), token)
         solved = step.results
         shapes = tuple(
             shape if key else self._keyed(shape, standing.frame, frame, each)
@@ -137,7 +142,7 @@ class GroupTracker:
         elif any(by_hand):
             self._correct(picture, shapes, frame, step.after, by_hand)
         else:
-            self._standing = Standing(frame, shapes, step.after, standing.began, standing.known_from)
+            self._standing = Standing(frame, picture, shapes, step.after, standing.began, standing.known_from)
         seconds = (time.perf_counter() - began) / len(shapes)
         return tuple(
             _as_given(shape, frame, seconds, landmarks)
@@ -150,11 +155,11 @@ class GroupTracker:
         self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, engine: Engine, given: Sequence[bool]
     ) -> None:
         """Go on from a frame on which the artist gave some of the shapes, and the engine the others."""
-        parts, order = parts_at(shapes, frame), stacked(shapes, frame)
-        corrected = engine.corrected(parts, order, given)
+        parts, view = parts_at(shapes, frame), EngineView.of(picture.size, self.params)
+        corrected = engine.corrected(view.parts(parts), stacked(shapes, frame), given)
         if corrected is None:
-            corrected = begin(picture, parts, self.params, units(shapes, near(picture.size)), order)
-        self._standing = Standing(frame, shapes, corrected, frame, self.standing.known_from)
+            corrected = self._begun(picture, shapes, frame, parts)
+        self._standing = Standing(frame, picture, shapes, corrected, frame, self.standing.known_from)
 
     def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:
         """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""

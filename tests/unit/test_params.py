@@ -120,8 +120,9 @@ def test_what_a_changed_number_made_is_fresh_under_its_name_and_stale_under_anot
 
 
 SHOT = Shot(
-    blob([26.0, 22.0, 18.0, 24.0, 28.0, 20.0]),
-    tuple(pose(60.0 + 3.0 * k, 56.0, 5.0 * k, 1.0 + 0.02 * k) for k in range(4)),
+    blob([52.0, 44.0, 36.0, 48.0, 56.0, 40.0]),
+    tuple(pose(110.0 + 3.0 * k, 106.0, 3.0 * k, 1.0 + 0.02 * k) for k in range(4)),
+    size=(240, 320),
     drift=(-0.5, 0.3),
 )
 

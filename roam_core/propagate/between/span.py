@@ -19,11 +19,12 @@ from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.params.steadiness import STEADINESS
 from roam_core.propagate.between.both_keys import as_on_another, as_on_both
-from roam_core.propagate.between.directional_pass import DirectionalPass, directional_pass
+from roam_core.propagate.between.directional_pass import DirectionalPass, ReadPicture, directional_pass
 from roam_core.propagate.between.endpoint_consistency import Key, Span
 from roam_core.propagate.between.merge import Colours, Merged, merged
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
+from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import near, stacked, units
@@ -172,8 +173,9 @@ class Filling:
                 _require_closed(shape)
             if not any(shape.exists_at(frame) for shape in ours for frame in between):
                 continue
-            span = self.passed(ours, gap, size)
-            found = list(zip(between, each(partial(self.solved, span, ours), between), strict=True))
+            view = EngineView.of(size, self.params)
+            span = self.passed(ours, gap, view)
+            found = list(zip(between, each(partial(self.solved, span, ours, view), between), strict=True))
             for place, k in enumerate(members):
                 inputs = stamps.filled(k, gap, self.params, self.alone, span.asked_beyond) if k in asked else ""
                 outlines = [(frame, solved[place]) for frame, solved in found]
@@ -207,77 +209,80 @@ class Filling:
             return self.params
         return replace(self.params, region=replace(region, grid_factor=region.fill_factor, pose_kept=True))
 
-    def solved(self, span: Span, shapes: Sequence[RotoShape], frame: int) -> list[Merged | None]:
+    def solved(self, span: Span, shapes: Sequence[RotoShape], view: EngineView, frame: int) -> list[Merged | None]:
         """The outlines of an object's shapes on a frame between its keys; None for those that are not there."""
         if self.token is not None:
             self.token.check()
         alive = [k for k, shape in enumerate(shapes) if shape.exists_at(frame)]
         try:
-            return merged(span, frame, alive, self._colours(frame) if alive else None)
+            found = merged(span, frame, alive, self._colours(frame, view) if alive else None)
         except MissingFrame:  # where its file is damaged may show only when it is read there
-            return merged(span, frame, alive, None)
+            found = merged(span, frame, alive, None)
+        return [None if each is None else replace(each, points=view.back(each.points)) for each in found]
 
-    def _colours(self, frame: int) -> Colours | None:
+    def _colours(self, frame: int, view: EngineView) -> Colours | None:
         """The picture of a frame as something to go by; None where it is missing, or not asked."""
         params = self.finer.region
         if params is None or params.keys_weight == 0:
             return None
         try:
-            return Colours(self.read(frame), params)
+            return Colours(view.picture(self.read(frame)), params)
         except MissingFrame:
             return None
 
-    def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], size: tuple[int, int]) -> Span:
-        """Both passes of one object, side by side."""
-        keys = [_key(shapes, frame) for frame in gap]
-        engines: Sequence[Engine | None] = each(lambda key: self._begun(shapes, key, size), keys)
+    def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], view: EngineView) -> Span:
+        """Both passes of one object, side by side, as the engine sees them."""
+        keys = [_key(shapes, frame, view) for frame in gap]
+        engines: Sequence[Engine | None] = each(lambda key: self._begun(shapes, key, view), keys)
         if engines[0] is not None and engines[1] is not None:
             engines = as_on_both(engines[0], engines[1])
-        span = self._span(shapes, keys, engines, size).better
+        span = self._span(shapes, keys, engines, view).better
         if not span.is_astray:
             return span
         for frame in provenance.keys_beyond(shapes, gap):
-            other = self._begun_there(shapes, frame, size)
+            other = self._begun_there(shapes, frame, view)
             looking = [as_on_another(engine, other) for engine in engines if engine is not None]
-            again = replace(self, meter=None)._span(shapes, keys, looking, size).posed
+            again = replace(self, meter=None)._span(shapes, keys, looking, view).posed
             if again is not None and again.has_arrived:
                 span = again
                 break
         return replace(span, asked_beyond=True)
 
     def _span(
-        self, shapes: Sequence[RotoShape], keys: Sequence[Key], engines: Sequence[Engine | None], size: tuple[int, int]
+        self, shapes: Sequence[RotoShape], keys: Sequence[Key], engines: Sequence[Engine | None], view: EngineView
     ) -> Span:
         """Both passes of one object, by engines that were begun on its keys."""
         first, last = keys
         frames = range(first.frame, last.frame + 1)
         ways = list(zip(engines, keys, (frames, frames[::-1]), strict=True))
-        ahead, behind = each(lambda way: self._directional_pass(shapes, *way), ways)
-        return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams())
+        ahead, behind = each(lambda way: self._directional_pass(shapes, view, *way), ways)
+        scale = scale_for(view.seen)
+        return Span(first, last, ahead, behind, view.seen, scale, self.params.region or RegionParams())
 
-    def _begun_there(self, shapes: Sequence[RotoShape], frame: int, size: tuple[int, int]) -> Engine | None:
+    def _begun_there(self, shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Engine | None:
         """The object on a key beyond the span; None where its picture is not to be had."""
         try:
-            return self._begun(shapes, _key(shapes, frame), size)
+            return self._begun(shapes, _key(shapes, frame, view), view)
         except RoamError:
             return None
 
-    def _begun(self, shapes: Sequence[RotoShape], key: Key, size: tuple[int, int]) -> Engine | None:
+    def _begun(self, shapes: Sequence[RotoShape], key: Key, view: EngineView) -> Engine | None:
         """The object on one of its keys; None where it has no outline there."""
         if not key.drawn:
             return None
         there = [shapes[k] for k in key.members]
-        made, order = units(there, near(size)), stacked(there, key.frame)
-        return begin(self.read(key.frame), key.drawn, self.finer, made, order)
+        made, order = units(there, near(view.size)), stacked(there, key.frame)
+        return begin(view.picture(self.read(key.frame)), key.drawn, self.finer, made, order)
 
     def _directional_pass(
-        self, shapes: Sequence[RotoShape], engine: Engine | None, key: Key, frames: range
+        self, shapes: Sequence[RotoShape], view: EngineView, engine: Engine | None, key: Key, frames: range
     ) -> DirectionalPass | None:
         if engine is None:
             return None
         passed = None if self.meter is None else self.meter.passed
         orders = partial(stacked, [shapes[k] for k in key.members])
-        return directional_pass(engine, key.drawn, self.read, orders, frames, self.finer, self.token, passed)
+        read: ReadPicture = lambda frame: view.picture(self.read(frame))  # noqa: E731
+        return directional_pass(engine, key.drawn, read, orders, frames, self.finer, self.token, passed)
 
 
 def _require_closed(shape: RotoShape) -> None:
@@ -285,15 +290,15 @@ def _require_closed(shape: RotoShape) -> None:
         raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
 
 
-def _key(shapes: Sequence[RotoShape], frame: int) -> Key:
-    """What the artist drew on a frame."""
+def _key(shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Key:
+    """What the artist drew on a frame, for the engine."""
     keys = [shape.key_at(frame) for shape in shapes]
     return Key(
         frame,
         tuple(
             None
             if key is None or key.origin is not Origin.ARTIST
-            else Part(key.points, shape.blend is BlendMode.SUBTRACT, shape.attached)
+            else Part(view.points(key.points), shape.blend is BlendMode.SUBTRACT, shape.attached)
             for shape, key in zip(shapes, keys, strict=True)
         ),
     )

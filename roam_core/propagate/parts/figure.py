@@ -216,6 +216,6 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
         covered *= 1.0 - enclosed([Part(part.points)], grid)
     outlines = tuple(
         Part(shape.keys[0].points + window.origin, shape.blend is BlendMode.SUBTRACT)
-        for shape in shapes_from_mask(covered)
+        for shape in shapes_from_mask(covered, tolerance=1.0)
     )
     return begin_whole(frame, outlines, replace(params, pose=None)) if outlines else None

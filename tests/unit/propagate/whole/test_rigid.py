@@ -93,7 +93,7 @@ def test_without_the_rigid_mode_its_points_stray() -> None:
     assert best.region is not None
     found = strayed(replace(best, region=replace(best.region, rigid=1.1, pose=None, patches=None, background=None)))
     assert not any(held for _, held in found)
-    assert found[-1][0] > 10.0
+    assert max(away for away, _ in found) > 2.0
 
 
 def test_two_halves_that_go_apart_are_no_piece() -> None:

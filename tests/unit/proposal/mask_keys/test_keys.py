@@ -190,7 +190,7 @@ def test_a_shape_that_was_out_of_sight_takes_its_part_again() -> None:
 
 def test_a_shape_that_stays_out_of_sight_takes_nothing_from_another() -> None:
     body, hand = (20, 20, 80, 100), (40, 40, 70, 80)
-    whole, part = (shapes_from_mask(solid(box), 1)[0] for box in (body, hand))
+    whole, part = (shapes_from_mask(solid(box), 1, tolerance=1.0)[0] for box in (body, hand))
     shapes = [whole, closed(replace(part, id="hand"), 9)]
     keyed = keys_from_mask(shapes, solid(body), 9)
     assert not keyed[1].exists_at(9)

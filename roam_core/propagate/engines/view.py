@@ -1,0 +1,86 @@
+"""Pictures of few lines, enlarged for an engine that works with regions: its cells are as fine as the pixels then.
+
+Lengths of the engine are those of a picture of 480 lines. In one of fewer, seen as it is, a cell would be two of its
+pixels: too coarse for what is small there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from roam_core.arrays import Array
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame
+from roam_core.params import RoamParams, enlargement_for
+from roam_core.propagate.engines.protocol import Account, Engine, Step
+from roam_core.propagate.frame.result import Part, StepResult
+
+
+@dataclass(frozen=True)
+class EngineView:
+    """How an engine sees the pictures of a shot, and the outlines on them.
+
+    Attributes
+    ----------
+    size : (h, w) of the pictures. seen : (h, w) at which the engine sees them.
+    """
+
+    size: tuple[int, int]
+    seen: tuple[int, int]
+
+    @classmethod
+    def of(cls, size: tuple[int, int], params: RoamParams) -> EngineView:
+        """For pictures of a size (h, w); an engine of curves alone sees them as they are."""
+        factor = 1.0 if params.region is None else enlargement_for(size)
+        return cls(size, (round(size[0] * factor), round(size[1] * factor)))
+
+    @cached_property
+    def factor(self) -> Array:
+        """`(2,)`: how much longer lengths along x and y are for the engine."""
+        return np.asarray(np.divide(self.seen[::-1], self.size[::-1]))
+
+    def picture(self, picture: PreparedFrame) -> PreparedFrame:
+        """A picture as the engine sees it."""
+        return picture.resized(self.seen)
+
+    def points(self, points: Array) -> Array:
+        """Image positions `(..., 2)` for the engine."""
+        return points * self.factor
+
+    def back(self, points: Array) -> Array:
+        """Positions `(..., 2)` of the engine in the image."""
+        return points / self.factor
+
+    def parts(self, parts: Sequence[Part]) -> tuple[Part, ...]:
+        """Outlines for the engine."""
+        return tuple(replace(part, points=self.points(part.points)) for part in parts)
+
+    def step(
+        self, engine: Engine, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None
+    ) -> Step:
+        """The engine's step to the frame of `picture`; its results and accounts in pixels of that."""
+        return _Step(engine.step(self.picture(picture), order, token), self)
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """A step of an engine that sees enlarged pictures; the engine `after` it goes on seeing them."""
+
+    step: Step
+    view: EngineView
+
+    @property
+    def after(self) -> Engine:
+        return self.step.after
+
+    @cached_property
+    def results(self) -> tuple[StepResult, ...]:
+        return tuple(replace(each, points=self.view.back(each.points)) for each in self.step.results)
+
+    def account(self, k: int, points: Array, subtracts: bool) -> Account:
+        account = self.step.account(k, self.view.points(points), subtracts)
+        return replace(account, nodes=self.view.back(account.nodes))

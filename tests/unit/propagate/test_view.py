@@ -1,0 +1,137 @@
+"""Pictures of few lines are enlarged for the engine of regions: what comes out is told in their own pixels."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core import fill_span, render_matte, shapes_from_mask, track
+from roam_core.arrays import Array, Bools, UInt8
+from roam_core.features import PreparedFrame
+from roam_core.params import params_for
+from roam_core.propagate.engines.begin import begin
+from roam_core.propagate.engines.view import EngineView
+from roam_core.propagate.explain import explain
+from roam_core.propagate.group import parts_at
+from roam_core.propagate.shapes.objects import near, units
+from roam_core.roto import Keyframe, RotoShape
+from tests.golden.shots import Shot, blob, outline_distance, overlap, pose
+
+CONFIG = "best+region.rigid=1.1+region.pose=none"
+"""The region is asked, though these bodies move as one piece."""
+BEST = params_for(CONFIG)
+SHOT = Shot(blob([12.0, 4.0, 12.0, 4.0, 12.0, 4.0]), tuple(pose(50.0 + 2.2 * k, 60.0 - k, 3.0 * k) for k in range(5)))
+LARGE = (240, 320)
+
+
+def enlarged(frame: int) -> UInt8:
+    return np.asarray(cv2.resize(SHOT.read(frame), LARGE[::-1], interpolation=cv2.INTER_CUBIC), dtype=np.uint8)
+
+
+def twice(shape: RotoShape) -> RotoShape:
+    return replace(shape, keys=tuple(replace(key, points=2.0 * key.points) for key in shape.keys))
+
+
+@pytest.mark.parametrize(
+    ("size", "seen"),
+    [
+        ((240, 320), (480, 640)),
+        ((352, 288), (587, 480)),
+        ((120, 160), (240, 320)),
+        ((480, 854), (480, 854)),
+        ((1080, 1920), (1080, 1920)),
+        ((1, 400), (2, 800)),
+    ],
+)
+def test_small_pictures_are_seen_at_most_twice_as_large(size: tuple[int, int], seen: tuple[int, int]) -> None:
+    view = EngineView.of(size, BEST)
+    assert view.seen == seen
+    corner = np.array([float(size[1]), float(size[0])])
+    np.testing.assert_allclose(view.points(corner), seen[::-1], rtol=1e-12)
+    np.testing.assert_allclose(view.back(view.points(corner)), corner, rtol=1e-12)
+
+
+def test_engines_of_curves_see_them_as_they_are() -> None:
+    assert EngineView.of((240, 320), params_for("full")) == EngineView((240, 320), (240, 320))
+    picture = PreparedFrame(SHOT.read(SHOT.first))
+    assert picture.resized(picture.size) is picture
+
+
+def test_what_is_tracked_is_what_an_engine_finds_on_the_enlarged_pictures() -> None:
+    *_, last = track(SHOT.read, [SHOT.shape()], SHOT.frames, BEST)
+    parts = parts_at([twice(SHOT.shape())], SHOT.first)
+    made = units([SHOT.shape()], near(SHOT.size))
+    engine = begin(PreparedFrame(enlarged(SHOT.first)), parts, BEST, made, (0,))
+    for frame in SHOT.frames[1:]:
+        step = engine.step(PreparedFrame(enlarged(frame)), (0,))
+        engine = step.after
+    np.testing.assert_array_equal(2.0 * last.results[0].shape.at(last.frame).points, step.results[0].points)
+
+
+@pytest.mark.shared
+def test_a_small_picture_loses_less_than_one_that_is_seen_as_it_is(shared: Path) -> None:
+    """What is thin on photographs of 192 lines: the wheels and the legs of a woman with a pram."""
+    folder = shared / "data" / "davis2016-train"
+
+    def small(kind: str, name: str) -> UInt8:
+        image = cv2.imread(str(folder / kind / "stroller" / name))
+        assert image is not None
+        return np.asarray(cv2.resize(image, (342, 192), interpolation=cv2.INTER_AREA), dtype=np.uint8)
+
+    def read(frame: int) -> UInt8:
+        return np.ascontiguousarray(small("JPEGImages", f"{frame:05d}.jpg")[..., ::-1])
+
+    def mask(frame: int) -> Bools:
+        return np.asarray(small("Annotations", f"{frame:05d}.png")[..., 0] > 127)
+
+    params, frames = params_for("best"), range(9)
+    shapes = shapes_from_mask(mask(0))
+    *_, last = track(read, shapes, frames, params)
+    parts, made = parts_at(shapes, 0), units(shapes, near((192, 342)))
+    engine = begin(PreparedFrame(read(0)), parts, params, made, tuple(range(len(parts))))
+    for frame in frames[1:]:
+        step = engine.step(PreparedFrame(read(frame)), tuple(range(len(parts))))
+        engine = step.after
+    as_it_is = [
+        RotoShape(shape.id, shape.name, (Keyframe(last.frame, each.points),), blend=shape.blend)
+        for shape, each in zip(shapes, step.results, strict=True)
+    ]
+    ours, theirs = (
+        overlap(render_matte(each, last.frame, (192, 342)) > 0.5, mask(last.frame))
+        for each in ([result.shape for result in last.results], as_it_is)
+    )
+    assert ours > theirs + 0.03
+
+
+def test_a_fill_and_an_explanation_are_told_in_pixels_of_the_picture() -> None:
+    first, stop = SHOT.frames[0], SHOT.frames[-1]
+    shape = SHOT.shape().with_key(Keyframe(stop, SHOT.truth(stop)))
+    (filled,) = fill_span({frame: SHOT.read(frame) for frame in SHOT.frames}, [shape], first, stop, BEST)
+    for frame in range(first + 1, stop):
+        assert outline_distance(filled.at(frame).points, SHOT.truth(frame)) < 0.7
+    *_, last = track(SHOT.read, [SHOT.shape()], SHOT.frames[:3], CONFIG)
+    tracked = last.results[0].shape
+    (told,) = explain(lambda frame: PreparedFrame(SHOT.read(frame)), [tracked], last.frame, None)
+    assert told.apart == 0.0
+    assert len(told.account.terms) > 1
+    assert _farthest(told.account.nodes, SHOT.truth(last.frame)) < 4.0
+
+
+def _farthest(nodes: Array, true: Array) -> float:
+    return float(np.abs(nodes.mean(axis=0) - true[:, 0].mean(axis=0)).max())
+
+
+def test_a_mask_of_few_lines_gets_as_many_points_as_one_of_twice_as_many() -> None:
+    small = SHOT.matte(SHOT.first)
+    large = cv2.resize(small, LARGE[::-1], interpolation=cv2.INTER_CUBIC)
+    (ours,), (theirs,), (coarse,) = (
+        shapes_from_mask(small),
+        shapes_from_mask(large, tolerance=1.0),
+        shapes_from_mask(small, tolerance=1.0),
+    )
+    assert abs(ours.point_count - theirs.point_count) <= 2
+    assert coarse.point_count < ours.point_count
