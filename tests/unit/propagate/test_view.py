@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,7 +13,7 @@ import pytest
 from roam_core import fill_span, render_matte, shapes_from_mask, track
 from roam_core.arrays import Array, Bools, UInt8
 from roam_core.features import PreparedFrame
-from roam_core.params import params_for
+from roam_core.params import RoamParams, params_for
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.explain import explain
@@ -34,6 +35,22 @@ def enlarged(frame: int) -> UInt8:
 
 def twice(shape: RotoShape) -> RotoShape:
     return replace(shape, keys=tuple(replace(key, points=2.0 * key.points) for key in shape.keys))
+
+
+def by_hand(
+    read: Callable[[int], UInt8], shapes: Sequence[RotoShape], frames: range, params: RoamParams, size: tuple[int, int]
+) -> list[Array]:
+    """The points of an object on the last frame, found by an engine that is begun and stepped on pictures as they are.
+
+    `size` is that of the pictures that the shapes were drawn on.
+    """
+    order = tuple(range(len(shapes)))
+    parts, made = parts_at(shapes, frames[0]), units(shapes, near(size))
+    engine = begin(PreparedFrame(read(frames[0])), parts, params, made, order)
+    for frame in frames[1:]:
+        step = engine.step(PreparedFrame(read(frame)), order)
+        engine = step.after
+    return [each.points for each in step.results]
 
 
 @pytest.mark.parametrize(
@@ -63,13 +80,8 @@ def test_engines_of_curves_see_them_as_they_are() -> None:
 
 def test_what_is_tracked_is_what_an_engine_finds_on_the_enlarged_pictures() -> None:
     *_, last = track(SHOT.read, [SHOT.shape()], SHOT.frames, BEST)
-    parts = parts_at([twice(SHOT.shape())], SHOT.first)
-    made = units([SHOT.shape()], near(SHOT.size))
-    engine = begin(PreparedFrame(enlarged(SHOT.first)), parts, BEST, made, (0,))
-    for frame in SHOT.frames[1:]:
-        step = engine.step(PreparedFrame(enlarged(frame)), (0,))
-        engine = step.after
-    np.testing.assert_array_equal(2.0 * last.results[0].shape.at(last.frame).points, step.results[0].points)
+    (points,) = by_hand(enlarged, [twice(SHOT.shape())], SHOT.frames, BEST, SHOT.size)
+    np.testing.assert_array_equal(2.0 * last.results[0].shape.at(last.frame).points, points)
 
 
 @pytest.mark.shared
@@ -91,14 +103,9 @@ def test_a_small_picture_loses_less_than_one_that_is_seen_as_it_is(shared: Path)
     params, frames = params_for("best"), range(9)
     shapes = shapes_from_mask(mask(0))
     *_, last = track(read, shapes, frames, params)
-    parts, made = parts_at(shapes, 0), units(shapes, near((192, 342)))
-    engine = begin(PreparedFrame(read(0)), parts, params, made, tuple(range(len(parts))))
-    for frame in frames[1:]:
-        step = engine.step(PreparedFrame(read(frame)), tuple(range(len(parts))))
-        engine = step.after
     as_it_is = [
-        RotoShape(shape.id, shape.name, (Keyframe(last.frame, each.points),), blend=shape.blend)
-        for shape, each in zip(shapes, step.results, strict=True)
+        RotoShape(shape.id, shape.name, (Keyframe(last.frame, points),), blend=shape.blend)
+        for shape, points in zip(shapes, by_hand(read, shapes, frames, params, (192, 342)), strict=True)
     ]
     ours, theirs = (
         overlap(render_matte(each, last.frame, (192, 342)) > 0.5, mask(last.frame))

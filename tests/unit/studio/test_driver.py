@@ -119,8 +119,10 @@ def test_a_token_cancels_what_runs(client: Any, tmp_path: Path, waiting: Path) -
     assert (waiting / "stop").exists()
 
 
+@pytest.mark.usefixtures("heard")
 def test_workers_of_this_machine_have_loaded_what_they_need_and_hear_nobody_else() -> None:
     program = """
+import signal
 import psutil
 from roam_core.cli.performing import WORK
 from roam_core.studio import cluster
@@ -137,12 +139,14 @@ if __name__ == "__main__":
             if connection.status == psutil.CONN_LISTEN
         ]
         print(len(listening) > 2, set(listening))
+        print(set(client.run(lambda: signal.getsignal(signal.SIGINT) is signal.SIG_IGN).values()))
 """
     done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
-    loaded, bound = done.stdout.splitlines()
+    loaded, bound, is_ignored = done.stdout.splitlines()
     if sys.platform == "linux":  # where workers are forks
         assert loaded == "dict_values([[True, False], [True, False]])"
     assert bound == "True {'127.0.0.1'}"
+    assert is_ignored == "{True}"  # a terminal sends Ctrl-C to all: the batch stops them
 
 
 def test_the_batch_is_told_of_steps_and_of_frames(client: Any, tmp_path: Path) -> None:
