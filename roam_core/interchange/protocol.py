@@ -17,6 +17,7 @@ from roam_core.interchange.bake_layers import BY_LAYER, bake_layers
 from roam_core.interchange.keys.reduction import Motion, Slopes, reduced
 from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.interchange.matte_style import MatteStyle
+from roam_core.interchange.out_of_sight import without_points
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.translatable import sentence
@@ -210,9 +211,12 @@ class ShapeWriter:
 def readied(project: Project, options: ExportOptions) -> Project:
     """What all writers begin with: layers that stand still, and opacities and feathers on the chosen frames only.
 
-    The keys of outlines are chosen as each shape is begun.
+    The keys of outlines are chosen as each shape is begun. With the engine's keys leaves what they say of who is out of
+    sight.
     """
     project = bake_layers(project)
+    if options.keys is not KeyChoice.ARTIST:
+        project = replace(project, root=without_points(project.root))
     return project if options.frames is None else replace(project, root=_values_within(project.root, options.frames))
 
 

@@ -12,6 +12,7 @@ from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
 from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Interpolation, Outline, RotoShape
+from roam_core.roto.sight import is_point
 
 TOLERANCE = 1.0 / 512.0
 """Pixels by which the polyline that is filled may stray from the spline: that much of a pixel's area at the very most,
@@ -96,8 +97,10 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
     the two at one weight: the matte falls evenly from 1 to 0 across the gap, on whichever side of the outline the curve
     lies. The uniform `feather` is a ramp over the distance to the outline, in pixels, outwards where it is positive and
     inwards where it is negative, averaged over each pixel. Where a shape has both, the matte is as soft as the wider of
-    the two outside.
+    the two outside. What has closed to a point (`roto.sight`) is out of sight, and its soft edge with it.
     """
+    if is_point(outline.points):
+        return np.zeros(size, dtype=np.float32)
     line, feathered = _lines(outline)
     if feathered is None:
         matte = coverage(line, size)

@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
+from roam_core.roto.animated import Animatable, Animated, ValueKey
+from roam_core.roto.shape import RotoShape
 
 SHUT = 0.05
 """Size, of that as drawn, under which an outline has closed: an engine closes it to less
 (`propagate.frame.contour_fit`).
 """
+
+POINT = 0.5
+"""Pixels across, under which an outline is a point: it has no edge that could be soft."""
+
+
+def is_point(points: Array) -> bool:
+    """True where the spline `points (P, 3, 2)` is no larger than a point, whatever it was drawn as."""
+    return bool(np.ptp(points[:, ANCHOR], axis=0).max() < POINT)
 
 
 def is_shut(points: Array, drawn: Array) -> bool:
@@ -22,3 +34,10 @@ def is_shut(points: Array, drawn: Array) -> bool:
 def opened(points: Array, drawn: Array) -> Array:
     """The spline as `drawn (P, 3, 2)`, where it has closed to `points (P, 3, 2)`."""
     return np.asarray(drawn + points[:, ANCHOR].mean(axis=0) - drawn[:, ANCHOR].mean(axis=0))
+
+
+def in_sight(shape: RotoShape) -> Animatable:
+    """1 where a shape is in sight, 0 where it has closed to a point; with keys wherever that changes."""
+    told = [ValueKey(key.frame, 0.0 if is_point(key.points) else 1.0) for key in shape.keys]
+    changing = {key.frame: key for pair in pairwise(told) if pair[0].value != pair[1].value for key in pair}
+    return Animated(tuple(changing.values())) if changing else told[0].value

@@ -15,7 +15,7 @@ from pathlib import Path
 from roam_core.atomic_write import write_atomically
 from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.naming import file_words, is_numbered, numbering
-from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, readied, with_chosen_keys
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietly
 from roam_core.interchange.svg.painting import Painter
 from roam_core.interchange.svg.reading import SvgReader
@@ -92,7 +92,7 @@ class _Picture:
 
 
 def _picture(project: Project, frame: int, options: ExportOptions) -> _Picture:
-    project = bake_layers(project)
+    project = readied(project, options)
     clip, root = project.require_clip(), project.root
     width, height = (str(length) for length in clip.size)
     for prefix, space in {"": SVG, "inkscape": INKSCAPE, "sodipodi": SODIPODI, "xlink": XLINK}.items():

@@ -44,14 +44,17 @@ def fitted(
 ) -> list[tuple[Array, bool]]:
     """Each shape's points `(P, 3, 2)` along the outline that it claims, and whether it found one.
 
-    `parts` lie where they were carried, and do not cross themselves: where no shape finds anything all stay there.
+    `parts` lie where they were carried, and do not cross themselves: where no shape claims the region all stay there.
     `expected` tells where along the outline their points should come to lie, if not just there; `constraints` are what
     they keep of their key. Components of the region are joined by bridges, and bays that closed are opened by slits, up
     to `RegionParams.longest_bridge`, or, at 0, not at all; `likely` is where components belong to the object that no
     shape claims, everywhere if it is None. A shape that finds nothing while others do, and lies mostly outside the
-    region, is out of sight and closes to almost nothing, as does a hole that the region fills.
+    region, is out of sight and closes to almost nothing, as does a hole that the region fills. Where there is no region
+    the whole object is out of sight, and closes.
     """
     inside = found.inside
+    if not inside.any():
+        return [(_shut(part.points, params.closed), False) for part in parts]
     hanging = likely if likely is not None else np.ones_like(inside)
     solid = [k for k, part in enumerate(parts) if not part.subtracts]
     holes = [k for k, part in enumerate(parts) if part.subtracts]
@@ -75,9 +78,14 @@ def fitted(
         within, outside = float(covers[k][inside].sum()), float(covers[k][~inside].sum())
         is_out_of_place = within > 0 if parts[k].subtracts else is_in_sight and within <= outside
         if is_out_of_place:
-            middle = points[:, bezier.ANCHOR].mean(axis=0)
-            placed[k] = middle + params.closed * (points - middle), False
+            placed[k] = _shut(points, params.closed), False
     return placed
+
+
+def _shut(points: Array, closed: float) -> Array:
+    """The spline `(P, 3, 2)` made smaller, to its share `closed`, in its place."""
+    middle = points[:, bezier.ANCHOR].mean(axis=0)
+    return np.asarray(middle + closed * (points - middle))
 
 
 def _enclosed(outside: Bools) -> Bools:

@@ -1,4 +1,4 @@
-"""A hand that goes behind something and comes back, beside a body that is always seen."""
+"""A hand that goes behind something and comes back, beside a body that is always seen; and a body that is not."""
 
 from __future__ import annotations
 
@@ -34,10 +34,11 @@ def cover(points: Array) -> Array:
     return np.asarray(shape_matte(RotoShape("x", "x", (Keyframe(1, points),)), 1, SIZE)[..., None])
 
 
-def picture(frame: int) -> UInt8:
+def picture(frame: int, always: Array | None = BODY) -> UInt8:
+    """The frame, on which what is not `always` seen may be hidden."""
     image = BACKGROUND.at(CELLS)
     for points, surface in ((BODY, SKIN), (HAND, SLEEVE)):
-        if points is BODY or frame not in HIDDEN:
+        if points is always or frame not in HIDDEN:
             share = cover(points + moved(frame))
             image = share * surface.at(CELLS - moved(frame)) + (1.0 - share) * image
     return np.round(255.0 * image).astype(np.uint8)
@@ -65,3 +66,17 @@ def test_a_shape_out_of_sight_closes_and_opens_again(body_keys: Sequence[int]) -
         assert key is not None
         assert np.ptp(key.points[:, 0], axis=0).max() < 2.0
         assert hand[frame].confidence < hand[3].confidence
+
+
+def test_an_object_out_of_sight_closes_and_is_found_again() -> None:
+    tracker = GroupTracker(PARAMS)
+    tracker.start(picture(1, None), [RotoShape("body", "body", (Keyframe(1, BODY),))], 1)
+    for frame in range(2, LAST + 1):
+        (body,) = tracker.step(picture(frame, None), frame)
+        assert body.key is not None
+        ours, true = cover(body.key.points) > 0.5, cover(BODY + moved(frame)) > 0.5
+        if frame in (6, 7):
+            assert not cover(body.key.points).any()
+            assert body.confidence == 0.0
+        elif frame not in (4, 5, 8):  # it goes, and comes, within a frame: the frame after decides
+            assert (ours & true).sum() / (ours | true).sum() > 0.85

@@ -8,12 +8,15 @@ import pytest
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline
+from roam_core.matte import shape_matte
 from roam_core.params import ContourFitParams, RegionParams
 from roam_core.propagate.frame.contour_fit import enclosed, fitted, trusts_of
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.result import Part
 from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.outline.contour import KeyConstraints
+from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto.sight import opened
 from tests.golden.shots import blob
 
 GRID = Grid.over(Region(0, 0, 240, 160), 0.5)
@@ -53,10 +56,21 @@ def test_a_shape_before_another_stays_though_it_has_no_piece_of_its_own() -> Non
     np.testing.assert_array_equal(points, arm.points)
 
 
-def test_where_nothing_is_seen_all_stays_as_it_was() -> None:
+def test_where_there_is_no_region_all_closes_in_its_place_and_the_matte_is_empty() -> None:
     for part, (points, seen) in zip([BODY, HAND], along([BODY, HAND], np.zeros(GRID.shape, dtype=bool)), strict=True):
         assert not seen
-        np.testing.assert_array_equal(points, part.points)
+        np.testing.assert_allclose(points[:, 0].mean(axis=0), part.points[:, 0].mean(axis=0))
+        shape = RotoShape("shape", "shape", (Keyframe(1, points),), feather=20.0)
+        assert not shape_matte(shape, 1, (160, 240)).any()
+        np.testing.assert_allclose(opened(points, part.points), part.points)
+
+
+def test_where_no_shape_claims_the_region_all_stays_as_it_was() -> None:
+    inside = np.zeros(GRID.shape, dtype=bool)
+    inside[:2, :2] = True
+    ((points, seen),) = along([BODY], inside, 0.0)
+    assert not seen
+    np.testing.assert_array_equal(points, BODY.points)
 
 
 @pytest.mark.parametrize(

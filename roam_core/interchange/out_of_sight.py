@@ -1,0 +1,28 @@
+"""Soft shapes that an engine closed to a point: other programs would blur the point, so the opacity takes them out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from roam_core.interchange.flatten import is_feathered
+from roam_core.roto import BlendMode, Layer, RotoShape
+from roam_core.roto.animated import is_always, product
+from roam_core.roto.sight import in_sight
+
+
+def without_points(layer: Layer) -> Layer:
+    """The layer whose soft shapes have no opacity on the keys on which they are out of sight (`roto.sight`).
+
+    An inverted shape, and one that intersects, says more out of sight than without opacity: it stays.
+    """
+    children = (
+        without_points(child) if isinstance(child, Layer) else _without_point(child) for child in layer.children
+    )
+    return replace(layer, children=tuple(children))
+
+
+def _without_point(shape: RotoShape) -> RotoShape:
+    if shape.invert or shape.blend is BlendMode.INTERSECT or not is_feathered(shape):
+        return shape
+    sight = in_sight(shape)
+    return shape if is_always(sight, 1.0) else replace(shape, opacity=product(shape.opacity, sight))
