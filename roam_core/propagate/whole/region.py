@@ -37,6 +37,7 @@ from roam_core.propagate.whole.observation import Observation, behind, observed
 from roam_core.propagate.whole.rigid import Pose
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.evidence import SURE, Field, KeyMemory, gathered
+from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.segment import region as proposed
 
 
@@ -75,12 +76,33 @@ def step(
     if not _is_doubted(carried.state, params):
         return carried
     found = _as_last_seen(state, carried.state, frame, params)
-    if found is None:
+    if found is not None:
+        around = carried.state.key.surroundings
+        again = replace(_carried(found, frame, params, token, tuple(covers), around), redetected=True)
+        compared = _promise(again.state, carried.state)
+        if is_better(again.state.trust, compared, carried.state.trust, params) and not _is_background(again, params):
+            return again
+    observation = carried.observation
+    if observation is None or not _is_gone(carried.state, observation, params):
         return carried
-    around = carried.state.key.surroundings
-    again = replace(_carried(found, frame, params, token, tuple(covers), around), redetected=True)
-    compared = _promise(again.state, carried.state)
-    return again if is_better(again.state.trust, compared, carried.state.trust, params) else carried
+    grid = observation.sources.grid
+    nothing = Field.of_coverage(grid, np.zeros(grid.shape, np.float32))
+    return _along(replace(state, covers=tuple(covers)), frame, observation, nothing, params)
+
+
+def _is_background(stepped: RegionStep, params: RegionParams) -> bool:
+    """Whether most of the region is background that looks as on the key: something that is like the object."""
+    seen, inside = stepped.observation, stepped.state.region.inside
+    if params.background is None or seen is None or seen.sources.background is None or not inside.any():
+        return False
+    unchanged = seen.sources.background.unchanged(lab(seen.sources.after), params.background)
+    return bool(unchanged[inside].mean() > 0.5)
+
+
+def _is_gone(state: RegionState, observation: Observation, params: RegionParams) -> bool:
+    """Whether the object has left the picture: its key, carried, lies elsewhere, and what is left is not believed."""
+    is_over_the_key = (observation.sources.expected.remembered > 0.5).any()
+    return not (state.is_posed or is_over_the_key or state.trust >= params.believed)
 
 
 def _is_doubted(state: RegionState, params: RegionParams) -> bool:
@@ -158,16 +180,22 @@ def _carried(
     state = replace(state, covers=covers)
     if observation.pose is not None:
         return _as_one_piece(state, frame, observation, observation.pose, params)
-    expected = observation.sources.expected
     ratio = evidence(observation, params, covers)
     if token is not None:
         token.check()
-    found = proposed.cleaned(ratio, expected.possible, params.overlap, params.components.speck)
-    scale = scale_for(frame.size)
+    found = proposed.cleaned(ratio, observation.sources.expected.possible, params.overlap, params.components.speck)
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
         if posed.is_believed(state.pose, parts, found, params, state.is_posed):
             return _as_posed(state, frame, observation, state.pose, parts, params)
+    return _along(state, frame, observation, found, params)
+
+
+def _along(
+    state: RegionState, frame: PreparedFrame, observation: Observation, found: Field, params: RegionParams
+) -> RegionStep:
+    """The shapes laid along the region that was found."""
+    expected, scale = observation.sources.expected, scale_for(frame.size)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
     to_now, patches = observation.sources.key.to_now, (state.patches, observation.patch_motion)

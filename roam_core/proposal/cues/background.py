@@ -65,6 +65,11 @@ class Background:
         sound = np.where(count > 0, np.clip(1.0 - 2.0 * changed / np.maximum(count, 1.0), 0.0, 1.0), 0.0)
         return np.asarray(params.other * sound * other - params.same * same, dtype=np.float32)
 
+    def unchanged(self, now: UInt8, params: BackgroundParams) -> Bools:
+        """The cells `(rows, columns)` that are known, and have the colours of the key's background, as `now` in Lab."""
+        _, difference = self._compared(now.astype(np.float32), params)
+        return np.asarray(difference < 0.5 * params.unlike)
+
     def _compared(self, now: Float32, params: BackgroundParams) -> tuple[Float32, Float32]:
         """How like the background each cell is, `(rows, columns)` each, at the best place within reach.
 

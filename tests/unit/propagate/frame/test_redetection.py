@@ -368,3 +368,36 @@ def test_a_frame_on_which_it_was_found_again_is_explained_from_there() -> None:
     assert told.account.total.sum() + told.account.landmark_total.sum() == pytest.approx(
         result.energies["total"], abs=1e-6
     )
+
+
+@pytest.mark.parametrize(("background", "is_taken"), [(None, True), (BackgroundParams(), False)])
+def test_what_the_key_shows_beside_the_object_is_not_taken_for_it_when_it_has_left(
+    background: BackgroundParams | None, is_taken: bool
+) -> None:
+    region = CONFIGS["best"].region
+    assert region is not None
+    params = replace(region, background=background)
+    columns = [40.0 - 12.0 * k for k in range(8)]
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(columns[0])))
+    state, found = begin(PreparedFrame(picture(columns[0], 90.0)), parts, params), []
+    for column in columns[1:]:
+        stepped = step(state, PreparedFrame(picture(column, 90.0)), params)
+        found.append(stepped.redetected)
+        state = stepped.state
+    assert any(found) is is_taken
+    assert (state.region.on(Grid(Region(0, 0, SIZE[1], SIZE[0]), *SIZE)) > 0.5).any() == is_taken
+
+
+@pytest.mark.parametrize(("gone", "is_left"), [(0.0, True), (400.0, False)])
+def test_a_scrap_is_let_go_once_the_key_has_left_the_picture(gone: float, is_left: bool) -> None:
+    """What is left of the object where it was, when all of its key went `gone` pixels away."""
+    params = replace(REGION, believed=0.7, doubted=0.7, redetection=replace(PARAMS, alike=9.0))  # it is not found again
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
+    state = begin(PreparedFrame(picture(60.0)), parts, params)
+    away = np.array([[1.0, 0.0, gone], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    scrap = picture()
+    scrap[disc(60.0, radius=6.0)] = (225, 120, 40)
+    stepped = step(replace(state, key=replace(state.key, to_now=away)), PreparedFrame(scrap), params)
+    assert stepped.state.trust < params.believed
+    assert stepped.state.region.inside.any() == is_left
+    assert (np.ptp(stepped.results[0].points[:, 0], axis=0).max() > 1.0) == is_left
