@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from roam_core.params import CONFIGS, is_doubtful
+from roam_core.roto.sight import is_point
 
 from .. import style
 from ..actions.actions import Actions
@@ -123,18 +124,22 @@ class TrackerPanel(QWidget):
 
     def _pull(self, _ids: object = None) -> None:
         self.scope.setToolTip(_scope_sentence([shape.name for shape in self._tracking.in_scope()]))
-        values = [
-            key.confidence
-            for shape in shapes_in_hand(self._document.project, self._view.selection)
-            if (key := shape.key_at(self._view.frame)) is not None and key.confidence is not None
+        keys = [
+            shape.key_at(self._view.frame) for shape in shapes_in_hand(self._document.project, self._view.selection)
         ]
-        if not values:
+        tracked = {key: key.confidence for key in keys if key is not None and key.confidence is not None}
+        if not tracked:
             self._confidence.setText("–")
             self._confidence.setToolTip(tr("This frame is not tracked"))
-        else:
-            doubt = tr("  doubtful") if is_doubtful(min(values)) else ""
-            self._confidence.setText(tr("{confidence:.2f}{doubt}", confidence=min(values), doubt=doubt))
-            self._confidence.setToolTip(tr("The engine's trust in this frame, 0 to 1"))
+            return
+        least, doubt, words = min(tracked.values()), "", tr("The engine's trust in this frame, 0 to 1")
+        if all(is_point(key.points) for key in tracked):
+            doubt = tr("  out of sight")
+            words = tr("Nothing of it was found on this frame: it is hidden, has left the picture, or was lost")
+        elif is_doubtful(least):
+            doubt = tr("  doubtful")
+        self._confidence.setText(tr("{confidence:.2f}{doubt}", confidence=least, doubt=doubt))
+        self._confidence.setToolTip(words)
 
 
 def _scope_sentence(names: list[str]) -> str:

@@ -12,6 +12,10 @@
         <translation>  zweifelhaft</translation>
     </message>
     <message>
+        <source>  out of sight</source>
+        <translation>  außer Sicht</translation>
+    </message>
+    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
@@ -218,6 +222,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>8 bits</source>
         <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>: out of sight</source>
+        <translation>: außer Sicht</translation>
     </message>
     <message>
         <source>: worth a look</source>
@@ -2529,6 +2537,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing is white in {name}; paint the object white and the rest black.</source>
         <translation>In {name} ist nichts weiß; das Objekt weiß malen und den Rest schwarz.</translation>
+    </message>
+    <message>
+        <source>Nothing of it was found on this frame: it is hidden, has left the picture, or was lost</source>
+        <translation>Nichts davon wurde auf diesem Bild gefunden: Es ist verdeckt, hat das Bild verlassen oder ging verloren</translation>
     </message>
     <message>
         <source>Nothing to list: no notes, no doubtful frames and none that boil, of the shapes in hand.</source>

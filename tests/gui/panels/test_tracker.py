@@ -209,6 +209,15 @@ def panel(qtbot: QtBot, tracking: Tracking, document: Document, view_state: View
     window.close()  # it holds the panel up to here
 
 
+def test_the_panel_says_what_is_out_of_sight(panel: TrackerPanel, document: Document, view_state: ViewState) -> None:
+    view_state.set_frame(1010)
+    shape = document.project.shapes[0]
+    shut = Keyframe(1010, 1e-4 * SQUARE, origin=Origin.ENGINE, confidence=0.0)
+    document.apply("Track", document.project.with_shape(edit.set_engine_keys(shape, [shut])))
+    assert panel._confidence.text() == "0.00  out of sight"
+    assert panel._confidence.toolTip().startswith("Nothing of it was found")
+
+
 def test_the_panel_shows_the_confidence_and_sets_the_mode(
     panel: TrackerPanel, tracking: Tracking, view_state: ViewState
 ) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
@@ -322,6 +324,7 @@ def test_without_chosen_keys_the_one_before_the_playhead_is_meant(
     [
         (1001, "Shape 1, frame 1001\nKey by hand; the shape moves on evenly"),
         (1005, f"Shape 1, frame 1005\nTracked forward ({DEFAULT_CONFIG}); confidence 0.20: worth a look"),
+        (1012, f"Shape 1, frame 1012\nTracked forward ({DEFAULT_CONFIG}); confidence 0.00: out of sight"),
         (1022, "Shape 1, frame 1022\nNo key: the shape is between frames 1019 and 1030"),
         (1024, "Shape 1, frame 1024\nFilled between two keys (best); confidence 0.90"),
         (1040, "Shape 1, frame 1040\nNo key: the shape stands as on frame 1030"),
@@ -336,6 +339,12 @@ def test_a_tip_tells_frame_maker_and_confidence(
         inputs = Stamps.of(shapes, CLIP).filled(shapes.index(shape), (1001, 1030), CONFIGS["best"])
         filled = Keyframe(1024, SQUARE, origin=Origin.ENGINE, confidence=0.9, inputs=inputs)
         document.apply("Fill", document.project.with_shape(edit.set_engine_keys(shape, [filled])))
+    if frame == 1012:
+        shape = document.project.shape("shape-1")
+        tracked = shape.key_at(frame)
+        assert tracked is not None
+        shut = replace(tracked, points=1e-4 * SQUARE, confidence=0.0)
+        document.apply("Track", document.project.with_shape(edit.set_engine_keys(shape, [shut])))
     told: list[str] = []
     monkeypatch.setattr(QToolTip, "showText", lambda _at, text, _widget: told.append(text))
     port, at = timeline.rows.viewport(), place(timeline, frame, 1)
