@@ -63,6 +63,7 @@ class RegionParams:
     doubted : expected IoU under which the object is looked for as it was on the key (`propagate.frame.redetection`); 0:
         never.
     better : by how much more must be expected of what is found for it to be believed. believed : how much, at least.
+    hopeless : expected IoU under which what is left of a region is not the object.
     rigid : share of the key's corners that must be found where the motion of a plane puts them for the object to be
         carried as one piece (`propagate.whole.rigid`); above 1: never.
     part : of the poses of an object drawn in parts (`propagate.parts.figure`); None: it is carried as one region.
@@ -133,6 +134,7 @@ class RegionParams:
     doubted: float = 0.7
     better: float = 0.05
     believed: float = 0.5
+    hopeless: float = later(0.1)
     rigid: float = 0.6
     pose: PoseParams | None = None
     part: PoseParams | None = None

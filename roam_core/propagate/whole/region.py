@@ -100,9 +100,15 @@ def _is_background(stepped: RegionStep, params: RegionParams) -> bool:
 
 
 def _is_gone(state: RegionState, observation: Observation, params: RegionParams) -> bool:
-    """Whether the object has left the picture: its key, carried, lies elsewhere, and what is left is not believed."""
-    is_over_the_key = (observation.sources.expected.remembered > 0.5).any()
-    return not (state.is_posed or is_over_the_key or state.trust >= params.believed)
+    """Whether nothing of the object is in sight, and what is left of its region is something else.
+
+    Where next to nothing is to be expected of it; or where it is not believed, and the key, carried, lies elsewhere.
+    """
+    if state.is_posed or state.features is None:
+        return False
+    if expected_overlap(state.features, params=params.confidence) < params.hopeless:
+        return True
+    return state.trust < params.believed and not (observation.sources.expected.remembered > 0.5).any()
 
 
 def _is_doubted(state: RegionState, params: RegionParams) -> bool:

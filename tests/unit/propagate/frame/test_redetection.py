@@ -316,14 +316,15 @@ def test_of_what_was_found_again_the_edges_learn_anew_from_the_key() -> None:
 
 def test_a_frame_on_which_little_is_left_of_the_object_teaches_its_region_no_colours() -> None:
     """The post hides most of the ball within one frame: what is left is not taken for the object as it looks now."""
+    params = replace(REGION, hopeless=0.0)
 
     def learned(before: float, now: float) -> bool:
         shown = disc(before)
         shown[:, POST] = False
         state = begin(
-            PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), REGION
+            PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), params
         )
-        after = step(state, PreparedFrame(picture(now, post=True)), REGION).state
+        after = step(state, PreparedFrame(picture(now, post=True)), params).state
         assert after.region.inside.any()
         return not np.array_equal(after.colours.inside, state.colours.inside)
 
@@ -388,10 +389,13 @@ def test_what_the_key_shows_beside_the_object_is_not_taken_for_it_when_it_has_le
     assert (state.region.on(Grid(Region(0, 0, SIZE[1], SIZE[0]), *SIZE)) > 0.5).any() == is_taken
 
 
-@pytest.mark.parametrize(("gone", "is_left"), [(0.0, True), (400.0, False)])
-def test_a_scrap_is_let_go_once_the_key_has_left_the_picture(gone: float, is_left: bool) -> None:
+@pytest.mark.parametrize(("gone", "hopeless", "is_left"), [(0.0, 0.1, True), (400.0, 0.1, False), (0.0, 0.65, False)])
+def test_a_scrap_is_let_go_once_the_key_has_left_the_picture_or_nothing_is_to_be_expected_of_it(
+    gone: float, hopeless: float, is_left: bool
+) -> None:
     """What is left of the object where it was, when all of its key went `gone` pixels away."""
-    params = replace(REGION, believed=0.7, doubted=0.7, redetection=replace(PARAMS, alike=9.0))  # it is not found again
+    never_found = replace(PARAMS, alike=9.0)
+    params = replace(REGION, believed=0.7, doubted=0.7, hopeless=hopeless, redetection=never_found)
     parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
     state = begin(PreparedFrame(picture(60.0)), parts, params)
     away = np.array([[1.0, 0.0, gone], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
