@@ -1,4 +1,4 @@
-"""Soft shapes that an engine closed to a point: other programs would blur the point, so the opacity takes them out."""
+"""Shapes that an engine closed to a point: where something would be seen of the point, the opacity takes them out."""
 
 from __future__ import annotations
 
@@ -10,19 +10,21 @@ from roam_core.roto.animated import is_always, product
 from roam_core.roto.sight import in_sight
 
 
-def without_points(layer: Layer) -> Layer:
-    """The layer whose soft shapes have no opacity on the keys on which they are out of sight (`roto.sight`).
+def without_points(layer: Layer, are_smoothed: bool) -> Layer:
+    """The layer whose shapes have no opacity on the keys on which they are out of sight (`roto.sight`).
 
+    Soft shapes, for other programs would blur the point; all of them where keys `are_smoothed`, which opens it again.
     An inverted shape, and one that intersects, says more out of sight than without opacity: it stays.
     """
     children = (
-        without_points(child) if isinstance(child, Layer) else _without_point(child) for child in layer.children
+        without_points(child, are_smoothed) if isinstance(child, Layer) else _without_point(child, are_smoothed)
+        for child in layer.children
     )
     return replace(layer, children=tuple(children))
 
 
-def _without_point(shape: RotoShape) -> RotoShape:
-    if shape.invert or shape.blend is BlendMode.INTERSECT or not is_feathered(shape):
+def _without_point(shape: RotoShape, is_smoothed: bool) -> RotoShape:
+    if shape.invert or shape.blend is BlendMode.INTERSECT or not (is_smoothed or is_feathered(shape)):
         return shape
     sight = in_sight(shape)
     return shape if is_always(sight, 1.0) else replace(shape, opacity=product(shape.opacity, sight))

@@ -216,7 +216,7 @@ def readied(project: Project, options: ExportOptions) -> Project:
     """
     project = bake_layers(project)
     if options.keys is not KeyChoice.ARTIST:
-        project = replace(project, root=without_points(project.root))
+        project = replace(project, root=without_points(project.root, options.smoothing > 0.0))
     return project if options.frames is None else replace(project, root=_values_within(project.root, options.frames))
 
 

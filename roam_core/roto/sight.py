@@ -21,8 +21,8 @@ POINT = 0.5
 
 
 def is_point(points: Array) -> bool:
-    """True where the spline `points (P, 3, 2)` is no larger than a point, whatever it was drawn as."""
-    return bool(np.ptp(points[:, ANCHOR], axis=0).max() < POINT)
+    """True where the spline `points (P, 3, 2)`, handles and all, is no larger than a point."""
+    return bool(np.ptp(points, axis=(0, 1)).max() < POINT)
 
 
 def is_shut(points: Array, drawn: Array) -> bool:

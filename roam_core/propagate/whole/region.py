@@ -68,7 +68,7 @@ def step(
     """Carry all shapes from the state's frame to `frame`, on which `covers`, closed polylines, lie before them.
 
     Where that leaves the object lost or in doubt it is looked for around its last place, as it was on the key, and
-    taken from there if that promises more.
+    taken from there if that promises more. If it is not found, and what is left is something else, that is let go.
     """
     if state.pose is not None and params.pose is not None:
         state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params, covers))
@@ -103,8 +103,9 @@ def _is_gone(state: RegionState, observation: Observation, params: RegionParams)
     """Whether nothing of the object is in sight, and what is left of its region is something else.
 
     Where next to nothing is to be expected of it; or where it is not believed, and the key, carried, lies elsewhere.
+    What may be a limb, behind something that was not drawn, is still there.
     """
-    if state.is_posed or state.features is None:
+    if state.features is None or state.is_posed or (state.pose is not None and posed.is_small(state.pose, params)):
         return False
     if expected_overlap(state.features, params=params.confidence) < params.hopeless:
         return True

@@ -25,9 +25,9 @@ def shape(**changes: object) -> RotoShape:
     return replace(RotoShape("a", "a", tuple(keys), feather=12.0), **changes)  # type: ignore[arg-type]
 
 
-def opacities(told: RotoShape, keys: KeyChoice = KeyChoice.EVERY) -> list[float]:
+def opacities(told: RotoShape, **options: object) -> list[float]:
     project = Project(CLIP, Layer("root", "root", (told,)))
-    (ours,) = readied(project, replace(STANDARD, keys=keys)).shapes
+    (ours,) = readied(project, replace(STANDARD, **options)).shapes  # type: ignore[arg-type]
     return [ours.opacity_at(frame) for frame in range(1, 7)]
 
 
@@ -42,8 +42,12 @@ def test_what_shows_nothing_or_more_than_nothing_keeps_its_opacity(changes: dict
     assert opacities(shape(**changes)) == [1.0] * 6
 
 
+def test_a_hard_shape_whose_keys_are_smoothed_would_show_something_again() -> None:
+    assert opacities(shape(feather=0.0), smoothing=1.0) == [1.0, 1.0, 0.0, 0.0, 1.0, 1.0]
+
+
 def test_the_artists_keys_alone_say_nothing_of_who_is_out_of_sight() -> None:
-    assert opacities(shape(), KeyChoice.ARTIST) == [1.0] * 6
+    assert opacities(shape(), keys=KeyChoice.ARTIST) == [1.0] * 6
 
 
 def test_a_picture_of_one_frame_shows_none_of_it(tmp_path: Path) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from roam_core.geometry.bezier import ANCHOR, polygon_points
-from roam_core.roto.sight import SHUT, is_shut, opened
+from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto.animated import Animated, ValueKey
+from roam_core.roto.sight import POINT, SHUT, in_sight, is_point, is_shut, opened
 
 DRAWN = polygon_points([(0.0, 0.0), (40.0, 0.0), (40.0, 10.0), (0.0, 10.0)])
 
@@ -21,3 +23,23 @@ def test_it_opens_as_drawn_around_where_it_closed() -> None:
     again = opened(shut, DRAWN)
     np.testing.assert_allclose(again[:, ANCHOR].mean(axis=0), shut[:, ANCHOR].mean(axis=0))
     np.testing.assert_allclose(np.diff(again[:, ANCHOR], axis=0), np.diff(DRAWN[:, ANCHOR], axis=0))
+
+
+def test_a_point_is_one_with_its_handles() -> None:
+    point = 0.9 * POINT / 40.0 * DRAWN + 70.0
+    assert is_point(point)
+    assert not is_point(DRAWN)
+    loop = point.copy()
+    loop[0, 1] += 30.0  # a curve that encloses something though its anchors lie together
+    assert not is_point(loop)
+
+
+def test_sight_has_keys_where_it_changes_only() -> None:
+    def shape(*outlines: np.ndarray) -> RotoShape:
+        return RotoShape("a", "a", tuple(Keyframe(frame, points) for frame, points in enumerate(outlines)))
+
+    point = 1e-4 * DRAWN
+    assert in_sight(shape(DRAWN, DRAWN)) == 1.0
+    assert in_sight(shape(point)) == 0.0
+    seen = in_sight(shape(DRAWN, DRAWN, point, point, point, DRAWN, DRAWN))
+    assert seen == Animated(tuple(ValueKey(frame, value) for frame, value in ((1, 1.0), (2, 0.0), (4, 0.0), (5, 1.0))))
