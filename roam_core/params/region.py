@@ -89,8 +89,7 @@ class RegionParams:
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
     whole_cells : cells, at most, after which a whole pixel begins.
-    closed : size, of its last one, to which an outline shrinks while the region has no place for it: to less than a
-        pixel, so that it shows nothing.
+    closed : radius, in pixels, to which an outline closes while the region has no place for it: it shows nothing.
     label_propagation : of what a cell brings along. components : of the region's components. contour_fit : of laying
         points along it.
     fast_motion : of where an object went that moves fast. redetection : of looking for what was lost. rigidity : of
@@ -162,7 +161,7 @@ class RegionParams:
     trusted: float = later(0.3)
     least_seen: float = later(0.05)
     whole_cells: int = later(2)
-    closed: float = later(1e-4)
+    closed: float = later(0.02)
     label_propagation: LabelPropagationParams = later(LabelPropagationParams())
     components: ComponentsParams = later(ComponentsParams())
     contour_fit: ContourFitParams = later(ContourFitParams(stretch=12.0))

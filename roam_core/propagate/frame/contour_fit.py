@@ -9,7 +9,7 @@ import numpy as np
 
 from roam_core.arrays import Array, Bools, Float32
 from roam_core.features.grid import Grid
-from roam_core.geometry import bezier
+from roam_core.geometry import bezier, polyline
 from roam_core.geometry.simple import simplified
 from roam_core.kernels.coverage import coverage
 from roam_core.params import RegionParams
@@ -82,10 +82,12 @@ def fitted(
     return placed
 
 
-def _shut(points: Array, closed: float) -> Array:
-    """The spline `(P, 3, 2)` made smaller, to its share `closed`, in its place."""
+def _shut(points: Array, radius: float) -> Array:
+    """The spline `(P, 3, 2)` closed to a point in its place: a polygon that cannot cross itself, in the same sense."""
+    sense = np.copysign(2.0 * np.pi / len(points), polyline.signed_area(bezier.flatten(points)))
+    turns = sense * np.arange(len(points))
     middle = points[:, bezier.ANCHOR].mean(axis=0)
-    return np.asarray(middle + closed * (points - middle))
+    return bezier.polygon_points(middle + radius * np.stack([np.cos(turns), np.sin(turns)], axis=1))
 
 
 def _enclosed(outside: Bools) -> Bools:
