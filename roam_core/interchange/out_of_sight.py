@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from roam_core.interchange.bake_layers import BY_LAYER
 from roam_core.interchange.flatten import is_feathered
 from roam_core.roto import BlendMode, Layer, RotoShape
 from roam_core.roto.animated import is_always, product
@@ -26,5 +27,6 @@ def without_points(layer: Layer, are_smoothed: bool) -> Layer:
 def _without_point(shape: RotoShape, is_smoothed: bool) -> RotoShape:
     if shape.invert or shape.blend is BlendMode.INTERSECT or not (is_smoothed or is_feathered(shape)):
         return shape
-    sight = in_sight(shape)
+    own = tuple(key for key in shape.keys if key.inputs != BY_LAYER)
+    sight = in_sight(replace(shape, keys=own)) if own else 1.0
     return shape if is_always(sight, 1.0) else replace(shape, opacity=product(shape.opacity, sight))

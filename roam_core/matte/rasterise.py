@@ -12,7 +12,7 @@ from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
 from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Interpolation, Outline, RotoShape
-from roam_core.roto.sight import is_point
+from roam_core.roto.sight import is_out_of_sight
 
 TOLERANCE = 1.0 / 512.0
 """Pixels by which the polyline that is filled may stray from the spline: that much of a pixel's area at the very most,
@@ -53,7 +53,7 @@ def shape_matte(shape: RotoShape, frame: float, size: tuple[int, int]) -> Matte:
     Parameters
     ----------
     shape : visible or not. An open shape has no area, and outside its lifetime a shape does not exist: both give zeros,
-        inverted or not.
+        inverted or not. Nothing is inside of one that is out of sight (`roto.sight`).
     frame : the plate's frame number. With motion blur the shutter opens at `frame + phase`.
     size : (h, w) of the image.
 
@@ -74,7 +74,7 @@ def shape_patch(shape: RotoShape, frame: float, size: tuple[int, int]) -> Patch:
     feathers = [shape.feather_at(moment) for moment in moments]
     top, bottom, left, right = _reach(outlines, max(feathers), size)
     values = np.zeros((bottom - top, right - left), dtype=np.float32)
-    if values.size:
+    if values.size and not is_out_of_sight(shape, frame):  # a point has no edge that could be soft
         values = _over_shutter([_moved(outline, left, top) for outline in outlines], feathers, shape, values.shape)
     outside = 0.0
     if shape.invert:
@@ -97,10 +97,8 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
     the two at one weight: the matte falls evenly from 1 to 0 across the gap, on whichever side of the outline the curve
     lies. The uniform `feather` is a ramp over the distance to the outline, in pixels, outwards where it is positive and
     inwards where it is negative, averaged over each pixel. Where a shape has both, the matte is as soft as the wider of
-    the two outside. What has closed to a point (`roto.sight`) is out of sight, and its soft edge with it.
+    the two outside.
     """
-    if is_point(outline.points):
-        return np.zeros(size, dtype=np.float32)
     line, feathered = _lines(outline)
     if feathered is None:
         matte = coverage(line, size)

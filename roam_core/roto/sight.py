@@ -9,7 +9,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto.animated import Animatable, Animated, ValueKey
-from roam_core.roto.shape import RotoShape
+from roam_core.roto.shape import Keyframe, Origin, RotoShape
 
 SHUT = 0.05
 """Size, of that as drawn, under which an outline has closed: an engine closes it to less
@@ -36,8 +36,18 @@ def opened(points: Array, drawn: Array) -> Array:
     return np.asarray(drawn + points[:, ANCHOR].mean(axis=0) - drawn[:, ANCHOR].mean(axis=0))
 
 
+def is_out_of_sight(shape: RotoShape, frame: float) -> bool:
+    """True on a key on which an engine closed the shape to a point."""
+    key = shape.key_at(int(frame)) if frame == int(frame) else None
+    return key is not None and _is_closed(key)
+
+
 def in_sight(shape: RotoShape) -> Animatable:
-    """1 where a shape is in sight, 0 where it has closed to a point; with keys wherever that changes."""
-    told = [ValueKey(key.frame, 0.0 if is_point(key.points) else 1.0) for key in shape.keys]
+    """1 where a shape is in sight, 0 where an engine closed it to a point; with keys wherever that changes."""
+    told = [ValueKey(key.frame, 0.0 if _is_closed(key) else 1.0) for key in shape.keys]
     changing = {key.frame: key for pair in pairwise(told) if pair[0].value != pair[1].value for key in pair}
     return Animated(tuple(changing.values())) if changing else told[0].value
+
+
+def _is_closed(key: Keyframe) -> bool:
+    return key.origin is Origin.ENGINE and is_point(key.points)

@@ -31,6 +31,7 @@ from roam_core.roto import (
     edit,
 )
 from roam_core.roto.animated import Animatable
+from roam_core.roto.sight import is_point
 from roam_core.roto.value_curves import bounded
 
 FOLDER = Path("/shots/project")
@@ -94,10 +95,12 @@ def unknown_fields() -> st.SearchStrategy[dict[str, Any]]:
 @cache
 @st.composite
 def keyframes(draw: st.DrawFn, frame: int, count: int, origin: Origin | None = None) -> Keyframe:
-    """A key of `count` points at `frame`."""
+    """A key of `count` points at `frame`; one of an engine is in sight: exports tell by opacity which are not."""
     origin = origin or draw(st.sampled_from(Origin))
     made: dict[str, Any] = {}
+    points = points_of(count)
     if origin is Origin.ENGINE:
+        points = points.filter(lambda drawn: not is_point(drawn))
         made = {
             "confidence": draw(st.none() | shares()),
             "vertex_confidence": draw(st.none() | arrays(np.float64, count, elements=shares())),
@@ -105,7 +108,7 @@ def keyframes(draw: st.DrawFn, frame: int, count: int, origin: Origin | None = N
         }
     return Keyframe(
         frame=frame,
-        points=draw(points_of(count)),
+        points=draw(points),
         feather=draw(st.none() | points_of(count)),
         origin=origin,
         interpolation=draw(st.sampled_from(Interpolation)),

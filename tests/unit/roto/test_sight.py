@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from roam_core.geometry.bezier import ANCHOR, polygon_points
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.animated import Animated, ValueKey
 from roam_core.roto.sight import POINT, SHUT, in_sight, is_point, is_shut, opened
 
@@ -35,11 +35,13 @@ def test_a_point_is_one_with_its_handles() -> None:
 
 
 def test_sight_has_keys_where_it_changes_only() -> None:
-    def shape(*outlines: np.ndarray) -> RotoShape:
-        return RotoShape("a", "a", tuple(Keyframe(frame, points) for frame, points in enumerate(outlines)))
+    def shape(*outlines: np.ndarray, origin: Origin = Origin.ENGINE) -> RotoShape:
+        keys = (Keyframe(frame, points, origin=origin) for frame, points in enumerate(outlines))
+        return RotoShape("a", "a", tuple(keys))
 
     point = 1e-4 * DRAWN
     assert in_sight(shape(DRAWN, DRAWN)) == 1.0
     assert in_sight(shape(point)) == 0.0
+    assert in_sight(shape(DRAWN, point, origin=Origin.ARTIST)) == 1.0
     seen = in_sight(shape(DRAWN, DRAWN, point, point, point, DRAWN, DRAWN))
     assert seen == Animated(tuple(ValueKey(frame, value) for frame, value in ((1, 1.0), (2, 0.0), (4, 0.0), (5, 1.0))))

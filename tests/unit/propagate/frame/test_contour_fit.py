@@ -15,7 +15,7 @@ from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.result import Part
 from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.outline.contour import KeyConstraints
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.sight import opened
 from tests.golden.shots import blob
 
@@ -60,7 +60,7 @@ def test_where_there_is_no_region_all_closes_in_its_place_and_the_matte_is_empty
     for part, (points, seen) in zip([BODY, HAND], along([BODY, HAND], np.zeros(GRID.shape, dtype=bool)), strict=True):
         assert not seen
         np.testing.assert_allclose(points[:, 0].mean(axis=0), part.points[:, 0].mean(axis=0))
-        shape = RotoShape("shape", "shape", (Keyframe(1, points),), feather=20.0)
+        shape = RotoShape("shape", "shape", (Keyframe(1, points, origin=Origin.ENGINE),), feather=20.0)
         assert not shape_matte(shape, 1, (160, 240)).any()
         np.testing.assert_allclose(opened(points, part.points), part.points)
 
