@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from roam_core.params import CONFIGS, is_doubtful
-from roam_core.roto.sight import is_point
+from roam_core.roto.sight import is_out_of_sight
 
 from .. import style
 from ..actions.actions import Actions
@@ -124,16 +124,18 @@ class TrackerPanel(QWidget):
 
     def _pull(self, _ids: object = None) -> None:
         self.scope.setToolTip(_scope_sentence([shape.name for shape in self._tracking.in_scope()]))
-        keys = [
-            shape.key_at(self._view.frame) for shape in shapes_in_hand(self._document.project, self._view.selection)
-        ]
-        tracked = {key: key.confidence for key in keys if key is not None and key.confidence is not None}
+        frame = self._view.frame
+        tracked = {
+            shape: key.confidence
+            for shape in shapes_in_hand(self._document.project, self._view.selection)
+            if (key := shape.key_at(frame)) is not None and key.confidence is not None
+        }
         if not tracked:
             self._confidence.setText("–")
             self._confidence.setToolTip(tr("This frame is not tracked"))
             return
         least, doubt, words = min(tracked.values()), "", tr("The engine's trust in this frame, 0 to 1")
-        if all(is_point(key.points) for key in tracked):
+        if all(is_out_of_sight(shape, frame) for shape in tracked):
             doubt = tr("  out of sight")
             words = tr("Nothing of it was found on this frame: it is hidden, has left the picture, or was lost")
         elif is_doubtful(least):

@@ -211,8 +211,8 @@ class ShapeWriter:
 def readied(project: Project, options: ExportOptions) -> Project:
     """What all writers begin with: layers that stand still, and opacities and feathers on the chosen frames only.
 
-    The keys of outlines are chosen as each shape is begun. With the engine's keys leaves what they say of who is out of
-    sight.
+    The keys of outlines are chosen as each shape is begun. Where the engine's are among them, the opacity tells which
+    shapes are out of sight.
     """
     project = bake_layers(project)
     if options.keys is not KeyChoice.ARTIST:

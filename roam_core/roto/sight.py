@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from itertools import pairwise
 
 import numpy as np
@@ -37,9 +38,10 @@ def opened(points: Array, drawn: Array) -> Array:
 
 
 def is_out_of_sight(shape: RotoShape, frame: float) -> bool:
-    """True on a key on which an engine closed the shape to a point."""
-    key = shape.key_at(int(frame)) if frame == int(frame) else None
-    return key is not None and _is_closed(key)
+    """True where an engine closed the shape to a point: on such keys, between two of them, and beyond one."""
+    frames = shape.frames
+    around = shape.keys[max(bisect_right(frames, frame) - 1, 0) : bisect_left(frames, frame) + 1]
+    return all(map(_is_closed, around))
 
 
 def in_sight(shape: RotoShape) -> Animatable:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import bisect
 
 from roam_core.roto import Interpolation, RotoShape
-from roam_core.roto.sight import is_point
+from roam_core.roto.sight import is_out_of_sight
 
 from ...translation import N_, tr
 from ..marks import KeyMarks
@@ -52,7 +52,7 @@ def _key_sentence(shape: RotoShape, frame: int, marks: KeyMarks) -> str:
     made = tr(WAYS.get(way, TRACKED)) + (f" ({config})" if config else "")
     trust = "" if key.confidence is None else tr("; confidence {confidence:.2f}", confidence=key.confidence)
     notes = {
-        "doubtful": tr(": out of sight") if is_point(key.points) else tr(": worth a look"),
+        "doubtful": tr(": out of sight") if is_out_of_sight(shape, frame) else tr(": worth a look"),
         "stale": tr(". Stale: what it was made from has changed, track it again"),
     }
     return f"{made[:1].upper()}{made[1:]}{trust}{notes.get(kind, '')}"

@@ -7,7 +7,7 @@ import numpy as np
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.animated import Animated, ValueKey
-from roam_core.roto.sight import POINT, SHUT, in_sight, is_point, is_shut, opened
+from roam_core.roto.sight import POINT, SHUT, in_sight, is_out_of_sight, is_point, is_shut, opened
 
 DRAWN = polygon_points([(0.0, 0.0), (40.0, 0.0), (40.0, 10.0), (0.0, 10.0)])
 
@@ -45,3 +45,11 @@ def test_sight_has_keys_where_it_changes_only() -> None:
     assert in_sight(shape(DRAWN, point, origin=Origin.ARTIST)) == 1.0
     seen = in_sight(shape(DRAWN, DRAWN, point, point, point, DRAWN, DRAWN))
     assert seen == Animated(tuple(ValueKey(frame, value) for frame, value in ((1, 1.0), (2, 0.0), (4, 0.0), (5, 1.0))))
+
+
+def test_out_of_sight_lasts_between_closed_keys_and_beyond_the_last() -> None:
+    point = 1e-4 * DRAWN
+    outlines = {0: DRAWN, 2: point, 6: point, 8: DRAWN, 10: point}
+    shape = RotoShape("a", "a", tuple(Keyframe(f, points, origin=Origin.ENGINE) for f, points in outlines.items()))
+    seen = [frame for frame in (-1, 0, 1, 2, 3.5, 4, 6, 7, 8, 9, 10, 12) if not is_out_of_sight(shape, frame)]
+    assert seen == [-1, 0, 1, 7, 8, 9]
