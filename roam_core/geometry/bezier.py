@@ -120,6 +120,16 @@ def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[In
     return index, u - index
 
 
+def pairs_of_segments(points: Array, count: int) -> tuple[Indices, Array]:
+    """`count` pairs `(segment, t)` in each segment of a closed spline, at equal arc length from its first anchor on."""
+    t = np.linspace(0.0, 1.0, 33)
+    lines = np.einsum("tk,skc->stc", bernstein(t), segments(points))
+    s = np.cumsum(np.hypot(*np.moveaxis(np.diff(lines, axis=1), 2, 0)), axis=1)
+    shares = np.arange(count) / count
+    found = [np.interp(shares * each[-1], np.concatenate([[0.0], each]), t) for each in s]
+    return np.repeat(np.arange(len(points)), count), np.concatenate(found)
+
+
 def segment_lengths(points: Array, closed: bool = True) -> Array:
     """Arc length `(S,)` of every segment in pixels."""
     lines = np.einsum("tk,skc->stc", bernstein(np.linspace(0.0, 1.0, 17)), segments(points, closed))

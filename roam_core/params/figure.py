@@ -17,14 +17,14 @@ class FreeEdgesParams:
     reach : pixels of a 480-line image by which an outline may miss the border of the region and still be meant to
         be it.
     outside : pixels of a 480-line image beyond an outline at which it is asked what lies there.
-    step : pixels of a 480-line image between the places of an outline that are asked.
+    places : of half a segment of an outline that are asked.
     facing : cosine of the angle up to which two borders run alike.
     least : share of the places around a point that must be free for the point to be moved.
     """
 
     reach: float = 2.5
     outside: float = 3.0
-    step: float = 2.0
+    places: int = 8
     facing: float = 0.7
     least: float = 0.5
 
@@ -37,6 +37,7 @@ class EdgesParams:
     ----------
     margin : pixels of a 480-line image around the outlines that are looked at.
     changes : contrast from which the picture changes across an edge; from there `motion.template` counts no seam.
+    step : pixels of a 480-line image between the samples of an outline.
     around : neighbouring samples whose median contrast counts: grain and small spots make no edge.
     depths : shares of the distance from the edge at which the inside is looked at: the greatest that lies inside.
     free : what makes an edge free in tracking. pose : what is looked at beside an outline.
@@ -44,6 +45,7 @@ class EdgesParams:
 
     margin: float = 12.0
     changes: float = 0.5
+    step: float = 2.0
     around: int = 5
     depths: tuple[float, ...] = (0.2, 0.5, 1.0)
     free: FreeEdgesParams = field(default_factory=FreeEdgesParams)

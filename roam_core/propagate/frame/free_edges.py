@@ -10,7 +10,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from roam_core.arrays import Array, Float32, Indices, UInt8
+from roam_core.arrays import Array, Float32, UInt8
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, polyline
 from roam_core.params import FreeEdgesParams
@@ -28,15 +28,12 @@ class Border:
         smooth = cv2.GaussianBlur(depth, (0, 0), 1.0)
         self._slopes = np.stack([cv2.Sobel(smooth, cv2.CV_32F, 1, 0), cv2.Sobel(smooth, cv2.CV_32F, 0, 1)], axis=2)
 
-    def free_edges(self, points: Array, others: UInt8) -> tuple[Array, Array]:
-        """Places `(N, 2)` along a closed spline, and how far outwards the border lies from them, pixels `(N,)`.
+    def free_edges(self, places: Array, others: UInt8) -> tuple[Array, Array]:
+        """How far outwards the border lies from `places (N, 2)` along a closed outline, pixels `(N,)`, and the normals.
 
         NaN where the edge is a seam: where the border is out of reach or runs another way, and where `others`, not zero
         on the cells that other parts cover, lie just outside.
         """
-        line = bezier.flatten(points)
-        count = max(8, round(polyline.length(line) / (self.params.step * self._scale)))
-        places = polyline.resample(line, count)
         normals = polyline.outward_normals(places)
         depth, slopes = _at(self._depth, self._cells(places)), _at(self._slopes, self._cells(places))
         facing = -(slopes * normals).sum(axis=1) / np.maximum(np.hypot(*slopes.T), 1e-6)
@@ -45,7 +42,7 @@ class Border:
         within = (beyond >= 0).all(axis=1) & (beyond[:, 0] < columns) & (beyond[:, 1] < rows)
         taken = others[np.clip(beyond[:, 1], 0, rows - 1), np.clip(beyond[:, 0], 0, columns - 1)] > 0
         free = within & ~taken & (np.abs(depth) <= self.params.reach) & (facing >= self.params.facing)
-        return places, np.where(free, depth * self._scale, np.nan)
+        return np.where(free, depth * self._scale, np.nan), normals
 
     def _cells(self, places: Array) -> Array:
         """Places in cells, counted from the first one's centre."""
@@ -61,24 +58,29 @@ def _at(field: Float32, cells: Array) -> Array:
 def drawn_to(border: Border, points: Array, others: UInt8) -> Array:
     """A part's outline `(P, 3, 2)` with its free edges on the border of the object; each point moves as its stretch of
     the outline does, along its normal.
+
+    A stretch runs from half way to the point before to half way to the one after. Each segment is asked at as many
+    places, which count by the length that they stand for: were their number or the one nearest to a point chosen,
+    rounding would choose, and points would depend on the processor.
     """
-    places, offsets = border.free_edges(points, others)
-    anchors = points[:, bezier.ANCHOR]
-    nearest = np.argmin(((anchors[:, None] - places[None]) ** 2).sum(axis=2), axis=1)
-    normals = polyline.outward_normals(places)
+    half = border.params.places
+    each = 2 * half
+    places = bezier.evaluate(points, *bezier.pairs_of_segments(points, each))
+    offsets, normals = border.free_edges(places, others)
+    ahead = np.hypot(*(polyline.following(places) - places).T)
+    lengths = ahead + polyline.preceding(ahead)
+    here = each * np.arange(len(points))
+    around = (here[:, None] + np.arange(-half, half + 1)) % len(places)
     moved = points.copy()
-    for k, (before, here, after) in enumerate(zip(np.roll(nearest, 1), nearest, np.roll(nearest, -1), strict=True)):
-        around = _stretch(before, here, after, len(places))
-        known = offsets[around]
+    for k, (known, weights) in enumerate(zip(offsets[around], lengths[around], strict=True)):
         free = np.isfinite(known)
-        if free.mean() >= border.params.least:
-            moved[k] += np.median(known[free]) * normals[here]
+        if weights[free].sum() >= border.params.least * weights.sum() > 0:
+            moved[k] += _median(known[free], weights[free]) * normals[here[k]]
     return moved
 
 
-def _stretch(before: int, here: int, after: int, count: int) -> Indices:
-    """The places from half way to the point before a point to half way to the one after it, on a ring of `count`."""
-    back, ahead = ((here - before) % count) // 2, ((after - here) % count) // 2
-    if back + ahead >= count:
-        return np.arange(count)
-    return np.arange(here - back, here + ahead + 1) % count
+def _median(values: Array, weights: Array) -> float:
+    """The weighted median, between two values where half the weight lies between them."""
+    order = np.argsort(values)
+    weights = weights[order]
+    return float(np.interp(0.5 * weights.sum(), np.cumsum(weights) - 0.5 * weights, values[order]))

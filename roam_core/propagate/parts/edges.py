@@ -142,11 +142,11 @@ def _of_object(
 
 
 def _sampled(points: Array, scale: float, given: tuple[Indices, Array] | None) -> Edges:
-    """Samples of an outline of which nothing is known yet, about `FreeEdgesParams.step` apart in each segment."""
+    """Samples of an outline of which nothing is known yet, about `EdgesParams.step` apart in each segment."""
     if given is None:
         control = bezier.segments(points)
         roughly = np.hypot(*np.diff(control, axis=1).T).sum(axis=0)
-        given = _pairs(np.maximum(np.ceil(roughly / (EDGES.free.step * scale)).astype(np.intp), 1))
+        given = _pairs(np.maximum(np.ceil(roughly / (EDGES.step * scale)).astype(np.intp), 1))
     segment, t = given
     places = bezier.evaluate(points, segment, t)
     ahead = np.hypot(*(polyline.following(places) - places).T)

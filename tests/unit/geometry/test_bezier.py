@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -43,6 +45,24 @@ def test_the_design_matrix_is_the_evaluation(closed: bool) -> None:
     segment, t = bezier.arc_length_pairs(BLOB, 37, closed)
     matrix = bezier.design_matrix(len(BLOB), segment, t, closed)
     np.testing.assert_allclose(matrix @ BLOB.reshape(-1, 2), bezier.evaluate(BLOB, segment, t, closed), atol=1e-12)
+
+
+def test_pairs_of_segments_lie_at_equal_lengths_in_each_segment() -> None:
+    segment, t = bezier.pairs_of_segments(BLOB, 6)
+    assert segment.tolist() == np.repeat(np.arange(5), 6).tolist()
+    assert (t[::6] == 0.0).all()
+    for k in range(5):
+        ends = np.append(t[segment == k], 1.0)
+        pieces = [bezier.evaluate(BLOB, np.full(50, k), np.linspace(a, b, 50)) for a, b in itertools.pairwise(ends)]
+        lengths = [polyline.length(each, closed=False) for each in pieces]
+        np.testing.assert_allclose(lengths, np.mean(lengths), rtol=5e-3)
+
+
+def test_a_segment_of_no_length_has_its_pairs_too() -> None:
+    doubled = bezier.polygon_points([(0.0, 0.0), (0.0, 0.0), (10.0, 0.0), (10.0, 10.0)])
+    segment, t = bezier.pairs_of_segments(doubled, 4)
+    assert len(segment) == len(t) == 16
+    np.testing.assert_allclose(bezier.evaluate(doubled, segment, t)[:4], 0.0)
 
 
 @pytest.mark.parametrize(("closed", "count"), [(True, 5), (False, 4)])

@@ -11,7 +11,7 @@ import pytest
 from roam_core.arrays import Array, Bools
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
-from roam_core.params import FreeEdgesParams
+from roam_core.params import EdgesParams
 from roam_core.propagate.parts.edges import Edge, Edges, edges, edges_on_key
 from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.linking import BEHIND
@@ -72,7 +72,7 @@ def test_samples_lie_along_the_outline_and_stand_for_all_of_it(parts: dict[str, 
     body, drawn = parts["body"], shape("body", BODY).at(1).points
     npt.assert_allclose(body.places, bezier.evaluate(drawn, body.segment, body.t))
     assert body.lengths.sum() == pytest.approx(2 * (50 + 70))
-    assert body.lengths.max() <= 1.5 * FreeEdgesParams().step  # the middle of a straight side runs faster than its ends
+    assert body.lengths.max() <= 1.5 * EdgesParams().step  # the middle of a straight side runs faster than its ends
     assert set(body.segment[body.t == 0.0].tolist()) == {0, 1, 2, 3}
     assert sum(body.shares.values()) == pytest.approx(1.0)
     assert body.share(Edge.HIDDEN) == pytest.approx(14 / 240, abs=0.03)
