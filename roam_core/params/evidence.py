@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from roam_core.params.stamped import later
+
 
 @dataclass(frozen=True)
 class LabelPropagationParams:
@@ -82,6 +84,8 @@ class BackgroundParams:
     shade : how far a difference of lightness counts where the picture is the darker one.
     around : side of the window in which it must be.
     agreed : share of the surroundings that must move as one for the key to be drawn to the picture by them.
+    new : share of the cells around an object whose background is not known, beyond which a frame is kept as a view of
+        it. apart : how far from the object a view is believed. views : how many are kept.
     """
 
     window: int = 5
@@ -94,6 +98,9 @@ class BackgroundParams:
     other: float = 2.0
     around: int = 31
     agreed: float = 0.4
+    new: float = later(0.1)
+    apart: int = later(8)
+    views: int = later(8)
 
 
 @dataclass(frozen=True)

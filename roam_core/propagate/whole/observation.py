@@ -21,7 +21,7 @@ from roam_core.propagate.whole import patched
 from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.propagate.whole.state import RegionState
-from roam_core.proposal.cues.background import followed
+from roam_core.proposal.cues.background import correction
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
 from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.cues.label_propagation import label_propagation
@@ -89,9 +89,9 @@ def observed(
         lines = label_propagation(
             pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
         )
-    if surroundings is None:
-        surroundings = around @ state.key.surroundings
-    key = replace(state.key, to_now=moved @ state.key.to_now, surroundings=surroundings)
+    if surroundings is not None:
+        around = surroundings @ np.linalg.inv(state.key.surroundings)
+    key = replace(state.key.with_surroundings_moved(around), to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
         last,
@@ -102,8 +102,8 @@ def observed(
     )
     background = None
     if params.background is not None:
-        drawn = followed(key.behind(grid), grid.grey_of(frame), expected.possible, grid, params.background.agreed)
-        key = replace(key, surroundings=drawn)
+        seen = key.behind(grid), key.later, grid.grey_of(frame), expected.possible
+        key = key.with_surroundings_moved(correction(*seen, grid, params.background.agreed))
         background = key.background(grid)
     sources = Sources(
         *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,

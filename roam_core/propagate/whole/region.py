@@ -9,13 +9,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 
 from roam_core.appearance.global_model import GlobalModel
 from roam_core.appearance.texture_model import TextureModel
 from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
-from roam_core.features import PreparedFrame
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion import pose as motion_pose
 from roam_core.params import RegionParams, scale_for
@@ -28,7 +30,7 @@ from roam_core.propagate.frame.confidence import (
     vertex_confidence,
 )
 from roam_core.propagate.frame.contour_fit import enclosed, fitted, trusts_of
-from roam_core.propagate.frame.covering import carried_behind, learned_colours, sure_sides
+from roam_core.propagate.frame.covering import carried_behind, covered, learned_colours, sure_sides
 from roam_core.propagate.frame.redetection import LastSeen, as_on_key, is_better
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.propagate.whole import patched, posed
@@ -330,7 +332,24 @@ def _after(
         features=features,
         patch_motion=patched.judged(state.patches, observation.patch_motion, found),
     )
-    return RegionStep(state, after, results, observation)
+    return RegionStep(state, replace(after, key=_grown(after, observation, params)), results, observation)
+
+
+def _grown(state: RegionState, observation: Observation, params: RegionParams) -> KeyMemory:
+    """The key with what has come into sight on a frame that is not in doubt, if around the object enough is new."""
+    sources, key, asked = observation.sources, state.key, params.background
+    if asked is None or sources.background is None or state.trust < params.doubted:
+        return key
+    outside = ~(sources.band | sources.expected.possible | state.region.inside)
+    new = np.count_nonzero(outside & sources.background.new)
+    if len(key.later) == asked.views or new <= asked.new * np.count_nonzero(outside):
+        return key
+    height, width = state.frame.size
+    fine = Grid.over(Region(0, 0, width, height), 1.0 / scale_for(state.frame.size))
+    reach = round(asked.apart * float((fine.factor / sources.grid.factor).max()))
+    near = cv2.dilate(state.region.on(fine), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)) > 0
+    hidden = covered(state.covers, fine)
+    return key.with_view(fine, state.frame, ~near if hidden is None else ~(near | hidden))
 
 
 def _seen(state: RegionState, key: KeyMemory, found: Field) -> LastSeen:

@@ -27,38 +27,75 @@ from roam_core.proposal.cues.key_view import KeyView, lab, trimap
 
 
 @dataclass(frozen=True, eq=False)
-class Background:
-    """The key's background as it would look on another frame.
+class LaterView:
+    """What lay around the object on a frame after its key.
 
     Attributes
     ----------
-    colours : (rows, columns, 3) Lab of the key, carried by the motion of its surroundings.
-    known : (rows, columns) the cells that were in its picture and are known to be background.
+    grid : its cells. colours : (rows, columns, 3) RGB of these. known : (rows, columns) 255 where they are background,
+        else 0. carried : (3, 3) similarity by which the surroundings went since.
+    """
+
+    grid: Grid
+    colours: UInt8
+    known: UInt8
+    carried: Array
+
+    def seen(self, grid: Grid) -> tuple[UInt8, Bools]:
+        """Its picture `(rows, columns, 3)`, RGB in the cells of another grid, and which of these it knows."""
+        to_image = self.carried @ self.grid.map_to_image
+        return grid.warped(self.colours, to_image), grid.warped(self.known, to_image) == 255
+
+
+@dataclass(frozen=True, eq=False)
+class Background:
+    """The background that is known as it would look on another frame.
+
+    Attributes
+    ----------
+    colours : (rows, columns, 3) Lab, carried by the motion of the surroundings.
+    known : (rows, columns) the cells that were seen and are known to be background. on_key : those of them that the
+        key itself shows. new : those that no view has shown.
     """
 
     colours: UInt8
     known: Bools
+    on_key: Bools
+    new: Bools
 
     @classmethod
-    def of(cls, view: KeyView, grid: Grid, neither: Sequence[Array] = ()) -> Background:
-        """What a key, carried by the motion of its surroundings, shows in the cells of `grid`.
+    def of(
+        cls, view: KeyView, grid: Grid, neither: Sequence[Array] = (), later: Sequence[LaterView] = ()
+    ) -> Background:
+        """What a key, carried by the motion of its surroundings, shows in the cells of `grid`; beyond it `later` views.
 
         `neither`: closed polylines `(K, 2)` on the key, beyond the object, of what need not be background.
         """
-        colours, known = view.seen(grid)
+        colours, in_sight = view.seen(grid)
+        on_key = in_sight.copy()
         covers = (coverage(grid.to_grid(similarity.apply(view.carried[:2], line)), grid.shape) for line in neither)
         for cover in (view.coverage, *covers):
-            known &= trimap(cover) == OUTSIDE
-        return cls(lab(colours), known)
+            on_key &= trimap(cover) == OUTSIDE
+        known = on_key.copy()
+        for each in later:
+            theirs, new = each.seen(grid)
+            new &= ~in_sight
+            colours[new] = theirs[new]
+            known |= new
+            in_sight |= new
+        return cls(lab(colours), known, on_key, ~in_sight)
 
     def log_ratio(self, now: UInt8, outside: Bools, params: BackgroundParams) -> Float32:
-        """ln p(object) / p(background) of each cell `(rows, columns)`, nats: 0 where the key does not know.
+        """ln p(object) / p(background) of each cell `(rows, columns)`, nats: 0 where nothing is known.
 
-        `now (rows, columns, 3)` is the picture in Lab, `outside` the cells that are surely not of the object.
+        That something else hides it is told only where the key itself shows it: what a later view has beside the object
+        may have been left out of that by mistake. `now (rows, columns, 3)` is the picture in Lab, `outside` the cells
+        that are surely not of the object.
         """
         likeness, difference = self._compared(now.astype(np.float32), params)
         same = np.clip((likeness - params.alike) / (1.0 - params.alike), 0.0, 1.0)
-        is_known = np.isfinite(difference)
+        within_reach = np.ones((2 * params.reach + 1, 2 * params.reach + 1), np.uint8)
+        is_known = np.isfinite(difference) & (cv2.dilate(self.on_key.astype(np.uint8), within_reach) > 0)
         other = np.where(is_known, np.clip(difference / params.unlike - 1.0, 0.0, 1.0), 0.0)
         asked = np.float32(1.0) * (outside & is_known)
         count, changed = (_sums(each, params.around) for each in (asked, asked * other))
@@ -66,7 +103,7 @@ class Background:
         return np.asarray(params.other * sound * other - params.same * same, dtype=np.float32)
 
     def unchanged(self, now: UInt8, params: BackgroundParams) -> Bools:
-        """The cells `(rows, columns)` that are known, and have the colours of the key's background, as `now` in Lab."""
+        """The cells `(rows, columns)` that are known, and have the colours of the background there, as `now` in Lab."""
         _, difference = self._compared(now.astype(np.float32), params)
         return np.asarray(difference < 0.5 * params.unlike)
 
@@ -74,7 +111,7 @@ class Background:
         """How like the background each cell is, `(rows, columns)` each, at the best place within reach.
 
         The correlation of the patches around both, which means little where there is little texture; and the difference
-        of the colours, infinite where the key does not know. A shadow may have fallen on what is darker than the key.
+        of the colours, infinite where nothing is known. A shadow may have fallen on what is darker than it was.
         """
         window, reach = (params.window, params.window), params.reach
         then = _padded(self.colours, reach).astype(np.float32)
@@ -96,19 +133,27 @@ class Background:
         return likeness, np.sqrt(difference)
 
 
-def followed(view: KeyView, picture: UInt8, inside: Bools, grid: Grid, least: float) -> Array:
-    """Where the motion of the surroundings has carried a key, `(3, 3)`, once drawn to the picture itself.
+def correction(
+    view: KeyView, later: Sequence[LaterView], picture: UInt8, inside: Bools, grid: Grid, least: float
+) -> Array:
+    """The motion `(3, 3)` that draws to the picture what the motion of the surroundings has carried there.
 
-    `view` is carried by their motion from frame to frame, which adds up; `picture (rows, columns)` the luma and
-    `inside (rows, columns)` the object on the frame. It stays as it is where less than `least` of them agree.
+    That adds up from frame to frame. `view` is the key, so carried; where nothing of its background is in sight, the
+    `later` views are asked. `picture (rows, columns)` is the luma and `inside (rows, columns)` the object on the frame.
+    The identity where less than `least` of the background agree.
     """
     seen, known = view.seen(grid)
     known &= ~inside & (view.coverage < 0.5)
+    for each in later:
+        if known.any():
+            break
+        seen, known = each.seen(grid)
+        known &= ~inside
     if not known.any():
-        return view.carried
+        return np.eye(3)
     grey = np.asarray(cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), dtype=np.uint8)
     drawn, agreement = flow_similarity(cell_flow(grey, picture), known, grid)
-    return drawn @ view.carried if agreement >= least else view.carried
+    return drawn if agreement >= least else np.eye(3)
 
 
 def _sums(values: Float32, side: int) -> Float32:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import cv2
@@ -18,7 +18,7 @@ from roam_core.features.texture import texture
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
-from roam_core.proposal.cues.background import Background
+from roam_core.proposal.cues.background import Background, LaterView
 from roam_core.proposal.cues.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.cues.label_propagation import LabelPropagation
 from roam_core.proposal.cues.patch_sides import PatchSides
@@ -63,6 +63,7 @@ class KeyMemory:
     to_now, surroundings : (3, 3) similarities, of the image, by which the object and what lay around it went since.
     neither : closed polylines `(K, 2)` on the key of what need not be background, though it is not the object's: what
         lay before it, and its holes.
+    later : what came into sight around the object since.
     """
 
     frame: PreparedFrame
@@ -71,6 +72,7 @@ class KeyMemory:
     to_now: Array
     surroundings: Array
     neither: tuple[Array, ...] = ()
+    later: tuple[LaterView, ...] = ()
 
     def behind(self, grid: Grid) -> KeyView:
         """The key in the cells of `grid`, carried by the motion of its surroundings."""
@@ -78,7 +80,17 @@ class KeyMemory:
 
     def background(self, grid: Grid) -> Background:
         """What it knows to lie behind the object in the cells of `grid`."""
-        return Background.of(self.behind(grid), grid, self.neither)
+        return Background.of(self.behind(grid), grid, self.neither, self.later)
+
+    def with_surroundings_moved(self, by: Array) -> KeyMemory:
+        """It with all that lay around the object moved on by `by (3, 3)`."""
+        later = tuple(replace(each, carried=by @ each.carried) for each in self.later)
+        return replace(self, surroundings=by @ self.surroundings, later=later)
+
+    def with_view(self, grid: Grid, frame: PreparedFrame, clear: Bools) -> KeyMemory:
+        """It with what a frame shows, in the cells `(rows, columns)` of `grid` that are `clear` of the object."""
+        known = np.where(clear, np.uint8(255), np.uint8(0))
+        return replace(self, later=(*self.later, LaterView(grid, grid.colours_of(frame), known, np.eye(3))))
 
 
 @dataclass(frozen=True, eq=False)

@@ -43,8 +43,12 @@ def sides(points: Array) -> Array:
 
 
 def test_an_outline_that_misses_the_border_is_drawn_to_it(border: Border) -> None:
-    npt.assert_allclose(sides(drawn_to(border, rectangle(31.0, 26.5, 84.0, 73.0), NOTHING)), [30, 25, 85, 74], atol=0.15)
-    npt.assert_allclose(sides(drawn_to(border, rectangle(28.5, 24.0, 86.0, 75.5), NOTHING)), [30, 25, 85, 74], atol=0.15)
+    npt.assert_allclose(
+        sides(drawn_to(border, rectangle(31.0, 26.5, 84.0, 73.0), NOTHING)), [30, 25, 85, 74], atol=0.15
+    )
+    npt.assert_allclose(
+        sides(drawn_to(border, rectangle(28.5, 24.0, 86.0, 75.5), NOTHING)), [30, 25, 85, 74], atol=0.15
+    )
 
 
 def test_a_side_out_of_reach_stays_where_it_is(border: Border) -> None:

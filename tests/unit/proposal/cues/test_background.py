@@ -10,7 +10,7 @@ from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.params.evidence import BackgroundParams
-from roam_core.proposal.cues.background import Background, followed
+from roam_core.proposal.cues.background import Background, LaterView, correction
 from roam_core.proposal.cues.key_view import KeyView, lab
 
 SIDE = 120
@@ -113,7 +113,8 @@ def test_the_key_is_drawn_to_the_picture() -> None:
     pan, guess = shifted(6.0, 3.0), shifted(4.5, 4.0)
     now = painted(GRID.warped(ground, pan), square(60, 50))
     grey = GRID.grey_of(PreparedFrame(now))
-    found = followed(view_of(painted(ground, key), key, guess), grey, square(55, 45, 30), GRID, PARAMS.agreed)
+    view = view_of(painted(ground, key), key, guess)
+    found = correction(view, (), grey, square(55, 45, 30), GRID, PARAMS.agreed) @ guess
     npt.assert_allclose(found[:2] @ (60.0, 60.0, 1.0), pan[:2] @ (60.0, 60.0, 1.0), atol=0.75)  # cells; it was 1.8 off
 
 
@@ -121,5 +122,50 @@ def test_it_stays_where_nothing_agrees_or_nothing_is_known() -> None:
     guess = shifted(2.0, 0.0)
     grey = GRID.grey_of(PreparedFrame(meadow(11)))
     nowhere, everywhere = square(0, 0, 1), square(0, 0, SIDE)
-    npt.assert_array_equal(followed(view_of(meadow(), nowhere, guess), grey, nowhere, GRID, 0.9), guess)
-    npt.assert_array_equal(followed(view_of(meadow(), everywhere, guess), grey, nowhere, GRID, 0.1), guess)
+    npt.assert_array_equal(correction(view_of(meadow(), nowhere, guess), (), grey, nowhere, GRID, 0.9), np.eye(3))
+    npt.assert_array_equal(correction(view_of(meadow(), everywhere, guess), (), grey, nowhere, GRID, 0.1), np.eye(3))
+
+
+PAN = shifted(-60.0, 0.0)
+"""Half the picture has gone since the key, and as much has come into sight."""
+RIGHT = square(0, 0, SIDE) & (np.arange(SIDE) >= SIDE // 2)
+
+
+def later_view(picture: UInt8, clear: Bools, carried: Array | None = None) -> LaterView:
+    return LaterView(GRID, picture, np.uint8(255) * clear, np.eye(3) if carried is None else carried)
+
+
+def test_what_came_into_sight_later_is_known_where_the_key_shows_nothing() -> None:
+    ground, now = meadow(), meadow(5)
+    key = view_of(ground, square(10, 40), PAN)
+    known = Background.of(key, GRID, (), [later_view(now, RIGHT)])
+    npt.assert_array_equal(known.on_key, Background.of(key, GRID).known)
+    npt.assert_array_equal(known.known, known.on_key | RIGHT)
+    npt.assert_array_equal(known.colours[known.known & ~known.on_key], lab(now)[known.known & ~known.on_key])
+    npt.assert_array_equal(known.colours[known.on_key], Background.of(key, GRID).colours[known.on_key])
+
+
+def test_a_later_view_goes_with_the_surroundings() -> None:
+    now, pan = meadow(5), shifted(-7.0, 4.0)
+    key = view_of(meadow(), square(10, 40), pan @ PAN)
+    clear = ~square(80, 50, 12)
+    later = [later_view(now, clear, pan)]
+    ratio = Background.of(key, GRID, (), later).log_ratio(lab(GRID.warped(now, pan)), ~square(0, 0, 1), PARAMS)
+    assert np.median(ratio[30:100, 65:108]) < -0.9 * PARAMS.same
+    npt.assert_array_equal(ratio[60:62, 77:81], 0.0)  # not clear of the object there
+
+
+def test_what_hides_a_later_view_may_have_been_left_out_of_the_object() -> None:
+    now, thing = meadow(5), square(80, 40)
+    key = view_of(meadow(), square(10, 40), PAN)
+    ratio = Background.of(key, GRID, (), [later_view(now, RIGHT)]).log_ratio(lab(painted(now, thing)), ~thing, PARAMS)
+    npt.assert_array_equal(ratio[middle(thing)], 0.0)
+
+
+def test_later_views_are_drawn_to_the_picture_once_the_key_is_out_of_sight() -> None:
+    ground, gone, pan = meadow(5), shifted(-3.0 * SIDE, 0.0), shifted(3.0, 2.0)
+    now, nowhere = GRID.grey_of(PreparedFrame(GRID.warped(ground, pan))), square(0, 0, 1)
+    key = view_of(meadow(), square(10, 40), gone)
+    found = correction(key, [later_view(ground, ~nowhere, shifted(1.5, 2.5))], now, nowhere, GRID, PARAMS.agreed)
+    npt.assert_allclose((found @ shifted(1.5, 2.5))[:2] @ (60.0, 60.0, 1.0), pan[:2] @ (60.0, 60.0, 1.0), atol=0.75)
+    npt.assert_array_equal(correction(key, (), now, nowhere, GRID, PARAMS.agreed), np.eye(3))
