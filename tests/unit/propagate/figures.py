@@ -209,3 +209,19 @@ def written(figure: Figure, shapes: Sequence[RotoShape], folder: Path) -> Path:
     clip = Clip(plate, 0, figure.count - 1, (width, height))
     file.save(Project(clip, Layer("root", "Root", tuple(shapes))), path)
     return path
+
+
+def bending_body_on_a_pan(count: int) -> tuple[list[UInt8], UInt8]:
+    """Pictures of a body that bends, while the camera goes along a wall by 10 pixels a frame, and its first mask."""
+    height, width = SIZE
+    places = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
+    from_middle = places - np.array([70.0, 60.0])
+    angle, distance = np.arctan2(from_middle[..., 1], from_middle[..., 0]), np.hypot(*np.moveaxis(from_middle, 2, 0))
+    wall, cloth, noise = texture(11, 40.0, 210.0), texture(12, 60.0, 190.0), np.random.default_rng(3)
+    pictures, masks = [], []
+    for k in range(count):
+        inside = distance < 26.0 + 9.0 * np.sin(2.0 * angle + 0.12 * k) + 5.0 * np.cos(3.0 * angle - 0.1 * k)
+        picture = np.where(inside[..., None], cloth.at(places), wall.at(places + np.array([10.0 * k, 0.0])))
+        pictures.append(np.uint8(np.clip(picture + noise.normal(0.0, 2.0, picture.shape), 0.0, 255.0)))
+        masks.append(np.uint8(255) * inside)
+    return pictures, masks[0]

@@ -16,13 +16,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roam_core import fill_span, track
+from roam_core import fill_span, shapes_from_mask, track
 from roam_core.params import CONFIGS
 from roam_core.propagate.shapes.provenance import REVISION
 from roam_core.roto import Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
 from tests.unit.propagate.figures import (
     arm_like_its_body,
+    bending_body_on_a_pan,
     body_and_sleeve,
     body_behind_a_post,
     body_with_arms,
@@ -87,8 +88,15 @@ def hidden_filled() -> Points:
     return _points(fill_span(dict(enumerate(figure.pictures)), [body, subtracting(post)], 0, 4, "best"))
 
 
+def panned() -> Points:
+    """A body that bends, while a camera goes along what was not in the picture on its key."""
+    pictures, mask = bending_body_on_a_pan(8)
+    *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(8), "best")
+    return _points([result.shape for result in last.results])
+
+
 RUNS: dict[str, Callable[[], Points]] = {
-    each.__name__: each for each in (lone, parts, filled, posed, held, hidden, hidden_filled)
+    each.__name__: each for each in (lone, parts, filled, posed, held, hidden, hidden_filled, panned)
 }
 
 
