@@ -93,6 +93,15 @@ class PreparedFrame:
         self._resized: dict[tuple[int, int], PreparedFrame] = {}
 
     @property
+    def given(self) -> PreparedFrame:
+        """The picture as it was given: itself, if nothing was multiplied."""
+        return self
+
+    def multiplied(self, by: float) -> PreparedFrame:
+        """The picture as it was given, all its values multiplied: rounded, and cut at white."""
+        return self.given if by == 1.0 else _MultipliedFrame(self.given, by)
+
+    @property
     def image(self) -> UInt8:
         """All of it `(h, w, 3)`."""
         return self.within(Region(0, 0, self.size[1], self.size[0]))
@@ -155,6 +164,23 @@ class PreparedFrame:
         power = power[region.y0 - y0 : region.y1 - y0, region.x0 - x0 : region.x1 - x0]
         top = max(float(np.percentile(power, percentile)), floor) if power.size else floor
         return np.ascontiguousarray(np.minimum(power / np.float32(top), np.float32(1.0)))
+
+
+class _MultipliedFrame(PreparedFrame):
+    """A frame whose values are multiplied, where it is looked at."""
+
+    def __init__(self, given: PreparedFrame, by: float) -> None:
+        super().__init__(np.empty((0, 0, 3), np.uint8))
+        self.size = given.size
+        self._given = given
+        self._table = np.clip(np.round(by * np.arange(256.0)), 0.0, 255.0).astype(np.uint8)
+
+    @property
+    def given(self) -> PreparedFrame:
+        return self._given
+
+    def within(self, region: Region) -> UInt8:
+        return np.asarray(cv2.LUT(self._given.within(region), self._table), dtype=np.uint8)
 
 
 def as_uint8(image: NDArray[Any]) -> UInt8:

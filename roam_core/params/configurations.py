@@ -9,7 +9,7 @@ from functools import lru_cache
 from roam_core.dials import DIALS, turn
 from roam_core.errors import RoamError
 from roam_core.params.appearance import AppearanceParams
-from roam_core.params.evidence import BackgroundParams, TextureParams
+from roam_core.params.evidence import BackgroundParams, ExposureParams, TextureParams
 from roam_core.params.landmarks import LandmarkParams
 from roam_core.params.patches import PatchParams
 from roam_core.params.paths import changed, no_such
@@ -58,6 +58,7 @@ CONFIGS: dict[str, RoamParams] = {
             part=PoseParams(candidates=12),
             patches=PatchParams(),
             background=BackgroundParams(),
+            exposure=ExposureParams(),
             texture=TextureParams(),
         ),
     ),

@@ -104,6 +104,32 @@ class BackgroundParams:
 
 
 @dataclass(frozen=True)
+class ExposureParams:
+    """Parameters of how much brighter the picture has become since the key (`proposal.cues.exposure`).
+
+    Attributes
+    ----------
+    window : side, cells, of the patches that are compared. alike : correlation from which two are the same. flat :
+        deviation of a patch's luma under which a correlation counts for less.
+    beside : share of the key's object in a cell up to which it is background.
+    darkest, brightest : mean luma between which a patch tells anything.
+    least : cells that must be known again.
+    within : difference of the logarithm of brightness that two patches of one light may show. agreed : share of the
+        cells that must agree on a change within that.
+    """
+
+    window: int = 7
+    alike: float = 0.6
+    flat: float = 2.0
+    beside: float = 0.2
+    darkest: float = 12.0
+    brightest: float = 243.0
+    least: int = 200
+    within: float = 0.06
+    agreed: float = 0.5
+
+
+@dataclass(frozen=True)
 class TextureParams:
     """Parameters of what texture tells an object from its surroundings (`appearance.texture_model`).
 

@@ -7,7 +7,13 @@ from dataclasses import dataclass
 from roam_core.params.between import SpanParams
 from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import ContourFitParams
-from roam_core.params.evidence import BackgroundParams, ComponentsParams, LabelPropagationParams, TextureParams
+from roam_core.params.evidence import (
+    BackgroundParams,
+    ComponentsParams,
+    ExposureParams,
+    LabelPropagationParams,
+    TextureParams,
+)
 from roam_core.params.fast_motion import FastMotionParams
 from roam_core.params.figure import FigureParams
 from roam_core.params.patches import PatchParams
@@ -78,6 +84,8 @@ class RegionParams:
     patches_inside : by how much what they say of a cell inside is taken to be surer; in full, it counts as the key's
         word. patches_outside : nats of what they say of one outside.
     background : of what the key's background says (`proposal.cues.background`); None: it is not asked.
+    exposure : of how much brighter the picture has become since the key (`proposal.cues.exposure`); None: it is not
+        asked.
     texture : of what tells the object's texture from that of its surroundings (`appearance.texture_model`); None: it is
         not asked. texture_weight : of what it says.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
@@ -147,6 +155,7 @@ class RegionParams:
     patches_inside: float = 3.0
     patches_outside: float = 5.0
     background: BackgroundParams | None = later(None)
+    exposure: ExposureParams | None = later(None)
     texture: TextureParams | None = later(None)
     texture_weight: float = later(1.0)
     pose_steady: float = later(1.4)

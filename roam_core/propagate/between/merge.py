@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from roam_core.arrays import Array, Bools, Float32, UInt8
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, similarity
@@ -295,7 +295,7 @@ def _compared(
     picture = grid.colours_of(colours.picture)
     now = lab(picture)
     views = [
-        (KeyView(directional_pass.picture, stop.carried, coverage), away)
+        (KeyView(_in_this_light(directional_pass.picture, stop), stop.carried, coverage), away)
         for directional_pass, stop, coverage, away in zip(
             (span.onwards, span.back), (moment.onwards, moment.back), coverages, (moment.u, 1.0 - moment.u), strict=True
         )
@@ -310,16 +310,21 @@ def _compared(
     values = carried_here + np.float32(params.keys_weight) * key_colours(
         picture, grid, views, wanted, params.span.key_colours
     )
-    values += _backgrounds(moment, grid, now, ~(sides[0] | sides[1]), params)
+    values += _backgrounds(moment, grid, colours.picture, ~(sides[0] | sides[1]), params)
     rough = np.where(wanted, values, found.values)
     smooth = diffuse(rough, now, wanted, params.diffusion, params.contrast, params.sweeps)
     return proposed.cleaned(Field(grid, smooth), found.inside, 0.0, params.components.speck)
 
 
-def _backgrounds(moment: _Moment, grid: Grid, now: UInt8, outside: Bools, params: RegionParams) -> Float32:
+def _in_this_light(key: PreparedFrame, stop: Stop) -> PreparedFrame:
+    """The picture of a key as it would be in the light of the frame where a pass from it stands."""
+    return key if stop.motion.key is None else key.multiplied(stop.motion.key.gain)
+
+
+def _backgrounds(moment: _Moment, grid: Grid, picture: PreparedFrame, outside: Bools, params: RegionParams) -> Float32:
     """What the backgrounds of both keys say of each cell, nats; where both know it, the nearer key the more.
 
-    `now (rows, columns, 3)` is the picture in Lab, `outside` the cells that neither pass has in the object.
+    `picture` is the frame's, `outside (rows, columns)` the cells that neither pass has in the object.
     """
     told, known = np.zeros(grid.shape, np.float32), np.zeros(grid.shape, np.float32)
     if params.background is None:
@@ -328,6 +333,7 @@ def _backgrounds(moment: _Moment, grid: Grid, now: UInt8, outside: Bools, params
         if stop is None or stop.motion.key is None:
             continue
         background = stop.motion.key.background(grid)
+        now = lab(grid.colours_of(stop.motion.key.in_its_light(picture)))
         weight = np.float32(nearness) * background.known
         told += weight * background.log_ratio(now, outside, params.background)
         known += weight

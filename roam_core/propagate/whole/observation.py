@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from roam_core.arrays import Array, Float32
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
@@ -23,6 +23,7 @@ from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.background import correction
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
+from roam_core.proposal.cues.exposure import exposure_gain
 from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import MotionMisfit
@@ -34,12 +35,14 @@ class Observation:
 
     Attributes
     ----------
-    sources : what the cues are drawn from; they know the key, carried on to the frame.
+    frame : the picture, as it would be in the light of the key. sources : what the cues are drawn from; they know the
+        key, carried on to the frame.
     moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
     rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
     patch_motion : where its patches lie.
     """
 
+    frame: PreparedFrame
     sources: Sources
     moved: Array
     agreement: float
@@ -73,22 +76,10 @@ def observed(
         flows = with_fast_flow(state.frame, frame, fine, flows, inside, displacement, params.fast_motion)
     forth, back = (on_grid(flow, fine, grid) for flow in flows)
     moved, agreement = flow_similarity(flows[0], inside, fine)
-    pictures = grid.colours_of(state.frame), grid.colours_of(frame)
     if token is not None:
         token.check()
     around, _ = flow_similarity(flows[0], ~everywhere, fine)
     misfit = MotionMisfit.on(grid, back, moved, around, params.motion_sigma * scale)
-    rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
-    lines = sides = None
-    patch_motion = state.patch_motion
-    if state.patches is not None and patch_motion is not None:
-        patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
-    if params.label_propagation_weight > 0:
-        before = carried_by_flow(state.region.nats_on(fine), flows[1])
-        flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
-        lines = label_propagation(
-            pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
-        )
     if surroundings is not None:
         around = surroundings @ np.linalg.inv(state.key.surroundings)
     key = replace(state.key.with_surroundings_moved(around), to_now=moved @ state.key.to_now)
@@ -100,16 +91,40 @@ def observed(
         key.region.on(grid, key.to_now),
         misfit.left_behind(agreement, params),
     )
-    background = None
-    if params.background is not None:
-        seen = key.behind(grid), key.later, grid.grey_of(frame), expected.possible
-        key = key.with_surroundings_moved(correction(*seen, grid, params.background.agreed))
-        background = key.background(grid)
+    key = _drawn_to(frame, key, expected.possible, grid, params)
+    frame = key.in_its_light(frame)
+    pictures = grid.colours_of(state.frame), grid.colours_of(frame)
+    rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
+    lines = sides = None
+    patch_motion = state.patch_motion
+    if state.patches is not None and patch_motion is not None:
+        patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
+    if params.label_propagation_weight > 0:
+        before = carried_by_flow(state.region.nats_on(fine), flows[1])
+        flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
+        lines = label_propagation(
+            pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
+        )
+    background = key.background(grid) if params.background is not None else None
     sources = Sources(
         *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,
         sides, background, state.texture,
     )  # fmt: skip
-    return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
+    return Observation(frame, sources, moved, agreement, rigidity, pose, patch_motion)
+
+
+def _drawn_to(frame: PreparedFrame, key: KeyMemory, possible: Bools, grid: Grid, params: RegionParams) -> KeyMemory:
+    """A key that was carried to `frame`, with the motion of its surroundings and its light as they are seen there.
+
+    `possible (rows, columns)`: where the object may be.
+    """
+    if params.background is not None:
+        seen = key.behind(grid), key.later, grid.grey_of(frame), possible
+        key = key.with_surroundings_moved(correction(*seen, grid, params.background.agreed))
+    if params.exposure is None:
+        return key
+    gain = exposure_gain(key.behind(grid), grid.grey_of(frame.given), possible, grid, params.exposure)
+    return key if gain is None else replace(key, gain=gain)
 
 
 def _displacement(state: RegionState, frame: PreparedFrame, spots: Array, params: FastMotionParams) -> Array | None:

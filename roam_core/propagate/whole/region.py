@@ -72,6 +72,7 @@ def step(
     Where that leaves the object lost or in doubt it is looked for around its last place, as it was on the key, and
     taken from there if that promises more. If it is not found, and what is left is something else, that is let go.
     """
+    frame = state.key.in_its_light(frame)
     if state.pose is not None and params.pose is not None:
         state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params, covers))
     carried = _carried(state, frame, params, token, tuple(covers))
@@ -89,7 +90,7 @@ def step(
         return carried
     grid = observation.sources.grid
     nothing = Field.of_coverage(grid, np.zeros(grid.shape, np.float32))
-    return _along(replace(state, covers=tuple(covers)), frame, observation, nothing, params)
+    return _along(replace(state, covers=tuple(covers)), observation, nothing, params)
 
 
 def _is_background(stepped: RegionStep, params: RegionParams) -> bool:
@@ -188,7 +189,7 @@ def _carried(
         token.check()
     state = replace(state, covers=covers)
     if observation.pose is not None:
-        return _as_one_piece(state, frame, observation, observation.pose, params)
+        return _as_one_piece(state, observation, observation.pose, params)
     ratio = evidence(observation, params, covers)
     if token is not None:
         token.check()
@@ -196,15 +197,13 @@ def _carried(
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
         if posed.is_believed(state.pose, parts, found, params, state.is_posed):
-            return _as_posed(state, frame, observation, state.pose, parts, params)
-    return _along(state, frame, observation, found, params)
+            return _as_posed(state, observation, state.pose, parts, params)
+    return _along(state, observation, found, params)
 
 
-def _along(
-    state: RegionState, frame: PreparedFrame, observation: Observation, found: Field, params: RegionParams
-) -> RegionStep:
+def _along(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> RegionStep:
     """The shapes laid along the region that was found."""
-    expected, scale = observation.sources.expected, scale_for(frame.size)
+    expected, scale = observation.sources.expected, scale_for(observation.frame.size)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
     to_now, patches = observation.sources.key.to_now, (state.patches, observation.patch_motion)
@@ -221,7 +220,7 @@ def _along(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
     return _held_while_steady(
-        _after(state, frame, observation, found, flow_reliability, parts, features, results, params), params
+        _after(state, observation, found, flow_reliability, parts, features, results, params), params
     )
 
 
@@ -230,9 +229,7 @@ def evidence(observation: Observation, params: RegionParams, covers: Sequence[Ar
     return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
 
 
-def _as_one_piece(
-    state: RegionState, frame: PreparedFrame, observation: Observation, pose: Pose, params: RegionParams
-) -> RegionStep:
+def _as_one_piece(state: RegionState, observation: Observation, pose: Pose, params: RegionParams) -> RegionStep:
     """The shapes as drawn on the key, carried by the motion of a plane."""
     grid, parts = observation.sources.grid, pose.carried(state.drawn)
     found = Field.of_coverage(grid, enclosed(parts, grid))
@@ -250,12 +247,11 @@ def _as_one_piece(
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
     flow_reliability = _flow_reliability(observation, found)
-    return _after(state, frame, observation, found, flow_reliability, parts, features, results, params)
+    return _after(state, observation, found, flow_reliability, parts, features, results, params)
 
 
 def _as_posed(
     state: RegionState,
-    frame: PreparedFrame,
     observation: Observation,
     pose: motion_pose.Pose,
     parts: tuple[Part, ...],
@@ -265,7 +261,7 @@ def _as_posed(
     found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
     features, results = PoseFeatures.of(pose), posed.results(pose, parts, params.confidence)
     flow_reliability = _flow_reliability(observation, found)
-    return _after(state, frame, observation, found, flow_reliability, parts, features, results, params)
+    return _after(state, observation, found, flow_reliability, parts, features, results, params)
 
 
 def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
@@ -303,7 +299,6 @@ def _adapted(
 
 def _after(
     state: RegionState,
-    frame: PreparedFrame,
     observation: Observation,
     found: Field,
     flow_reliability: Float32,
@@ -319,7 +314,7 @@ def _after(
         key = replace(key, to_now=observation.pose.similarity)
     after = replace(
         state,
-        frame=frame,
+        frame=observation.frame,
         region=found,
         parts=parts,
         key=key,

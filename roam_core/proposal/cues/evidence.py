@@ -61,6 +61,7 @@ class KeyMemory:
     Attributes
     ----------
     to_now, surroundings : (3, 3) similarities, of the image, by which the object and what lay around it went since.
+    gain : by which the picture has become brighter since.
     neither : closed polylines `(K, 2)` on the key of what need not be background, though it is not the object's: what
         lay before it, and its holes.
     later : what came into sight around the object since.
@@ -73,6 +74,11 @@ class KeyMemory:
     surroundings: Array
     neither: tuple[Array, ...] = ()
     later: tuple[LaterView, ...] = ()
+    gain: float = 1.0
+
+    def in_its_light(self, frame: PreparedFrame) -> PreparedFrame:
+        """A frame as it would be if the light had not changed since the key."""
+        return frame.multiplied(1.0 / self.gain)
 
     def behind(self, grid: Grid) -> KeyView:
         """The key in the cells of `grid`, carried by the motion of its surroundings."""

@@ -89,3 +89,20 @@ def test_a_region_is_cut_from_the_whole_picture_and_not_framed_by_its_border() -
 def test_a_region_is_made_once() -> None:
     frame, region = PreparedFrame(picture()), Region(5, 5, 30, 30)
     assert frame.squared_gradient(region, 1.0, 144.0, 98.0) is frame.squared_gradient(region, 1.0, 144.0, 98.0)
+
+
+def test_a_multiplied_picture_begins_with_what_was_given() -> None:
+    frame = PreparedFrame(picture())
+    twice = frame.multiplied(0.5).multiplied(1.3)
+    np.testing.assert_array_equal(twice.image, np.clip(np.round(1.3 * picture()), 0, 255))
+    np.testing.assert_array_equal(twice.grey, PreparedFrame(twice.image).grey)
+    assert twice.size == frame.size
+    assert twice.given is frame
+    assert twice.multiplied(1.0) is frame
+    assert frame.multiplied(1.0) is frame
+
+
+def test_a_part_of_a_multiplied_picture_is_that_of_the_whole() -> None:
+    frame = PreparedFrame(picture()).multiplied(0.7)
+    part = Region(5, 8, 31, 29)
+    np.testing.assert_array_equal(frame.within(part), frame.image[part.slices[0], part.slices[1]])

@@ -17,10 +17,12 @@ import numpy as np
 import pytest
 
 from roam_core import fill_span, shapes_from_mask, track
+from roam_core.arrays import UInt8
 from roam_core.params import CONFIGS
 from roam_core.propagate.shapes.provenance import REVISION
 from roam_core.roto import Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
+from tests.unit.propagate.dimmed import dimmed_body
 from tests.unit.propagate.figures import (
     arm_like_its_body,
     bending_body_on_a_pan,
@@ -91,12 +93,22 @@ def hidden_filled() -> Points:
 def panned() -> Points:
     """A body that bends, while a camera goes along what was not in the picture on its key."""
     pictures, mask = bending_body_on_a_pan(8)
-    *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(8), "best")
+    return _tracked(pictures, mask)
+
+
+def dimmed() -> Points:
+    """A body that bends, while the light falls."""
+    pictures, masks = dimmed_body(6, 0.4)
+    return _tracked(pictures, masks[0])
+
+
+def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
+    *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(len(pictures)), "best")
     return _points([result.shape for result in last.results])
 
 
 RUNS: dict[str, Callable[[], Points]] = {
-    each.__name__: each for each in (lone, parts, filled, posed, held, hidden, hidden_filled, panned)
+    each.__name__: each for each in (lone, parts, filled, posed, held, hidden, hidden_filled, panned, dimmed)
 }
 
 

@@ -1,0 +1,33 @@
+"""A drawn shot whose light falls: a dark body that bends, before a wall that becomes as dark as it was."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from roam_core.arrays import Array, UInt8
+
+SIZE = 200, 320
+
+
+def dimmed_body(count: int, by: float) -> tuple[list[UInt8], list[UInt8]]:
+    """Its pictures and masks. On the last frame the light is less by the share `by`."""
+    wall, cloth = _texture(1, (160, 150, 140)), _texture(2, (112, 105, 98))
+    height, width = SIZE
+    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    pictures, masks = [], []
+    for k in range(count):
+        from_middle = np.stack([x - 110.0 - 5.0 * k, y - 100.0])
+        angle, distance = np.arctan2(from_middle[1], from_middle[0]), np.hypot(*from_middle)
+        inside = distance < 40.0 + 12.0 * np.sin(2.0 * angle + 0.15 * k) + 6.0 * np.cos(3.0 * angle - 0.1 * k)
+        picture = np.where(inside[..., None], np.roll(cloth, 5 * k, axis=1), wall) * (1.0 - by * k / (count - 1))
+        grain = np.random.default_rng(k).normal(0.0, 2.0, picture.shape)
+        pictures.append(np.uint8(np.clip(picture + grain, 0.0, 255.0)))
+        masks.append(np.uint8(255) * inside)
+    return pictures, masks
+
+
+def _texture(seed: int, around: tuple[int, int, int]) -> Array:
+    rough = np.random.default_rng(seed).normal(0.0, 1.0, (*SIZE, 3))
+    smooth = cv2.GaussianBlur(rough, (0, 0), 2.0)
+    return np.asarray(np.array(around) + 16.0 * smooth / smooth.std())
