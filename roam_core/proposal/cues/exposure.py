@@ -5,7 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from roam_core.arrays import Bools, Float32, UInt8
+from roam_core.arrays import Bools, UInt8
 from roam_core.features.grid import Grid
 from roam_core.params.evidence import ExposureParams
 from roam_core.proposal.cues.key_view import KeyView
@@ -29,7 +29,10 @@ def exposure_gain(view: KeyView, picture: UInt8, inside: Bools, grid: Grid, para
     whole = cv2.erode(known.astype(np.uint8), np.ones(window, np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
     then, now = (np.asarray(each, np.float32) for each in (cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), picture))
     mean_then, mean = cv2.blur(then, window), cv2.blur(now, window)
-    usable = (whole > 0) & (_correlation(then, now, params) > params.alike)
+    variance_then, variance = cv2.blur(then * then, window) - mean_then**2, cv2.blur(now * now, window) - mean**2
+    covariance = cv2.blur(then * now, window) - mean_then * mean
+    usable = whole > 0
+    usable &= covariance > params.alike * np.sqrt(np.maximum(variance_then * variance, np.float32(params.flat**4)))
     for each in (mean_then, mean):
         usable &= (each > params.darkest) & (each < params.brightest)
     if np.count_nonzero(usable) < params.least:
@@ -39,12 +42,3 @@ def exposure_gain(view: KeyView, picture: UInt8, inside: Bools, grid: Grid, para
     if np.mean(np.abs(changes - median) < params.within) < params.agreed:
         return None
     return float(np.exp(median - np.clip(median, -params.within, params.within)))
-
-
-def _correlation(a: Float32, b: Float32, params: ExposureParams) -> Float32:
-    """Of the patches around each cell of two pictures `(rows, columns)`: little, where they are flat."""
-    window = (params.window, params.window)
-    mean_a, mean_b = cv2.blur(a, window), cv2.blur(b, window)
-    variances = (cv2.blur(each * each, window) - mean * mean for each, mean in ((a, mean_a), (b, mean_b)))
-    spread = np.sqrt(np.maximum(np.prod(list(variances), axis=0), np.float32(params.flat**4)))
-    return np.asarray((cv2.blur(a * b, window) - mean_a * mean_b) / spread, dtype=np.float32)

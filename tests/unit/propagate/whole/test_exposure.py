@@ -12,6 +12,7 @@ from roam_core import RotoShape, fill_span, keys_from_mask, render_matte, shapes
 from roam_core.arrays import UInt8
 from roam_core.features import PreparedFrame
 from roam_core.params import RoamParams, params_for
+from roam_core.propagate import TrackMemory
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.whole.region import step
 from roam_core.propagate.whole.state import begin
@@ -64,6 +65,20 @@ def test_a_fill_hears_both_keys_in_the_light_of_each_frame(dimmed: Shot) -> None
     )
     assert known > 0.96
     assert known > unknown + 0.05
+
+
+@pytest.mark.parametrize("remembering", [True, False], ids=["remembering", "solving again"])
+def test_a_stop_in_falling_light_changes_nothing(dimmed: Shot, remembering: bool) -> None:
+    pictures, masks = dimmed
+    memory = TrackMemory() if remembering else None
+
+    def on(shapes: list[RotoShape], frames: range) -> list[RotoShape]:
+        *_, last = track(lambda frame: pictures[frame], shapes, frames, BEST, memory=memory)
+        return [result.shape for result in last.results]
+
+    stopped = on(on(shapes_from_mask(masks[0]), range(8)), range(7, COUNT))
+    whole = tracked(dimmed, BEST)
+    assert stopped == whole
 
 
 def test_where_the_light_stays_the_points_are_the_same_bit_by_bit() -> None:
