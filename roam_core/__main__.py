@@ -2,9 +2,6 @@
 
 import sys
 
-from roam_core.cli import main
-from roam_core.cli.environment import decoding_apart
+from roam_core.cli.program import command
 
-with decoding_apart():
-    status = main()
-sys.exit(status)
+sys.exit(command(sys.argv[1:]))

@@ -79,8 +79,9 @@ class PlanarTracking:
 
     def _trackable(self) -> list[RotoShape]:
         """The shapes in hand that the track may move; says why when there is none."""
-        shapes = shapes_in_hand(self._document.project, self._view.selection)
-        able = [shape for shape in shapes if not shape.locked]
+        project = self._document.project
+        shapes = shapes_in_hand(project, self._view.selection)
+        able = [shape for shape in shapes if not project.is_locked(shape.id)]
         if not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able:

@@ -201,11 +201,11 @@ class Tracking:
 
     def _trackable(self) -> list[RotoShape]:
         """Those that can be tracked; says why when there is none."""
-        shapes = self.in_scope()
-        able = [shape for shape in shapes if shape.closed and not shape.locked]
+        shapes, project = self.in_scope(), self._document.project
+        able = [shape for shape in shapes if shape.closed and not project.is_locked(shape.id)]
         if not shapes:
             self._view.say(tr(NO_SHAPE))
-        elif not able and shapes[0].locked:
+        elif not able and project.is_locked(shapes[0].id):
             self._view.say(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
         elif not able:
             self._view.say(

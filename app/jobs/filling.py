@@ -117,7 +117,8 @@ def _filled_apart(report: Report, request: FillRequest, wanted: Sequence[Gap], p
     from roam_core.cli.spreading import spread
     from roam_core.studio.cluster import ENGINE_THREADS, cores
 
-    ids = [shape.id for shape in request.shapes if shape.id in request.asked and shape.closed and not shape.locked]
+    able = [shape.id for shape in request.shapes if shape.closed and not request.project.is_locked(shape.id)]
+    ids = [shape_id for shape_id in able if shape_id in request.asked]
     picking = Picking(ids, request.alone)
     divided = pieces_of(request.project, wanted, picking) if ids else []
     processes = min(request.processes or cores() // ENGINE_THREADS, len(divided))

@@ -107,7 +107,7 @@ class ObjectForm(QWidget):
             self.level.setCurrentIndex(-1 if level is None else self.level.findData(level))
         self.level.setToolTip(f"{tr(DEPTH_TIP)}{_told(shapes)}")
         self.attached.show_value(shared(shape.attached for shape in shapes))
-        is_free = any(not shape.locked for shape in shapes)
+        is_free = any(not self._document.project.is_locked(shape.id) for shape in shapes)
         for control in (self.solve, self.level, self.attached):
             control.setEnabled(is_free)
 

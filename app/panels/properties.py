@@ -253,7 +253,7 @@ class PropertiesPanel(QWidget):
         """Put `verb(shape)` in the place of every selected shape that is not locked, as one undo step."""
         project = self._document.project
         for shape in self._selected():
-            if (works_locked or not shape.locked) and (edited := verb(shape)) != shape:
+            if (works_locked or not project.is_locked(shape.id)) and (edited := verb(shape)) != shape:
                 project = project.with_shape(edited)
         self._document.apply(text, project, merge_key and f"{merge_key} {text}")
         self._pull()
@@ -280,7 +280,7 @@ class PropertiesPanel(QWidget):
         self._pages.setCurrentWidget(form)
         if not selected:
             return
-        is_free = any(not shape.locked for shape in selected)
+        is_free = any(not self._document.project.is_locked(shape.id) for shape in selected)
         for field in self._fields:
             with QSignalBlocker(field.widget):
                 field.show(selected)

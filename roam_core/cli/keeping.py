@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from roam_core.cli.stopping import finishing
 from roam_core.errors import RoamError
 from roam_core.roto import Project
 
@@ -56,16 +57,20 @@ def kept(write: Callable[[Project], None] | None) -> Iterator[Keeper]:
     try:
         yield keeper
     except RoamError as error:
-        raise RoamError(f"{error} {_fate(keeper)}".rstrip()) from error
+        raise RoamError(f"{error} {_fate(keeper, error)}".rstrip()) from error
     except BaseException:
-        keeper.flush()
+        with finishing():
+            keeper.flush()
         raise
-    keeper.flush()
-
-
-def _fate(keeper: Keeper) -> str:
-    try:
+    with finishing():
         keeper.flush()
-    except RoamError as error:
-        return f"What was finished last is not kept: {error}"
+
+
+def _fate(keeper: Keeper, error: RoamError) -> str:
+    try:
+        with finishing():
+            keeper.flush()
+    except RoamError as again:
+        why = "" if str(again) == str(error) else f": {again}"
+        return f"What was finished last is not kept{why or '.'}"
     return "What was finished is kept." if keeper.has_written else ""

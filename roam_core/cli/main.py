@@ -78,19 +78,26 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(argv: list[str]) -> int:
+    if argv and argv[0] in COMMANDS:
+        return _run_command(argv[0], argv[1:])
     parser = argparse.ArgumentParser(prog="roam", description="Rotoscoping: editable curves carried through a shot.")
     parser.add_argument("--version", action="version", version=f"roam {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="command")
-    # Only the command that was asked for is loaded: `roam info` does not wait for the solver.
-    asked = argv[0] if argv and argv[0] in COMMANDS else None
-    for name in COMMANDS if asked is None else (asked,):
-        summary = COMMANDS[name]
-        command = commands.add_parser(name, help=summary, description=summary.capitalize() + ".")
-        if name == asked:
-            _module(name).add_arguments(command)
-    arguments = parser.parse_args(argv)
+    for name, summary in COMMANDS.items():
+        commands.add_parser(name, help=summary)
+    parser.parse_args(argv)  # says what there is, and ends
+    return FAILED
+
+
+def _run_command(name: str, argv: list[str]) -> int:
+    """Run a command. Only its module is loaded: `roam info` does not wait for the solver."""
+    module = _module(name)
+    parser = argparse.ArgumentParser(prog=f"roam {name}", description=f"{COMMANDS[name].capitalize()}.")
+    module.add_arguments(parser)
+    # What is optional may stand between what is not: `roam review P.roam --sheet OUT`.
+    arguments = parser.parse_intermixed_args(argv)
     take_threads()
-    status: int = _module(arguments.command).run(arguments)
+    status: int = module.run(arguments)
     return status
 
 

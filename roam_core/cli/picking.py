@@ -68,7 +68,8 @@ def _named(shapes: Sequence[RotoShape], names: Sequence[str], kind: str) -> list
 def trackable(project: Project, picking: Picking = EVERYTHING) -> list[RotoShape]:
     """The closed, unlocked shapes among those picked; one sentence where a named one is locked or is not there."""
     wanted = [shape for shape in picked(project, picking.names) if shape.closed]
-    locked = [shape.name for shape in wanted if shape.locked]
+    locked = {shape.id: shape.name for shape in wanted if project.is_locked(shape.id)}
     if picking.names and locked:
-        raise RoamError(f"The shape {locked[0]!r} is locked; unlock it before it is solved.")
-    return [shape for shape in wanted if not shape.locked]
+        name = next(iter(locked.values()))
+        raise RoamError(f"The shape {name!r} is locked, or lies in a locked layer; unlock that before it is solved.")
+    return [shape for shape in wanted if shape.id not in locked]

@@ -9,7 +9,7 @@ from types import ModuleType
 
 from roam_core import __version__
 from roam_core.cli.environment import decoding_apart
-from roam_core.cli.main import COMMANDS
+from roam_core.cli.main import COMMANDS, INTERRUPTED
 from roam_core.cli.main import main as command_line
 from roam_core.errors import RoamError
 from roam_core.installation import WINDOW_MISSING, window_module
@@ -25,12 +25,20 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, or no window or display."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
-        with decoding_apart():
-            return command_line(arguments)
+        return command(arguments)
     path = _parser().parse_args(arguments).path
     launch = window_module("shell.launch")
     with decoding_apart():
         return _demo(launch) if arguments == ["demo"] else _window(launch, path)
+
+
+def command(arguments: Sequence[str]) -> int:
+    """Run a command of the command line, its pictures decoded apart. Ctrl-C while it tidies up ends it at once."""
+    try:
+        with decoding_apart():
+            return command_line(arguments)
+    except KeyboardInterrupt:
+        return INTERRUPTED
 
 
 def _window(launch: ModuleType | None, path: str | None) -> int:

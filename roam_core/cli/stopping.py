@@ -78,6 +78,16 @@ def cancelling() -> Iterator[CancelToken]:
 
 
 @contextmanager
+def finishing() -> Iterator[None]:
+    """For the length of a `with` block signals wait: what it does is done whole. The first is heard at its end."""
+    received: list[int] = []
+    with _handled(lambda number, _frame: received.append(number)):
+        yield
+    if received:
+        signal.raise_signal(received[0])
+
+
+@contextmanager
 def _handled(handler: Callable[[int, FrameType | None], Any]) -> Iterator[None]:
     """The handler for all signals that stop, but for those that are ignored (`nohup`); only the main thread has any."""
     if threading.current_thread() is not threading.main_thread():

@@ -33,9 +33,10 @@ from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
 from roam_core.propagate.shapes.provenance import clip_stamp
-from roam_core.roto import Clip, Layer, Project, RotoShape, file
+from roam_core.roto import Clip, Layer, Project, RotoShape, edit, file
 
 Report = Callable[[FrameResult], None]
+PROJECT = ".roam"
 MANY = 100
 """Shapes of one mask, beyond which it may be noise."""
 
@@ -43,9 +44,19 @@ MANY = 100
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("clip", metavar="CLIP", help="folder of images, pattern (plate.%%04d.exr) or movie")
-    parser.add_argument("--init", required=True, metavar="FILE", help="mask of the start frame, or a .roam project")
+    parser.add_argument(
+        "--init",
+        required=True,
+        metavar="FILE",
+        help="mask of the start frame, a .roam project, or a file of shapes that `roam import` reads",
+    )
     parser.add_argument("--config", default=DEFAULT_CONFIG, help=f"{' | '.join(CONFIGS)} (default {DEFAULT_CONFIG})")
-    parser.add_argument("--start", type=int, metavar="F", help="frame that FILE describes (default: the first)")
+    parser.add_argument(
+        "--start",
+        type=int,
+        metavar="F",
+        help="frame that FILE describes (default: its first key, of a mask the clip's first)",
+    )
     parser.add_argument("--end", type=int, metavar="F", help="last frame to track (default: the last)")
     parser.add_argument("--backward", action="store_true", help="track to earlier frames, by default from the last")
     add_reading(parser)
@@ -68,14 +79,19 @@ def run(arguments: argparse.Namespace) -> int:
     given = given_project(init)
     with opened(arguments.clip, given.clip if given else None, arguments.layer, arguments.colour) as plate:
         picking = Picking(arguments.shape, arguments.alone)
-        start = first_key(given, picking, backward=arguments.backward) if arguments.start is None else arguments.start
+        if given is None and is_shape_file(init):
+            given = imported_project(init, plate)
+        start = arguments.start
+        if start is None:
+            start = first_key(given, picking, backward=arguments.backward)
+            require_in_clip(start, init, plate.source.frames)
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(init, given, plate, frames[0])
         trackable(project, picking)  # refuses a name that no shape of the mask has
         plate.read(frames[0])
         if arguments.save is not None:
             require_target(arguments.save)
-        rewritten = None if given is None else init
+        rewritten = init if init.suffix.lower() == PROJECT else None
         require_free(
             results(arguments, plate, frames),
             Sources.of(plate.source, init),
@@ -245,13 +261,45 @@ def frame_range(frames: tuple[int, ...], start: int | None, end: int | None, *, 
 def given_project(init: Path) -> Project | None:
     """The project of a `.roam` file, or None for another file."""
     if not init.exists():
-        raise RoamError(f"{init} does not exist; --init wants a mask image of the start frame or a .roam project.")
-    if init.suffix.lower() != ".roam":
+        raise RoamError(
+            f"{init} does not exist; --init wants a mask image of the start frame, a .roam project or a file of shapes."
+        )
+    if init.suffix.lower() != PROJECT:
         return None
     project = file.load(init)
-    if not any(shape.closed and not shape.locked for shape in project.shapes):
+    if not trackable(project):
         raise RoamError(f"{init} holds no closed, unlocked shape to track.")
     return project
+
+
+def is_shape_file(init: Path) -> bool:
+    """Whether a file is one of another program's shapes, by its suffix."""
+    from roam_core.interchange.registry import SHAPE_SUFFIXES  # every format: a run that begins on a mask needs none
+
+    return init.is_file() and init.suffix.lower() in SHAPE_SUFFIXES
+
+
+def imported_project(init: Path, plate: Plate) -> Project:
+    """A project of the shapes in another program's file; what is lost of them is told."""
+    from roam_core.interchange.registry import read_shapes
+
+    clip = Clip.of(plate.source)
+    imported = read_shapes(init, clip)
+    for note in imported.notes:
+        print(note, file=sys.stderr)
+    project, _ = edit.add_items(Project(clip), imported.layer.children)
+    if not trackable(project):
+        raise RoamError(f"{init} holds no closed, unlocked shape to track.")
+    return project
+
+
+def require_in_clip(frame: int | None, init: Path, frames: tuple[int, ...]) -> None:
+    """Refuse to begin where a file has its first key, if the clip has no such frame."""
+    if frame is not None and not frames[0] <= frame <= frames[-1]:
+        raise RoamError(
+            f"The keys of {init} begin on frame {frame}, outside the clip's frames {frames[0]}-{frames[-1]}; name "
+            "another clip, or the frame to begin on with --start."
+        )
 
 
 def first_key(project: Project | None, picking: Picking, *, backward: bool) -> int | None:

@@ -78,13 +78,13 @@ class PreparedFrame:
 
     Parameters
     ----------
-    image : (h, w, 3) RGB, uint8 or float in [0, 1], display-referred; or a picture that gives its parts: then no more
-        of it is decoded and converted than is looked at.
+    image : (h, w, 3) RGB, uint8 or float in [0, 1], display-referred, copied where it may still be written to; or a
+        picture that gives its parts: then no more of it is decoded and converted than is looked at.
     """
 
     def __init__(self, image: NDArray[Any] | PartialPicture) -> None:
         self._picture = image if isinstance(image, PartialPicture) else None
-        self._known: UInt8 = as_uint8(np.empty((0, 0, 3), np.uint8) if isinstance(image, PartialPicture) else image)
+        self._known: UInt8 = np.empty((0, 0, 3), np.uint8) if isinstance(image, PartialPicture) else _kept(image)
         self._box = Region(0, 0, self._known.shape[1], self._known.shape[0])
         self.size: tuple[int, int] = image.size if isinstance(image, PartialPicture) else (self._box.y1, self._box.x1)
         self._lock = threading.Lock()
@@ -181,6 +181,12 @@ class _MultipliedFrame(PreparedFrame):
 
     def within(self, region: Region) -> UInt8:
         return np.asarray(cv2.LUT(self._given.within(region), self._table), dtype=np.uint8)
+
+
+def _kept(image: NDArray[Any]) -> UInt8:
+    """An image in the engine's form that stays as it is when the caller decodes the next one into the same array."""
+    known = as_uint8(image)
+    return known.copy() if image.flags.writeable and np.may_share_memory(known, image) else known
 
 
 def as_uint8(image: NDArray[Any]) -> UInt8:

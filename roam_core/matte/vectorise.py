@@ -20,6 +20,8 @@ from roam_core.params import UNTYING, enlargement_for
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
 
+LABELS = 16
+"""Integers up to this are labels, not shades."""
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
 
@@ -120,9 +122,21 @@ def _shares(mask: NDArray[Any]) -> Array:
         return values
     top = float(values.max()) if values.size else 0.0
     if np.issubdtype(mask.dtype, np.integer):
-        # A mask of zeros and ones (or other small labels) is white at its largest value.
-        return values / max(top if top <= 16 else float(np.iinfo(mask.dtype).max), 1.0)
+        return np.clip(values / _white_of(mask.dtype, top), 0.0, 1.0)
     return np.clip(np.nan_to_num(values), 0.0, 1.0)
+
+
+def _white_of(dtype: np.dtype[Any], top: float) -> float:
+    """The integer that is white in a mask whose largest value is `top`.
+
+    A mask of zeros and ones (or other small labels) is white at its largest value, a picture of 8 or 16 bits where its
+    type ends. Wider integers come of arithmetic with such a picture.
+    """
+    if top <= LABELS:
+        return max(top, 1.0)
+    if dtype in (np.uint8, np.uint16):
+        return float(np.iinfo(dtype).max)
+    return next((white for white in (255.0, 65535.0) if top <= white), top)
 
 
 def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[Any]:

@@ -24,7 +24,7 @@ from roam_core.threads import each
 def track(
     read: ReadFrame,
     shapes: Sequence[RotoShape],
-    frames: range,
+    frames: Sequence[int],
     config: str | RoamParams = DEFAULT_CONFIG,
     token: CancelToken | None = None,
     clip: str = "",
@@ -58,7 +58,7 @@ def track(
         raise RoamError("There is no shape to track; draw one, or select one, first.")
     first = PreparedFrame(read(frames[0]))
     stamps = Stamps(shapes, clip, first.size)
-    forward = frames.step > 0
+    forward = frames[-1] >= frames[0]
     runs: dict[Beginning, _Run] = {}
     name = params_for(config).config
     for k in asked:

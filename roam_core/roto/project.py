@@ -187,6 +187,10 @@ class Project:
             raise KeyError(item_id)
         return path
 
+    def is_locked(self, item_id: str) -> bool:
+        """Whether a layer or a shape is locked, or lies in a layer that is."""
+        return any(item.locked for item in (self.find(item_id), *self.layers_above(item_id)))
+
     def placement_in(self, layer_id: str) -> Placement:
         """The transforms that move what lies in a layer, the outermost first."""
         layers = (*self.layers_above(layer_id), self.find(layer_id))

@@ -19,6 +19,8 @@ from roam_core.roto.placement import Placement, carried, matrix_at
 
 NO_COLOUR = (0.90, 0.60, 0.0)
 """Of a shape to which nobody gave a colour: it takes the next of the palette when it is added to a project."""
+EVER = 1_000_000_000
+"""Frame that stands for "always" at an open end of a lifetime: no frame has ten digits (`media.numbering`)."""
 
 
 class Origin(StrEnum):

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from roam_core.roto.animated import Animatable, Animated, ValueKey
 from roam_core.roto.bounds import require_bounds
 from roam_core.roto.migrate import VERSION
@@ -16,7 +18,15 @@ from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
 from roam_core.roto.shape import BlendMode, MotionBlur, RotoShape
 
-_ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
+
+class _Encoder(json.JSONEncoder):
+    """JSON of plain values; a scalar of numpy's, as the engine's callers pass frames, is the number that it is."""
+
+    def default(self, o: Any) -> Any:
+        return o.item() if isinstance(o, np.generic) else super().default(o)
+
+
+_ENCODER = _Encoder(ensure_ascii=False, allow_nan=False)
 
 
 def pieces(project: Project, folder: Path) -> Iterator[str]:

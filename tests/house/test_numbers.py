@@ -53,7 +53,6 @@ NO_CHOICE = {
     "motion/flow.py": {"LEAST_SIDE"},
     # Bookkeeping: a revision, a length without meaning, what an explanation shows.
     "propagate/shapes/provenance.py": {"REVISION", "MIN_POINTS"},
-    "proposal/mask_keys/keys.py": {"OPEN"},
     "propagate/shapes/departed.py": {"NAMED"},
     "propagate/engines/by_regions.py": {"BESIDE"},
 }

@@ -79,7 +79,7 @@ class ObjectVerbs:
         """Do it with the selected shapes that are not locked; gives their names, none where nothing was done."""
         project = self._document.project
         shapes = selected_shapes(project, self._view.selection)
-        free = [shape for shape in shapes if not shape.locked]
+        free = [shape for shape in shapes if not project.is_locked(shape.id)]
         if not free:
             self._view.say(tr(ALL_LOCKED) if shapes else tr(NOTHING_SELECTED))
             return []

@@ -25,7 +25,7 @@ class PlateEdge:
         """Make the shapes in hand as soft as the plate; says why where that cannot be."""
         project = self._document.project
         shapes = shapes_in_hand(project, self._view.selection)
-        able = [shape for shape in shapes if shape.closed and not shape.locked]
+        able = [shape for shape in shapes if shape.closed and not project.is_locked(shape.id)]
         if project.clip is None:
             self._view.say(tr(NO_CLIP))
         elif not shapes:

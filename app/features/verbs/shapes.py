@@ -102,7 +102,7 @@ class ShapeVerbs:
         project = self._document.project
         try:
             for shape_id in self._selected():
-                if not project.shape(shape_id).locked:
+                if not project.is_locked(shape_id):
                     project = project.with_shape(verb(project.shape(shape_id)))
         except RoamError as error:
             self._view.say(str(error))

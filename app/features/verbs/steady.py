@@ -30,7 +30,7 @@ class Steady:
         """Ask how much the shapes in hand are to be steadied; says why where that cannot be."""
         project, frames = self._document.project, range(*self._view.play_range)
         shapes = shapes_in_hand(project, self._view.selection)
-        able = [shape for shape in shapes if shape.closed and not shape.locked]
+        able = [shape for shape in shapes if shape.closed and not project.is_locked(shape.id)]
         asked = [
             shape.id for shape in able if any(key.origin is Origin.ENGINE and key.frame in frames for key in shape.keys)
         ]

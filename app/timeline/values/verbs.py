@@ -158,10 +158,7 @@ def unlocked(project: Project, places: Iterable[ValuePlace]) -> frozenset[ValueP
     """The places of shapes and layers that are not locked, nor lie in a locked layer."""
     found = list(places)
     free = {
-        item_id
-        for item_id in {place[0] for place in found}
-        if project.has(item_id)
-        and not any(item.locked for item in (project.find(item_id), *project.layers_above(item_id)))
+        item_id for item_id in {place[0] for place in found} if project.has(item_id) and not project.is_locked(item_id)
     }
     return frozenset(place for place in found if place[0] in free)
 

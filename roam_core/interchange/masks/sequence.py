@@ -17,6 +17,7 @@ from roam_core.interchange.masks.tracks import Ring, Track
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.mask_fit import distances
 from roam_core.roto import BlendMode, Keyframe, RotoShape
+from roam_core.roto.shape import EVER
 
 TREMBLES = 0.01
 """A part is drawn frame by frame when so much of its outline, over all frames, lies farther than the tolerance from
@@ -28,8 +29,6 @@ SELDOM = 0.1
 COARSE, FINER, TRIES = 0.8, 0.75, 4
 """Tolerances within which segments are cubics at first; by how much less, so many times, as long as a frame is not
 held by a key of its own."""
-OPEN = 1_000_000
-"""Frame that stands for "always" at an open end of a lifetime."""
 NAMED = 12
 """Frames on which a part is not held that are told by their numbers."""
 
@@ -196,15 +195,15 @@ def as_shapes(parts: list[tuple[Track, Fitted]], first: int, last: int, compound
             hole += 1
         else:
             outer += 1
-        start = -OPEN if track.frames[0] == first else track.frames[0] - offset
-        stop = OPEN if track.frames[-1] == last else track.frames[-1] + 1 - offset
+        start = -EVER if track.frames[0] == first else track.frames[0] - offset
+        stop = EVER if track.frames[-1] == last else track.frames[-1] + 1 - offset
         shapes.append(
             RotoShape(
                 id=f"shape-{len(shapes) + 1}",
                 name=f"Hole {hole}" if track.is_hole else f"Shape {outer}",
                 keys=tuple(Keyframe(frame - offset, points) for frame, points in part.keys),
                 blend=BlendMode.SUBTRACT if track.is_hole else BlendMode.ADD,
-                lifetime=None if (start, stop) == (-OPEN, OPEN) else (start, stop),
+                lifetime=None if (start, stop) == (-EVER, EVER) else (start, stop),
                 compound=compound,
             )
         )

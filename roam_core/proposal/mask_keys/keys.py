@@ -19,10 +19,8 @@ from roam_core.proposal.mask_keys.pairing import paired, poses
 from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
 from roam_core.roto.control_points import settled
 from roam_core.roto.project import PALETTE
+from roam_core.roto.shape import EVER
 from roam_core.roto.sight import is_shut, opened
-
-OPEN = 1_000_000
-"""Frame that stands for "always" at an open end of a lifetime."""
 
 
 def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) -> list[RotoShape]:
@@ -153,7 +151,7 @@ def _place(shapes: list[RotoShape], shape_id: str) -> int:
 
 def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
     """The shape without `frame` in its lifetime: it ends before, begins after, or is two, one for each side."""
-    start, stop = shape.lifetime or (-OPEN, OPEN)
+    start, stop = shape.lifetime or (-EVER, EVER)
     after = tuple(key for key in shape.keys if key.frame > frame)
     if not after:
         return [replace(shape, lifetime=(start, frame))]
@@ -174,7 +172,7 @@ def _begin(result: list[RotoShape], part: _Part, frame: int, compound: str) -> N
         keys=(Keyframe(frame, simplified(points, points)),),
         colour=PALETTE[len(result) % len(PALETTE)],
         blend=BlendMode.SUBTRACT if part.is_hole else BlendMode.ADD,
-        lifetime=(frame, OPEN),
+        lifetime=(frame, EVER),
         compound=compound,
     )
     owner = part.parent.owner if part.parent is not None else ""
