@@ -17,7 +17,6 @@ from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.between.span import Filling, Reader, spans
 from roam_core.propagate.engines.by_regions import RegionEngine
-from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, SpanFeatures, expected_overlap
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.shapes.objects import near, objects
@@ -90,20 +89,20 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
     keys = list(shot.frames[::gap])
     shapes = true_keys.of(shot).over(keys)
     filling = Filling(Reader({frame: shot.read(frame) for frame in shot.frames}), params_for(CONFIGS["best"]))
-    view = EngineView.of(shot.size, filling.params)
     for start, stop in pairwise(keys):
         gaps = spans(shapes, start, stop)
         if not gaps:
             continue
         stamps = Stamps(shapes, size=shot.size)
         groups = sorted({stamps.filled_with(k, (start, stop)) for k in gaps[0][2]})
-        made = [
-            (group, filling.passed(group, (start, stop), view))
-            for group in ([shapes[k] for k in members] for members in groups)
-        ]
+        made = []
+        for members in groups:
+            group = [shapes[k] for k in members]
+            view = filling.view_of(group, (start, stop))
+            made.append((group, view, filling.passed(group, (start, stop), view)))
         for frame in range(start + 1, stop):
             known, outlines = list[Told](), list[RotoShape]()
-            for group, span in made:
+            for group, view, span in made:
                 solved = filling.solved(span, group, view, frame)
                 pairs = [(s, each) for s, each in zip(group, solved, strict=True) if each is not None]
                 here = [RotoShape(s.id, s.name, (Keyframe(frame, m.points),), blend=s.blend) for s, m in pairs]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.paths import path_of
 from roam_core.cli.picking import add_only, with_only
 from roam_core.cli.plate import loaded
 from roam_core.errors import RoamError
@@ -19,9 +19,12 @@ from roam_core.interchange.targets import Sources, exported, require_free
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=Path, metavar="P.roam", help="the project")
+    parser.add_argument("project", type=path_of, metavar="P.roam", help="the project")
     parser.add_argument(
-        "out", type=Path, metavar="OUT", help="a file; for mattes, and svg of every frame, a pattern such as m.####.exr"
+        "out",
+        type=path_of,
+        metavar="OUT",
+        help="a file; for mattes, and svg of every frame, a pattern such as m.####.exr",
     )
     parser.add_argument("--to", required=True, metavar="FORMAT", help=" | ".join(EXPORTERS))
     parser.add_argument(

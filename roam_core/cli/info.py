@@ -7,6 +7,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
+from roam_core.cli.paths import path_of
 from roam_core.cli.plate import add_layer
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
@@ -25,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--json", action="store_true", help="print a line of JSON: of a clip, or of a project and its shapes"
     )
-    parser.add_argument("project", type=Path, metavar="P.roam", help="a project, or a clip")
+    parser.add_argument("project", type=path_of, metavar="P.roam", help="a project, or a clip")
 
 
 def run(arguments: argparse.Namespace) -> int:

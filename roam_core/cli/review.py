@@ -6,13 +6,13 @@ import argparse
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from pathlib import Path
 
 from roam_core.arrays import Array
 from roam_core.cancel import Progress
 from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.paths import path_of
 from roam_core.cli.picking import add_only, with_only
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
@@ -31,9 +31,13 @@ NOTHING_BURNT = "none"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument("project", type=path_of, metavar="P.roam")
     parser.add_argument(
-        "out", type=Path, nargs="?", metavar="OUT", help="a movie (.mp4, .mov, .avi), a folder for PNGs, a sheet's .png"
+        "out",
+        type=path_of,
+        nargs="?",
+        metavar="OUT",
+        help="a movie (.mp4, .mov, .avi), a folder for PNGs, a sheet's .png",
     )
     parser.add_argument("--sheet", action="store_true", help="write a contact sheet, pages of small pictures, as PNG")
     parser.add_argument("--list", action="store_true", help="print notes, and frames that are doubtful or boil")

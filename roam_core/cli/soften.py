@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.paths import path_of
 from roam_core.cli.plate_task import PlateTask
 from roam_core.matte.softening import matched, told
 from roam_core.matte.softness import Softness, measured
@@ -20,7 +20,7 @@ WAYS = {"both": (True, True), "motion-blur": (True, False), "feather": (False, T
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument("project", type=path_of, metavar="P.roam")
     parser.add_argument(
         "--by",
         choices=WAYS,
@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--shape", action="append", metavar="NAME", help="soften only this shape, or these (may be given again)"
     )
-    parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a key: how wide its edge is")
     add_overwrite(parser)
 

@@ -89,7 +89,8 @@ class PreparedFrame:
         self.size: tuple[int, int] = image.size if isinstance(image, PartialPicture) else (self._box.y1, self._box.x1)
         self._lock = threading.Lock()
         self._gradients: dict[tuple[Region, float, float, float], Float32] = {}
-        self._resizing = threading.Lock()
+        self._deriving = threading.Lock()
+        self._mapped: dict[bytes, PreparedFrame] = {}
         self._resized: dict[tuple[int, int], PreparedFrame] = {}
 
     @property
@@ -99,7 +100,18 @@ class PreparedFrame:
 
     def multiplied(self, by: float) -> PreparedFrame:
         """The picture as it was given, all its values multiplied: rounded, and cut at white."""
-        return self.given if by == 1.0 else _MultipliedFrame(self.given, by)
+        if by == 1.0:
+            return self.given
+        table = np.clip(np.round(by * np.arange(256.0)), 0.0, 255.0).astype(np.uint8)
+        return _MappedFrame(self.given, table, self.given)
+
+    def mapped(self, table: UInt8) -> PreparedFrame:
+        """The picture with every value replaced by that of a `table (256,)`; it counts as given so."""
+        with self._deriving:
+            key = table.tobytes()
+            if key not in self._mapped:
+                self._mapped[key] = _MappedFrame(self, table)
+            return self._mapped[key]
 
     @property
     def image(self) -> UInt8:
@@ -135,7 +147,7 @@ class PreparedFrame:
         """The same picture at another size (h, w), bicubic."""
         if size == self.size:
             return self
-        with self._resizing:
+        with self._deriving:
             if size not in self._resized:
                 self._resized[size] = PreparedFrame(cv2.resize(self.image, size[::-1], interpolation=cv2.INTER_CUBIC))
             return self._resized[size]
@@ -166,21 +178,20 @@ class PreparedFrame:
         return np.ascontiguousarray(np.minimum(power / np.float32(top), np.float32(1.0)))
 
 
-class _MultipliedFrame(PreparedFrame):
-    """A frame whose values are multiplied, where it is looked at."""
+class _MappedFrame(PreparedFrame):
+    """A frame whose values are replaced by those of a table, where it is looked at; `given` as another one, or so."""
 
-    def __init__(self, given: PreparedFrame, by: float) -> None:
+    def __init__(self, source: PreparedFrame, table: UInt8, given: PreparedFrame | None = None) -> None:
         super().__init__(np.empty((0, 0, 3), np.uint8))
-        self.size = given.size
-        self._given = given
-        self._table = np.clip(np.round(by * np.arange(256.0)), 0.0, 255.0).astype(np.uint8)
+        self.size = source.size
+        self._source, self._table, self._given = source, table, given
 
     @property
     def given(self) -> PreparedFrame:
-        return self._given
+        return self._given or self
 
     def within(self, region: Region) -> UInt8:
-        return np.asarray(cv2.LUT(self._given.within(region), self._table), dtype=np.uint8)
+        return np.asarray(cv2.LUT(self._source.within(region), self._table), dtype=np.uint8)
 
 
 def _kept(image: NDArray[Any]) -> UInt8:

@@ -9,7 +9,7 @@ from functools import lru_cache
 from roam_core.dials import DIALS, turn
 from roam_core.errors import RoamError
 from roam_core.params.appearance import AppearanceParams
-from roam_core.params.evidence import BackgroundParams, ExposureParams, TextureParams
+from roam_core.params.evidence import BackgroundParams, ExposureParams, LevelsParams, TextureParams
 from roam_core.params.landmarks import LandmarkParams
 from roam_core.params.patches import PatchParams
 from roam_core.params.paths import changed, no_such
@@ -59,6 +59,7 @@ CONFIGS: dict[str, RoamParams] = {
             patches=PatchParams(),
             background=BackgroundParams(),
             exposure=ExposureParams(),
+            levels=LevelsParams(),
             texture=TextureParams(),
         ),
     ),

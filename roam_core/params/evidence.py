@@ -104,6 +104,24 @@ class BackgroundParams:
 
 
 @dataclass(frozen=True)
+class LevelsParams:
+    """Parameters of how a picture of little contrast is stretched for the engine (`features.levels`).
+
+    Attributes
+    ----------
+    dark, bright : shares of the pixels around the object that are darker, in luma, than black and than white.
+    span : how far white shall lie above black, of 255; most : by how much contrast grows at most. floor : where black
+        comes to lie.
+    """
+
+    dark: float = 0.01
+    bright: float = 0.99
+    span: float = 200.0
+    most: float = 4.0
+    floor: float = 20.0
+
+
+@dataclass(frozen=True)
 class ExposureParams:
     """Parameters of how much brighter the picture has become since the key (`proposal.cues.exposure`).
 

@@ -12,6 +12,7 @@ from roam_core.params.evidence import (
     ComponentsParams,
     ExposureParams,
     LabelPropagationParams,
+    LevelsParams,
     TextureParams,
 )
 from roam_core.params.fast_motion import FastMotionParams
@@ -86,6 +87,7 @@ class RegionParams:
     background : of what the key's background says (`proposal.cues.background`); None: it is not asked.
     exposure : of how much brighter the picture has become since the key (`proposal.cues.exposure`); None: it is not
         asked.
+    levels : of how a picture of little contrast is stretched (`features.levels`); None: it is seen as it is.
     texture : of what tells the object's texture from that of its surroundings (`appearance.texture_model`); None: it is
         not asked. texture_weight : of what it says.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
@@ -156,6 +158,7 @@ class RegionParams:
     patches_outside: float = 5.0
     background: BackgroundParams | None = later(None)
     exposure: ExposureParams | None = later(None)
+    levels: LevelsParams | None = later(None)
     texture: TextureParams | None = later(None)
     texture_weight: float = later(1.0)
     pose_steady: float = later(1.4)

@@ -12,7 +12,6 @@ from roam_core.errors import RoamError
 from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams
 from roam_core.propagate.engines.protocol import Account, Step
-from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again
@@ -142,9 +141,8 @@ def _explained(
     """The keys of the shapes asked for, all of one run."""
     tracker, together = GroupTracker(run.config), [stamps.shapes[k] for k in run.members]
     solve_again(tracker, read, together, range(run.begun, frame, 1 if run.forward else -1), token)
-    picture = read(frame)
-    view = EngineView.of(picture.size, tracker.params)
-    step = view.step(tracker.standing.engine, picture, stacked(together, frame), token)
+    standing = tracker.standing
+    step = standing.view.step(standing.engine, read(frame), stacked(together, frame), token)
     keys = [shape.key_at(frame) for shape in together]
     return {
         k: _of_key(together[place], key, step, place, tracker.params)

@@ -28,14 +28,15 @@ from roam_core.roto.edit import set_engine_keys
 class Standing:
     """Where a group stands: the frame, its picture, the shapes with all their keys so far, and what the engine knows.
 
-    `began` is the frame whose outlines the landmarks go back to; `known_from` the one on which all that is known of the
-    shapes begins: each was given there (`provenance`).
+    `view` is how that sees pictures; `began` is the frame whose outlines the landmarks go back to; `known_from` the one
+    on which all that is known of the shapes begins: each was given there (`provenance`).
     """
 
     frame: int
     picture: PreparedFrame
     shapes: tuple[RotoShape, ...]
     engine: Engine
+    view: EngineView
     began: int
     known_from: int
 
@@ -84,12 +85,18 @@ class GroupTracker:
             if shape.point_count < provenance.MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
-        self._standing = Standing(frame, picture, given, self._begun(picture, given, frame, parts), frame, frame)
+        view = EngineView.of_key(picture, parts, self.params)
+        engine = self._begun(picture, given, frame, parts, view)
+        self._standing = Standing(frame, picture, given, engine, view, frame, frame)
 
     def _begun(
-        self, picture: PreparedFrame, shapes: Sequence[RotoShape], frame: int, parts: tuple[Part, ...]
+        self,
+        picture: PreparedFrame,
+        shapes: Sequence[RotoShape],
+        frame: int,
+        parts: tuple[Part, ...],
+        view: EngineView,
     ) -> Engine:
-        view = EngineView.of(picture.size, self.params)
         made, order = units(shapes, near(picture.size)), stacked(shapes, frame)
         return begin(view.picture(picture), view.parts(parts), self.params, made, order)
 
@@ -129,8 +136,7 @@ class GroupTracker:
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(replace(result, seconds=seconds) for result in self.given())
-        view = EngineView.of(picture.size, self.params)
-        step = view.step(standing.engine, picture, stacked(standing.shapes, frame), token)
+        step = standing.view.step(standing.engine, picture, stacked(standing.shapes, frame), token)
         solved = step.results
         shapes = tuple(
             shape if key else self._keyed(shape, standing.frame, frame, each)
@@ -142,7 +148,7 @@ class GroupTracker:
         elif any(by_hand):
             self._correct(picture, shapes, frame, step.after, by_hand)
         else:
-            self._standing = Standing(frame, picture, shapes, step.after, standing.began, standing.known_from)
+            self._standing = replace(standing, frame=frame, picture=picture, shapes=shapes, engine=step.after)
         seconds = (time.perf_counter() - began) / len(shapes)
         return tuple(
             _as_given(shape, frame, seconds, landmarks)
@@ -155,11 +161,12 @@ class GroupTracker:
         self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, engine: Engine, given: Sequence[bool]
     ) -> None:
         """Go on from a frame on which the artist gave some of the shapes, and the engine the others."""
-        parts, view = parts_at(shapes, frame), EngineView.of(picture.size, self.params)
+        parts, view = parts_at(shapes, frame), self.standing.view
         corrected = engine.corrected(view.parts(parts), stacked(shapes, frame), given)
         if corrected is None:
-            corrected = self._begun(picture, shapes, frame, parts)
-        self._standing = Standing(frame, picture, shapes, corrected, frame, self.standing.known_from)
+            view = EngineView.of_key(picture, parts, self.params)
+            corrected = self._begun(picture, shapes, frame, parts, view)
+        self._standing = Standing(frame, picture, shapes, corrected, view, frame, self.standing.known_from)
 
     def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:
         """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""

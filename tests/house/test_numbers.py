@@ -53,7 +53,6 @@ NO_CHOICE = {
     "motion/flow.py": {"LEAST_SIDE"},
     # Bookkeeping: a revision, a length without meaning, what an explanation shows.
     "propagate/shapes/provenance.py": {"REVISION", "MIN_POINTS"},
-    "propagate/shapes/departed.py": {"NAMED"},
     "propagate/engines/by_regions.py": {"BESIDE"},
 }
 """By module the constants that are no choice, each with its reason above."""

@@ -21,7 +21,10 @@ MEMORY = N_("memory {used} of {limit}")
 
 
 class Sentence(QLabel):
-    """A line of text that ends in an ellipsis where it lacks room; what it says is in its tip as a whole."""
+    """A line of text, an ellipsis in its middle where it lacks room: its end tells what is wrong with a path.
+
+    What it says is in its tip as a whole.
+    """
 
     def minimumSizeHint(self) -> QSize:
         return QSize(LEAST_SENTENCE, super().minimumSizeHint().height())
@@ -33,7 +36,7 @@ class Sentence(QLabel):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter, place = QPainter(self), self.contentsRect()
-        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, place.width())
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideMiddle, place.width())
         self.style().drawItemText(
             painter, place, self.alignment().value, self.palette(), self.isEnabled(), text, self.foregroundRole()
         )

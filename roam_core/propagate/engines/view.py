@@ -1,7 +1,8 @@
-"""Pictures of few lines, enlarged for an engine that works with regions: its cells are as fine as the pixels then.
+"""How an engine that works with regions sees pictures: those of few lines enlarged, those of little contrast stretched.
 
 Lengths of the engine are those of a picture of 480 lines. In one of fewer, seen as it is, a cell would be two of its
-pixels: too coarse for what is small there.
+pixels: too coarse for what is small there. Its differences of colour are those of a picture of the usual contrast
+(`features.levels`); the key tells by how much it falls short, and all frames that are reached from it are seen so.
 """
 
 from __future__ import annotations
@@ -15,7 +16,8 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
-from roam_core.params import RoamParams, enlargement_for
+from roam_core.features.levels import Levels
+from roam_core.params import RoamParams, enlargement_for, scale_for
 from roam_core.propagate.engines.protocol import Account, Engine, Step
 from roam_core.propagate.frame.result import Part, StepResult
 
@@ -27,16 +29,28 @@ class EngineView:
     Attributes
     ----------
     size : (h, w) of the pictures. seen : (h, w) at which the engine sees them.
+    levels : by which it sees them; None: as they are.
     """
 
     size: tuple[int, int]
     seen: tuple[int, int]
+    levels: Levels | None = None
 
     @classmethod
     def of(cls, size: tuple[int, int], params: RoamParams) -> EngineView:
         """For pictures of a size (h, w); an engine of curves alone sees them as they are."""
         factor = 1.0 if params.region is None else enlargement_for(size)
         return cls(size, (round(size[0] * factor), round(size[1] * factor)))
+
+    @classmethod
+    def of_key(cls, picture: PreparedFrame, parts: Sequence[Part], params: RoamParams) -> EngineView:
+        """For all frames that are reached from a key with the outlines `parts`, in pixels of its picture."""
+        view, region = cls.of(picture.size, params), params.region
+        if region is None or region.levels is None or not parts:
+            return view
+        around = np.vstack([part.points.reshape(-1, 2) for part in parts])
+        margin = region.margin * scale_for(picture.size)
+        return replace(view, levels=Levels.of(picture, around, margin, region.levels))
 
     @cached_property
     def factor(self) -> Array:
@@ -45,7 +59,8 @@ class EngineView:
 
     def picture(self, picture: PreparedFrame) -> PreparedFrame:
         """A picture as the engine sees it."""
-        return picture.resized(self.seen)
+        levelled = picture if self.levels is None else picture.mapped(self.levels.table)
+        return levelled.resized(self.seen)
 
     def points(self, points: Array) -> Array:
         """Image positions `(..., 2)` for the engine."""

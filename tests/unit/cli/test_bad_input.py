@@ -240,3 +240,14 @@ def test_exports_and_mattes_that_cannot_be_written(roam: Roam, plate: Plate) -> 
     require_refusal(roam("demo", "--headless", "--save", plate.folder), plate.folder)
     require_refusal(roam("demo", "--headless", "--config", "utmost"), "no configuration 'utmost'")
     assert tree(plate.folder.parent) == before
+
+
+@pytest.mark.parametrize("option", ["--init", "--matte", "--save"])
+def test_a_path_that_is_empty_is_not_the_current_folder(
+    roam: Roam, plate: Plate, option: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = {"--init": plate.mask, "--matte": plate.folder.parent / "m", "--save": plate.folder.parent / "p.roam"}
+    with pytest.raises(SystemExit) as ended:
+        roam("track", plate.folder, *(word for pair in (words | {option: ""}).items() for word in pair))
+    assert ended.value.code == 2
+    assert f"argument {option}: it is empty" in capsys.readouterr().err

@@ -169,6 +169,27 @@ def test_a_second_ctrl_c_does_not_wait_and_other_signals_come_in_pairs() -> None
 
 
 @pytest.mark.usefixtures("heard")
+@pytest.mark.parametrize("ends", [None, Cancelled()])
+def test_a_signal_while_the_last_is_written_waits_until_it_is(ends: Cancelled | None) -> None:
+    written: list[Project] = []
+
+    def write(project: Project) -> None:
+        signal.raise_signal(signal.SIGINT)
+        written.append(project)
+
+    def interrupted() -> None:
+        with cancelling() as token, kept(write) as keeper:
+            keeper.offer(STATES[0])
+            token.cancel()
+            if ends is not None:
+                raise ends
+
+    with pytest.raises(Stopped):
+        interrupted()
+    assert written == STATES[:1]
+
+
+@pytest.mark.usefixtures("heard")
 def test_a_signal_that_is_ignored_stays_so() -> None:
     before = signal.signal(signal.SIGTERM, signal.SIG_IGN)
     try:

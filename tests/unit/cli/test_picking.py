@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from roam_core.arrays import Array
-from roam_core.cli.picking import picked, trackable
+from roam_core.cli.picking import Picking, picked, trackable
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
 from roam_core.propagate.shapes.provenance import Stamp, Stamps
-from roam_core.roto import Clip, Origin, Project, RotoShape, edit, file
+from roam_core.roto import Clip, Origin, Project, RotoShape, edit, file, layers
 from tests.unit.cli.conftest import SHOT, Outcome, Plate, Roam
 from tests.unit.cli.test_bad_input import require_refusal
 
@@ -145,3 +145,12 @@ def test_names_and_ids_pick_closed_shapes(two: Path) -> None:
     assert [shape.name for shape in trackable(project)] == ["Body", "Spot"]
     with pytest.raises(RoamError, match=r"none\.$"):
         picked(Project(), ["Body"])
+
+
+def test_what_lies_in_a_locked_layer_is_locked(two: Path) -> None:
+    project = file.load(two)
+    project, layer = layers.grouped(project, [project.shapes[0].id], "Done")
+    project = edit.set_properties(project, layer.id, locked=True)
+    assert [shape.name for shape in trackable(project)] == ["Spot"]
+    with pytest.raises(RoamError, match="'Body' is locked, or lies in a locked layer"):
+        trackable(project, Picking(["Body"]))

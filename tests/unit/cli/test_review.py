@@ -159,3 +159,8 @@ def test_boil_is_measured_by_the_picture_where_that_is_asked_for(roam: Roam, pro
     assert max(boils, key=boils.__getitem__) == BENT
     plain = [json.loads(line) for line in roam("review", project, "--json").out.splitlines()]
     assert boils != {line["frame"]: line["boil"] for line in plain if line["kind"] == "boil"}
+
+
+def test_options_may_stand_between_the_project_and_what_is_written(roam: Roam, project: Path, tmp_path: Path) -> None:
+    assert roam("review", project, "--sheet", tmp_path / "sheet.png").status == 0
+    assert (tmp_path / "sheet.png").exists()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -222,3 +223,27 @@ def test_mattes_do_not_go_where_a_file_is(roam: Roam, plate: Plate) -> None:
     done = roam("track", plate.folder, "--init", plate.mask, "--matte", plate.last_mask)
     assert done.status == 1
     assert "is a file; name a folder to write to" in done.err
+
+
+@pytest.mark.parametrize("suffix", ["nk", "fxs", "json"])
+def test_the_shapes_of_another_program_are_tracked(roam: Roam, plate: Plate, suffix: str) -> None:
+    folder = plate.folder.parent
+    roam("track", plate.folder, "--init", plate.mask, "--end", 1001, "--save", folder / "a.roam")
+    names = {"nk": "nuke", "fxs": "silhouette", "json": "json"}
+    assert roam("export", folder / "a.roam", "--to", names[suffix], folder / f"a.{suffix}").status == 0
+    out = folder / "out"
+    done = roam("track", plate.folder, "--init", folder / f"a.{suffix}", "--matte", out, "--save", folder / "b.roam")
+    assert done.status == 0
+    assert overlap(read_matte(out / "plate.1006.png") > 127, SHOT.matte(1006) > 0.5) > 0.85
+    assert file.load(folder / "b.roam").shapes[0].frames == tuple(FRAMES)
+
+
+def test_keys_outside_the_clip_are_told_as_the_projects(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    roam("track", plate.folder, "--init", plate.mask, "--end", 1001, "--save", tmp_path / "a.roam")
+    project = file.load(tmp_path / "a.roam")
+    (shape,) = project.shapes
+    late = replace(shape, keys=(replace(shape.keys[0], frame=5000),))
+    file.save(project.with_shape(late), tmp_path / "late.roam")
+    done = roam("track", plate.folder, "--init", tmp_path / "late.roam")
+    assert done.status == 1
+    assert "begin on frame 5000, outside the clip's frames 1001-1006" in done.err

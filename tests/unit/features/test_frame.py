@@ -106,3 +106,12 @@ def test_a_part_of_a_multiplied_picture_is_that_of_the_whole() -> None:
     frame = PreparedFrame(picture()).multiplied(0.7)
     part = Region(5, 8, 31, 29)
     np.testing.assert_array_equal(frame.within(part), frame.image[part.slices[0], part.slices[1]])
+
+
+@pytest.mark.parametrize("channels", [1, 3])
+def test_an_array_that_is_decoded_into_again_changes_nothing(channels: int) -> None:
+    buffer = picture()[..., :channels].squeeze()
+    before = buffer.copy()
+    frame = PreparedFrame(buffer)
+    buffer[:] = 0
+    np.testing.assert_array_equal(frame.image, np.broadcast_to(before.reshape(40, 60, -1), (40, 60, 3)))

@@ -230,3 +230,14 @@ def test_masks_that_cannot_serve_are_refused(tmp_path: Path) -> None:
         read_mask(tmp_path / "large.gif")
     with pytest.raises(RoamError, match="is 4x4, the clip is 120x90"):
         read_mask(tmp_path / "small.png", SIZE)
+
+
+@pytest.mark.parametrize("kind", [np.int32, np.int64, np.uint32, np.int16])
+@pytest.mark.parametrize("white", [1, 255])
+def test_integers_that_arithmetic_made_of_a_mask_are_white_where_it_was(kind: type, white: int) -> None:
+    mask = box((20, 20, 60, 50))
+    np.testing.assert_array_equal(coverage_of((mask // 255).astype(kind) * kind(white)), mask / 255.0)
+
+
+def test_a_dark_picture_of_sixteen_bits_is_no_mask() -> None:
+    assert shapes_from_mask(box((20, 20, 60, 50)).astype(np.uint16)) == []

@@ -51,6 +51,13 @@ def test_forward_through_the_reversed_clip_is_backward_bit_by_bit(config: str, b
         assert outline_distance(backward.at(frame).points, blob_shot.truth(frame)) < 1.0
 
 
+def test_frames_may_be_a_list(config: str, blob_shot: Shot) -> None:
+    frames, shapes = list(blob_shot.frames), [blob_shot.shape()]
+    one, other = (list(track(blob_shot.read, shapes, each, config)) for each in (blob_shot.frames, frames))
+    assert [result.frame for result in other] == frames[1:]
+    assert one[-1].results[0].shape == other[-1].results[0].shape
+
+
 def test_shapes_far_apart_are_what_each_is_alone(config: str, blob_shot: Shot) -> None:
     shapes = [
         blob_shot.shape(),

@@ -1,4 +1,7 @@
-"""Pictures of few lines are enlarged for the engine of regions: what comes out is told in their own pixels."""
+"""Pictures of few lines are enlarged for the engine of regions, those of little contrast stretched.
+
+What comes out is told in their own pixels.
+"""
 
 from __future__ import annotations
 
@@ -22,8 +25,9 @@ from roam_core.propagate.shapes.objects import near, units
 from roam_core.roto import Keyframe, RotoShape
 from tests.golden.shots import Shot, blob, outline_distance, overlap, pose
 
-CONFIG = "best+region.rigid=1.1+region.pose=none"
+LEVELLED = "best+region.rigid=1.1+region.pose=none"
 """The region is asked, though these bodies move as one piece."""
+CONFIG = f"{LEVELLED}+region.levels=none"
 BEST = params_for(CONFIG)
 SHOT = Shot(blob([12.0, 4.0, 12.0, 4.0, 12.0, 4.0]), tuple(pose(50.0 + 2.2 * k, 60.0 - k, 3.0 * k) for k in range(5)))
 LARGE = (240, 320)
@@ -142,3 +146,32 @@ def test_a_mask_of_few_lines_gets_as_many_points_as_one_of_twice_as_many() -> No
     )
     assert abs(ours.point_count - theirs.point_count) <= 2
     assert coarse.point_count < ours.point_count
+
+
+def faded(frame: int) -> UInt8:
+    """The shot with a sixth of its contrast, as in haze."""
+    return np.asarray(np.round(150.0 + (SHOT.read(frame) - 128.0) / 6.0), dtype=np.uint8)
+
+
+def test_a_picture_of_little_contrast_is_seen_by_the_levels_of_its_key() -> None:
+    shape = SHOT.shape()
+    key, later = (PreparedFrame(faded(frame)) for frame in (1001, 1003))
+    view = EngineView.of_key(key, parts_at([shape], 1001), params_for(LEVELLED))
+    assert view.levels is not None
+    assert view.picture(later).size == view.seen
+    assert view.picture(later).image.std() > 3.0 * later.image.std()
+    assert EngineView.of_key(key, parts_at([shape], 1001), params_for("full")).levels is None
+
+
+def test_a_body_in_haze_is_tracked_and_filled_as_in_clear_air() -> None:
+    last = SHOT.frames[-1]
+    shape = SHOT.shape()
+    found = {}
+    for read in (SHOT.read, faded):
+        *_, result = track(read, [shape], SHOT.frames, LEVELLED)
+        tracked = render_matte([result.results[0].shape], last, SHOT.size) > 0.5
+        keyed = shape.with_key(Keyframe(last, SHOT.truth(last)))
+        (filled,) = fill_span({frame: read(frame) for frame in SHOT.frames}, [keyed], SHOT.first, last, LEVELLED)
+        found[read] = tracked, render_matte([filled], SHOT.first + 2, SHOT.size) > 0.5
+    for clear, hazy in zip(found[SHOT.read], found[faded], strict=True):
+        assert overlap(clear, hazy) > 0.95

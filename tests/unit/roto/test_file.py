@@ -310,3 +310,11 @@ def test_a_saved_file_keeps_the_permissions_it_had(project: Project, tmp_path: P
     path.chmod(0o640)
     file.save(project, path)
     assert path.stat().st_mode & 0o777 == 0o640
+
+
+def test_scalars_of_numpy_are_the_numbers_that_they_are(tmp_path: Path) -> None:
+    keys = (Keyframe(np.int64(7), POINTS, confidence=np.float64(0.5)),)
+    shape = RotoShape("shape-1", "A", keys, opacity=np.float32(0.5), lifetime=(np.int32(3), np.int32(9)))
+    file.save(Project(root=Layer("root", "Root", (shape,))), tmp_path / "a.roam")
+    (back,) = file.load(tmp_path / "a.roam").shapes
+    assert (back.keys[0].frame, back.keys[0].confidence, back.opacity, back.lifetime) == (7, 0.5, 0.5, (3, 9))

@@ -1,0 +1,41 @@
+"""Levels: a picture of little contrast as one of the usual contrast, which the engine's differences of colour are of.
+
+A night exterior, haze or a log plate spans a small part of the range around the object. Seen as it is, what tells the
+object from its ground lies below what the engine takes for the same colour.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from roam_core.arrays import Array, UInt8
+from roam_core.features.frame import PreparedFrame, Region
+from roam_core.params.evidence import LevelsParams
+
+
+@dataclass(frozen=True)
+class Levels:
+    """From `black` on, in [0, 255], all channels are stretched by `contrast`; black comes to lie on `floor`."""
+
+    black: float
+    contrast: float
+    floor: float
+
+    @classmethod
+    def of(cls, picture: PreparedFrame, around: Array, margin: float, params: LevelsParams) -> Levels | None:
+        """Those that a picture asks for within `margin` pixels of `around (..., 2)`; None where it has the contrast."""
+        area = Region.around(around, margin, picture.size)
+        if area.is_empty:
+            return None
+        black, white = np.quantile(picture.grey_within(area), (params.dark, params.bright))
+        contrast = min(params.span / max(float(white - black), 1.0), params.most)
+        return cls(float(black), contrast, params.floor) if contrast > 1.0 else None
+
+    @cached_property
+    def table(self) -> UInt8:
+        """What each value becomes, `(256,)`: rounded, and cut at black and white."""
+        values = self.floor + self.contrast * (np.arange(256.0) - self.black)
+        return np.clip(np.round(values), 0.0, 255.0).astype(np.uint8)
