@@ -30,7 +30,7 @@ def test_the_memory_of_the_frames(qtbot: QtBot, view_state: ViewState, used: int
     assert status._memory.text() == told
 
 
-def test_a_sentence_without_room_ends_in_an_ellipsis(qtbot: QtBot) -> None:
+def test_a_sentence_without_room_keeps_its_beginning_and_its_end(qtbot: QtBot) -> None:
     sentence = Sentence()
     qtbot.addWidget(sentence)
 
@@ -39,5 +39,11 @@ def test_a_sentence_without_room_ends_in_an_ellipsis(qtbot: QtBot) -> None:
         sentence.resize(width, 26)
         return sentence.grab().toImage()
 
-    assert looks("Tracking Manta forward: one", 120) == looks("Tracking Manta forward: two", 120)
-    assert looks("Tracking Manta forward: one", 600) != looks("Tracking Manta forward: two", 600)
+    one, two, three = (
+        "/shots/one/a.roam cannot be written",
+        "/shots/two/a.roam cannot be written",
+        "/shots/one/a.roam is new",
+    )
+    assert looks(one, 120) == looks(two, 120)
+    assert looks(one, 120) != looks(three, 120)
+    assert looks(one, 600) != looks(two, 600)
