@@ -31,8 +31,9 @@ class Levels:
         if area.is_empty:
             return None
         black, white = np.quantile(picture.grey_within(area), (params.dark, params.bright))
-        contrast = min(params.span / max(float(white - black), 1.0), params.most)
-        return cls(float(black), contrast, params.floor) if contrast > 1.0 else None
+        if white - black >= params.under:
+            return None
+        return cls(float(black), min(params.span / max(float(white - black), 1.0), params.most), params.floor)
 
     @cached_property
     def table(self) -> UInt8:

@@ -110,12 +110,13 @@ class LevelsParams:
     Attributes
     ----------
     dark, bright : shares of the pixels around the object that are darker, in luma, than black and than white.
-    span : how far white shall lie above black, of 255; most : by how much contrast grows at most. floor : where black
-        comes to lie.
+    under : how far white lies above black, of 255, in a picture that is seen as it is. span : how far it shall in one
+        where it lies nearer; most : by how much contrast grows at most. floor : where black comes to lie.
     """
 
     dark: float = 0.01
     bright: float = 0.99
+    under: float = 120.0
     span: float = 200.0
     most: float = 4.0
     floor: float = 20.0

@@ -24,11 +24,12 @@ from roam_core.propagate.group import parts_at
 from roam_core.propagate.shapes.objects import near, units
 from roam_core.roto import Keyframe, RotoShape
 from tests.golden.shots import Shot, blob, outline_distance, overlap, pose
+from tests.unit.propagate.dimmed import dimmed_body
 
 LEVELLED = "best+region.rigid=1.1+region.pose=none"
 """The region is asked, though these bodies move as one piece."""
 CONFIG = f"{LEVELLED}+region.levels=none"
-BEST = params_for(CONFIG)
+BEST, BEST_LEVELLED = params_for(CONFIG), params_for(LEVELLED)
 SHOT = Shot(blob([12.0, 4.0, 12.0, 4.0, 12.0, 4.0]), tuple(pose(50.0 + 2.2 * k, 60.0 - k, 3.0 * k) for k in range(5)))
 LARGE = (240, 320)
 
@@ -156,22 +157,29 @@ def faded(frame: int) -> UInt8:
 def test_a_picture_of_little_contrast_is_seen_by_the_levels_of_its_key() -> None:
     shape = SHOT.shape()
     key, later = (PreparedFrame(faded(frame)) for frame in (1001, 1003))
-    view = EngineView.of_key(key, parts_at([shape], 1001), params_for(LEVELLED))
+    view = EngineView.of_key(key, parts_at([shape], 1001), BEST_LEVELLED)
     assert view.levels is not None
     assert view.picture(later).size == view.seen
     assert view.picture(later).image.std() > 3.0 * later.image.std()
     assert EngineView.of_key(key, parts_at([shape], 1001), params_for("full")).levels is None
 
 
-def test_a_body_in_haze_is_tracked_and_filled_as_in_clear_air() -> None:
-    last = SHOT.frames[-1]
-    shape = SHOT.shape()
-    found = {}
-    for read in (SHOT.read, faded):
-        *_, result = track(read, [shape], SHOT.frames, LEVELLED)
-        tracked = render_matte([result.results[0].shape], last, SHOT.size) > 0.5
-        keyed = shape.with_key(Keyframe(last, SHOT.truth(last)))
-        (filled,) = fill_span({frame: read(frame) for frame in SHOT.frames}, [keyed], SHOT.first, last, LEVELLED)
-        found[read] = tracked, render_matte([filled], SHOT.first + 2, SHOT.size) > 0.5
-    for clear, hazy in zip(found[SHOT.read], found[faded], strict=True):
-        assert overlap(clear, hazy) > 0.95
+@pytest.mark.parametrize(("config", "is_followed"), [("best", True), ("best+region.levels=none", False)])
+def test_a_body_in_haze_is_followed_by_the_levels_alone(config: str, is_followed: bool) -> None:
+    pictures, masks = dimmed_body(10, 0.0)
+    hazy = [np.asarray(np.round(150.0 + (picture - 128.0) / 6.0), dtype=np.uint8) for picture in pictures]
+    *_, last = track(lambda frame: hazy[frame], shapes_from_mask(masks[0]), range(10), config)
+    found = render_matte([result.shape for result in last.results], 9, masks[9].shape) > 0.5
+    assert (overlap(found, masks[9] > 127) > 0.95) is is_followed
+
+
+def test_both_passes_of_a_fill_go_by_the_levels_of_its_first_key() -> None:
+    shape, last = SHOT.shape(), SHOT.frames[-1]
+    keyed = shape.with_key(Keyframe(last, SHOT.truth(last)))
+    (filled,) = fill_span({frame: faded(frame) for frame in SHOT.frames}, [keyed], SHOT.first, last, LEVELLED)
+    levels = EngineView.of_key(PreparedFrame(faded(SHOT.first)), parts_at([shape], SHOT.first), BEST_LEVELLED).levels
+    assert levels is not None
+    stretched = {frame: levels.table[faded(frame)] for frame in SHOT.frames}
+    (twin,) = fill_span(stretched, [keyed], SHOT.first, last, CONFIG)
+    apart = [np.abs(filled.at(frame).points - twin.at(frame).points).max() for frame in SHOT.frames]
+    assert max(apart) < 0.3  # steadied by the flow of the picture as it is
