@@ -64,6 +64,7 @@ class FileActions(QObject):
         files.not_saved.connect(self._disarm)
         files.doubted.connect(self._ask_doubted)
         files.contested.connect(self._ask_contested)
+        files.overtaken.connect(self.leave_project)
         files.looked.connect(self._show_found)
 
     def handlers(self) -> dict[str, Callable[[], object]]:

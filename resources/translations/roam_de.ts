@@ -4194,6 +4194,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Projekt wird gespeichert …</translation>
     </message>
     <message>
+        <source>The project was changed meanwhile; nothing was opened.</source>
+        <translation>Das Projekt wurde inzwischen geändert; es wurde nichts geöffnet.</translation>
+    </message>
+    <message>
         <source>The red channel alone, and back</source>
         <translation>Nur der rote Kanal, und zurück</translation>
     </message>
