@@ -229,7 +229,7 @@ class ExportDialog(QDialog):
     def path(self) -> Path:
         """Where the export goes; a name alone lies beside the suggested file, a missing suffix is added."""
         path = self._suggested("").parent / Path(self.target.text().strip()).expanduser()
-        return path if self._is_folder or path.suffix else path.with_suffix(self.exporter.suffix)
+        return path if self._is_folder else questions.with_suffix(path, self.exporter.suffix)
 
     @property
     def _is_folder(self) -> bool:
@@ -268,9 +268,12 @@ class ExportDialog(QDialog):
         if self._is_folder:
             suggested = self._suggested("")
             return suggested.with_name(f"{suggested.name}_mattes")
-        own = self.target.text().strip()
-        suffix = self.exporter.suffix
-        return Path(own).with_suffix(suffix) if Path(own).suffix else self._suggested(suffix)
+        own = Path(self.target.text().strip())
+        known = {exporter.suffix for exporter in EXPORTERS.values()}
+        if not own.name:
+            return self._suggested(self.exporter.suffix)
+        bare = own.with_suffix("") if own.suffix.lower() in known else own
+        return Path(f"{bare}{self.exporter.suffix}")
 
     def _pull_keys(self) -> None:
         """What is asked about keys depends on which are written: the artist's own are never moved."""
@@ -304,7 +307,7 @@ class ExportDialog(QDialog):
             first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
             self.hint.setText(tr("A folder; its pictures are {first} and so on.", first=first))
         else:
-            self.hint.setText(tr("Replaces the file that is there.") if self.path.is_file() else "")
+            self.hint.setText(tr("Replaces the file that is there.") if questions.is_file(self.path) else "")
 
     def _take_all_frames(self) -> None:
         if (clip := self._document.project.clip) is not None:

@@ -157,8 +157,8 @@ class FileActions(QObject):
     def save_as(self) -> None:
         """Ask where, and save there."""
         own = self._document.path
-        path = questions.choose_save(self._window, own or self.suggested(PROJECT_SUFFIX, Purpose.PROJECT))
-        if path is None or not self._may_save_to(path):
+        chosen = questions.choose_save(self._window, own or self.suggested(PROJECT_SUFFIX, Purpose.PROJECT))
+        if chosen is None or not self._may_save_to(path := questions.with_suffix(chosen, PROJECT_SUFFIX), chosen):
             self._disarm()
         else:
             self._files.save(path)
@@ -274,10 +274,10 @@ class FileActions(QObject):
         if path is not None:
             self._export.start(format_name, path)
 
-    def _may_save_to(self, path: Path) -> bool:
+    def _may_save_to(self, path: Path, chosen: Path) -> bool:
         """Whether the project may be written there: not onto the plate; onto what is no project if the artist says so.
 
-        Over another project the file chooser has asked already.
+        Over another project the file chooser has asked already, if that is what was `chosen` in it.
         """
         from roam_core.interchange.authorship import Kind
         from roam_core.interchange.targets import Sources, obstacles
@@ -288,7 +288,9 @@ class FileActions(QObject):
         except RoamError as error:
             self._view.say(str(error))
             return False
-        return not found.foreign or questions.ask_overwrite(self._window, found.foreign)
+        if found.foreign:
+            return questions.ask_overwrite(self._window, found.foreign)
+        return path == self._document.path or questions.may_take(self._window, chosen, path)
 
     def _noted(self, purpose: Purpose, path: Path | None) -> Path | None:
         """What was chosen, if anything was; its folder is where the next chooser of this kind begins."""

@@ -4258,6 +4258,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Übersetzung {code!r} ist nicht installiert; bitte in den Einstellungen eine andere Sprache wählen.</translation>
     </message>
     <message>
+        <source>There is a file of that name in {folder}, now that {suffix} is added to it. It would be lost.</source>
+        <translation>Mit dem ergänzten {suffix} gibt es in {folder} schon eine Datei dieses Namens. Sie ginge verloren.</translation>
+    </message>
+    <message>
         <source>There is no closed shape yet</source>
         <translation>Noch gibt es keine geschlossene Form</translation>
     </message>

@@ -191,6 +191,18 @@ def test_what_cannot_be_written_is_one_sentence(qtbot: QtBot, dialog: ExportDial
     assert "Exported" not in told
 
 
+def test_a_dot_in_a_name_begins_no_suffix_and_a_long_name_is_told(
+    qtbot: QtBot, dialog: ExportDialog, tmp_path: Path
+) -> None:
+    dialog.choose("nuke")
+    dialog.target.setText(str(tmp_path / "shot_010.v003"))
+    assert dialog.path == tmp_path / "shot_010.v003.nk"
+    dialog.choose("svg")
+    assert dialog.path == tmp_path / "shot_010.v003.svg"
+    dialog.target.setText("n" * 300)
+    assert "is too long; choose a shorter one." in export(qtbot, dialog)
+
+
 def test_browse_asks_for_a_file_or_a_folder(
     qtbot: QtBot, dialog: ExportDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -278,3 +278,12 @@ def test_boil_is_measured_by_the_picture_and_shown_in_the_lane(qtbot: QtBot, tmp
         assert ended.args == [Ending.DONE, "Boil is measured by the picture."]
         assert window.timeline.boil.most[:, 0].tolist() == [float(at) for at in range(FIRST + 1, FIRST + COUNT - 1)]
         assert window.timeline.boil.most[:, 1].max() > 1e-3, "the picture below it moves"
+
+
+def test_a_dot_in_a_name_begins_no_suffix(dialog: ReviewDialog, tmp_path: Path) -> None:
+    dialog.target.setText(str(tmp_path / "shot_010.v003"))
+    assert dialog.path == tmp_path / "shot_010.v003.mp4"
+    dialog.show_for(Output.SHEET, ViewMode.OVERLAY)
+    assert dialog.path == tmp_path / "shot_010.v003.png"
+    dialog.show_for(Output.MOVIE, ViewMode.OVERLAY)
+    assert dialog.path == tmp_path / "shot_010.v003.mp4"
