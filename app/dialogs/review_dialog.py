@@ -123,7 +123,7 @@ class ReviewDialog(QDialog):
             form_label(tr("Page")),
             side_by_side(self.columns, weak_label(tr("by")), self.rows, weak_label(tr("pictures")), None),
         )
-        form.addRow(form_label(tr("To")), side_by_side(self.target, self.browse))
+        form.addRow(form_label(tr("To", "where it is written")), side_by_side(self.target, self.browse))
         form.addRow(form_label(""), self.hint)
         column = QVBoxLayout(self)
         column.setSpacing(style.MARGIN)
