@@ -78,6 +78,8 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
         self._is_ours, self._written = False, Path()
+        self._ending = ""
+        """What the format that was proposed for last puts after the name."""
         self._losses: tuple[str, ...] = ()
         """What the artist sees that the format would lose, as long as nothing else is chosen."""
         self._foresight = Foresight(export.runner, self)
@@ -264,16 +266,22 @@ class ExportDialog(QDialog):
         self._pull_keys()
 
     def _renamed(self) -> Path:
-        """The target for the format that is selected now: the artist's own name with another suffix."""
+        """The target for the format that is selected now: the artist's own name with another suffix.
+
+        Formats that share a suffix propose names of their own: none takes the place of what another wrote.
+        """
         if self._is_folder:
             suggested = self._suggested("")
             return suggested.with_name(f"{suggested.name}_mattes")
-        own = Path(self.target.text().strip())
-        known = {exporter.suffix for exporter in EXPORTERS.values()}
+        own, last, suffix = Path(self.target.text().strip()), self._ending, self.exporter.suffix
+        self._ending = f"{_mark(self.exporter)}{suffix}"
         if not own.name:
-            return self._suggested(self.exporter.suffix)
+            own = self._suggested(suffix)
+        elif last and own.name.endswith(last):
+            own = own.with_name(own.name.removesuffix(last) + suffix)
+        known = {exporter.suffix for exporter in EXPORTERS.values()}
         bare = own.with_suffix("") if own.suffix.lower() in known else own
-        return Path(f"{bare}{self.exporter.suffix}")
+        return Path(f"{bare}{self._ending}")
 
     def _pull_keys(self) -> None:
         """What is asked about keys depends on which are written: the artist's own are never moved."""
@@ -406,3 +414,9 @@ def _kept(policy: QSizePolicy) -> QSizePolicy:
     """The policy of a widget whose place stays its own while it is hidden."""
     policy.setRetainSizeWhenHidden(True)
     return policy
+
+
+def _mark(exporter: Exporter) -> str:
+    """What tells the files of a format from those of the first one with its suffix; of that one itself nothing."""
+    same = [other.name for other in EXPORTERS.values() if other.suffix == exporter.suffix]
+    return "" if exporter.name == same[0] else f"_{exporter.name.removeprefix('nuke-')}"
