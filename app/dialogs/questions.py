@@ -116,6 +116,22 @@ def _may_write_over(parent: QWidget, text: str, weak: str, details: str = "") ->
     return box.clickedButton() is overwrite
 
 
+def ask_stop_writing(parent: QWidget) -> bool:
+    """Ask before the window closes over an export that goes on."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText(tr("Stop the export and close?"))
+    box.setInformativeText(
+        tr("Something is still being written. Files that are finished stay; the rest is not written.")
+    )
+    stop = box.addButton(tr("Stop it and close"), QMessageBox.ButtonRole.DestructiveRole)
+    keep = box.addButton(tr("Keep it running"), QMessageBox.ButtonRole.RejectRole)
+    box.setDefaultButton(keep)
+    box.setEscapeButton(keep)
+    box.exec()
+    return box.clickedButton() is stop
+
+
 def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
     """Ask before an export whose mattes would differ in the other program; what differs is named."""
     box = QMessageBox(parent)

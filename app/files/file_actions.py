@@ -102,6 +102,11 @@ class FileActions(QObject):
             self._after_saving = lambda: self.leave_project(then)
             self.save()
 
+    def leave_window(self, then: Callable[[], object], *, is_writing: bool) -> None:
+        """Do `then`, which closes the window, once nothing is lost by it: of what is being written neither."""
+        if not is_writing or questions.ask_stop_writing(self._window):
+            self.leave_project(then)
+
     @property
     def title(self) -> str:
         """The project's name, for titles and questions."""

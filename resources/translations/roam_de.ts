@@ -1902,6 +1902,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Annehmen</translation>
     </message>
     <message>
+        <source>Keep it running</source>
+        <translation>Weiterlaufen lassen</translation>
+    </message>
+    <message>
         <source>Keep the keys that the action has, and add the new one</source>
         <translation>Die Tasten der Aktion behalten und die neue hinzufügen</translation>
     </message>
@@ -3780,6 +3784,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Manche haben auf diesem Frame einen Keyframe oder ändern sich, andere nicht. Klicken setzt überall einen Keyframe</translation>
     </message>
     <message>
+        <source>Something is still being written. Files that are finished stay; the rest is not written.</source>
+        <translation>Es wird noch etwas geschrieben. Fertige Dateien bleiben; der Rest wird nicht geschrieben.</translation>
+    </message>
+    <message>
         <source>Something went wrong inside ROAM</source>
         <translation>In ROAM ist etwas schiefgegangen</translation>
     </message>
@@ -3862,6 +3870,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop it and close</source>
+        <translation>Abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Stop the export and close?</source>
+        <translation>Den Export abbrechen und schließen?</translation>
     </message>
     <message>
         <source>Stop; the frames that are finished stay</source>
