@@ -78,6 +78,8 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
         self._is_ours, self._written = False, Path()
+        self._ending = ""
+        """What the format that was proposed for last puts after the name."""
         self._losses: tuple[str, ...] = ()
         """What the artist sees that the format would lose, as long as nothing else is chosen."""
         self._foresight = Foresight(export.runner, self)
@@ -229,7 +231,7 @@ class ExportDialog(QDialog):
     def path(self) -> Path:
         """Where the export goes; a name alone lies beside the suggested file, a missing suffix is added."""
         path = self._suggested("").parent / Path(self.target.text().strip()).expanduser()
-        return path if self._is_folder or path.suffix else path.with_suffix(self.exporter.suffix)
+        return path if self._is_folder else questions.with_suffix(path, self.exporter.suffix)
 
     @property
     def _is_folder(self) -> bool:
@@ -264,13 +266,22 @@ class ExportDialog(QDialog):
         self._pull_keys()
 
     def _renamed(self) -> Path:
-        """The target for the format that is selected now: the artist's own name with another suffix."""
+        """The target for the format that is selected now: the artist's own name with another suffix.
+
+        Formats that share a suffix propose names of their own: none takes the place of what another wrote.
+        """
         if self._is_folder:
             suggested = self._suggested("")
             return suggested.with_name(f"{suggested.name}_mattes")
-        own = self.target.text().strip()
-        suffix = self.exporter.suffix
-        return Path(own).with_suffix(suffix) if Path(own).suffix else self._suggested(suffix)
+        own, last, suffix = Path(self.target.text().strip()), self._ending, self.exporter.suffix
+        self._ending = f"{_mark(self.exporter)}{suffix}"
+        if not own.name:
+            own = self._suggested(suffix)
+        elif last and own.name.endswith(last):
+            own = own.with_name(own.name.removesuffix(last) + suffix)
+        known = {exporter.suffix for exporter in EXPORTERS.values()}
+        bare = own.with_suffix("") if own.suffix.lower() in known else own
+        return Path(f"{bare}{self._ending}")
 
     def _pull_keys(self) -> None:
         """What is asked about keys depends on which are written: the artist's own are never moved."""
@@ -304,7 +315,7 @@ class ExportDialog(QDialog):
             first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
             self.hint.setText(tr("A folder; its pictures are {first} and so on.", first=first))
         else:
-            self.hint.setText(tr("Replaces the file that is there.") if self.path.is_file() else "")
+            self.hint.setText(tr("Replaces the file that is there.") if questions.is_file(self.path) else "")
 
     def _take_all_frames(self) -> None:
         if (clip := self._document.project.clip) is not None:
@@ -403,3 +414,9 @@ def _kept(policy: QSizePolicy) -> QSizePolicy:
     """The policy of a widget whose place stays its own while it is hidden."""
     policy.setRetainSizeWhenHidden(True)
     return policy
+
+
+def _mark(exporter: Exporter) -> str:
+    """What tells the files of a format from those of the first one with its suffix; of that one itself nothing."""
+    same = [other.name for other in EXPORTERS.values() if other.suffix == exporter.suffix]
+    return "" if exporter.name == same[0] else f"_{exporter.name.removeprefix('nuke-')}"

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from enum import Enum
 from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from ..model.document import PROJECT_SUFFIX
 from ..translation import N_, tr, translated
 
 MOVIES = N_("Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)")
@@ -86,19 +85,51 @@ def _ask(parent: QWidget, text: str, weak: str, choices: Sequence[str]) -> str:
 def ask_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
     """Ask before files are written over that ROAM did not make; all of them can be looked at."""
     others = len(paths) - 1
-    box = QMessageBox(parent)
-    box.setWindowTitle("ROAM")
     name = paths[0].name
     several = tr("Write over {name} and %n other file(s)?", "", others, name=name)
-    box.setText(several if others else tr("Write over {name}?", name=name))
-    box.setInformativeText(tr("ROAM did not make what is there in {folder}. It would be lost.", folder=paths[0].parent))
-    box.setDetailedText("\n".join(str(path) for path in paths))
+    text = several if others else tr("Write over {name}?", name=name)
+    weak = tr("ROAM did not make what is there in {folder}. It would be lost.", folder=paths[0].parent)
+    return _may_write_over(parent, text, weak, "\n".join(str(path) for path in paths))
+
+
+def ask_replace(parent: QWidget, path: Path) -> bool:
+    """Ask before a file is replaced that the file chooser did not ask about: the suffix of its name was added since."""
+    added = tr(
+        "There is a file of that name in {folder}, now that {suffix} is added to it. It would be lost.",
+        folder=path.parent,
+        suffix=path.suffix,
+    )
+    return _may_write_over(parent, tr("Write over {name}?", name=path.name), added)
+
+
+def _may_write_over(parent: QWidget, text: str, weak: str, details: str = "") -> bool:
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText(text)
+    box.setInformativeText(weak)
+    box.setDetailedText(details)
     overwrite = box.addButton(tr("Write over"), QMessageBox.ButtonRole.DestructiveRole)
     keep = box.addButton(QMessageBox.StandardButton.Cancel)
     box.setDefaultButton(keep)
     box.setEscapeButton(keep)
     box.exec()
     return box.clickedButton() is overwrite
+
+
+def ask_stop_writing(parent: QWidget) -> bool:
+    """Ask before the window closes over an export that goes on."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText(tr("Stop the export and close?"))
+    box.setInformativeText(
+        tr("Something is still being written. Files that are finished stay; the rest is not written.")
+    )
+    stop = box.addButton(tr("Stop it and close"), QMessageBox.ButtonRole.DestructiveRole)
+    keep = box.addButton(tr("Keep it running"), QMessageBox.ButtonRole.RejectRole)
+    box.setDefaultButton(keep)
+    box.setEscapeButton(keep)
+    box.exec()
+    return box.clickedButton() is stop
 
 
 def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
@@ -136,14 +167,37 @@ def choose_project(parent: QWidget, start: Path) -> Path | None:
 
 
 def choose_save(parent: QWidget, start: Path) -> Path | None:
-    """Where to save the project; the suffix is added when it was left out."""
-    path = _path(QFileDialog.getSaveFileName(parent, tr("Save project"), str(start), tr(PROJECTS))[0])
-    return path if path is None or path.suffix else path.with_suffix(PROJECT_SUFFIX)
+    """Where to save the project, as it was named: the suffix may be left out."""
+    return _path(QFileDialog.getSaveFileName(parent, tr("Save project"), str(start), tr(PROJECTS))[0])
 
 
-def choose_export(parent: QWidget, title: str, start: Path, suffix: str) -> Path | None:
-    path = _path(QFileDialog.getSaveFileName(parent, title, str(start), f"*{suffix}")[0])
-    return path if path is None or path.suffix else path.with_suffix(suffix)
+def choose_export(
+    parent: QWidget, title: str, start: Path, suffix: str, others: Collection[str] = frozenset()
+) -> Path | None:
+    """Where to export to; the suffix is added to a name that has neither it nor one of the `others`."""
+    chosen = _path(QFileDialog.getSaveFileName(parent, title, str(start), f"*{suffix}")[0])
+    if chosen is None:
+        return None
+    path = with_suffix(chosen, suffix, others)
+    return path if may_take(parent, chosen, path) else None
+
+
+def with_suffix(path: Path, suffix: str, others: Collection[str] = frozenset()) -> Path:
+    """The path with `suffix` added, unless it has that or one of the `others`: any other dot belongs to the name."""
+    return path if path.suffix.lower() in {suffix, *others} else Path(f"{path}{suffix}")
+
+
+def may_take(parent: QWidget, chosen: Path, path: Path) -> bool:
+    """Whether `path` may be written, for which the artist named `chosen`: about that the file chooser asked already."""
+    return path == chosen or not is_file(path) or ask_replace(parent, path)
+
+
+def is_file(path: Path) -> bool:
+    """Whether there is a file; none can have a name that is too long."""
+    try:
+        return path.is_file()
+    except OSError:
+        return False
 
 
 def choose_shapes(parent: QWidget, start: Path, suffixes: Sequence[str]) -> Path | None:

@@ -24,7 +24,7 @@ from roam_core.review.frames import HINT, chosen_frames
 from roam_core.review.look import SCALES, Burn, Ground, ReviewLook, ReviewView
 from roam_core.review.movie import ENCODERS, SPEEDS
 from roam_core.review.sheet import MOST_ACROSS, MOST_DOWN, SheetLayout
-from roam_core.review.writing import Output, ReviewRequest, output_of
+from roam_core.review.writing import OTHER_SUFFIXES, PNG, Output, ReviewRequest, output_of
 
 from .. import style
 from ..jobs.review.job import ReviewJob
@@ -42,6 +42,8 @@ GROUNDS = {Ground.GREY: N_("Grey"), Ground.CHECKER: N_("Checkerboard"), Ground.B
 BURNS = {Burn.FRAME: N_("Frame number"), Burn.NOTE: N_("Note"), Burn.CONFIDENCE: N_("Confidence")}
 WHICH = ("all", "x10", "keys", "notes", "doubtful", "boil")
 SUFFIXES = {Output.MOVIE: ".mp4", Output.PICTURES: "", Output.SHEET: ".png"}
+KNOWN = frozenset({*ENCODERS, *OTHER_SUFFIXES, PNG})
+"""Suffixes that say what a file is; what follows another dot belongs to the name."""
 TITLES = {Output.MOVIE: N_("Movie"), Output.PICTURES: N_("Pictures"), Output.SHEET: N_("Contact sheet")}
 
 
@@ -121,7 +123,7 @@ class ReviewDialog(QDialog):
             form_label(tr("Page")),
             side_by_side(self.columns, weak_label(tr("by")), self.rows, weak_label(tr("pictures")), None),
         )
-        form.addRow(form_label(tr("To")), side_by_side(self.target, self.browse))
+        form.addRow(form_label(tr("To", "where it is written")), side_by_side(self.target, self.browse))
         form.addRow(form_label(""), self.hint)
         column = QVBoxLayout(self)
         column.setSpacing(style.MARGIN)
@@ -158,7 +160,7 @@ class ReviewDialog(QDialog):
         """Where it goes; a name alone lies beside the suggested file, a missing suffix is added."""
         path = self._suggested("").parent / Path(self.target.text().strip()).expanduser()
         suffix = SUFFIXES[self.chosen_output]
-        return path.with_name(f"{path.name}{suffix}") if suffix and not path.suffix else path
+        return questions.with_suffix(path, suffix, KNOWN) if suffix else path
 
     def request(self) -> ReviewRequest:
         """What is asked for as it stands in the fields.
@@ -204,7 +206,8 @@ class ReviewDialog(QDialog):
     def _pull_output(self) -> None:
         output = self.chosen_output
         own = Path(self.target.text().strip()) if self.target.text().strip() else self._suggested("_review")
-        self.target.setText(str(own.with_suffix(SUFFIXES[output])))
+        bare = own.with_suffix("") if own.suffix.lower() in KNOWN else own
+        self.target.setText(f"{bare}{SUFFIXES[output]}")
         self.setWindowTitle(tr(TITLES[output]))
         self.fps.setEnabled(output is Output.MOVIE)
         is_sheet = output is Output.SHEET
@@ -251,7 +254,7 @@ class ReviewDialog(QDialog):
         if output is Output.PICTURES:
             found = questions.choose_folder(self, tr("Pictures to a folder"), self.path)
         else:
-            found = questions.choose_export(self, tr(TITLES[output]), self.path, SUFFIXES[output])
+            found = questions.choose_export(self, tr(TITLES[output]), self.path, SUFFIXES[output], KNOWN)
         if found is not None:
             self.target.setText(str(found))
 

@@ -64,6 +64,7 @@ class FileActions(QObject):
         files.not_saved.connect(self._disarm)
         files.doubted.connect(self._ask_doubted)
         files.contested.connect(self._ask_contested)
+        files.overtaken.connect(self.leave_project)
         files.looked.connect(self._show_found)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -100,6 +101,11 @@ class FileActions(QObject):
             # What was edited while it was saved is asked about again.
             self._after_saving = lambda: self.leave_project(then)
             self.save()
+
+    def leave_window(self, then: Callable[[], object], *, is_writing: bool) -> None:
+        """Do `then`, which closes the window, once nothing is lost by it: of what is being written neither."""
+        if not is_writing or questions.ask_stop_writing(self._window):
+            self.leave_project(then)
 
     @property
     def title(self) -> str:
@@ -156,8 +162,8 @@ class FileActions(QObject):
     def save_as(self) -> None:
         """Ask where, and save there."""
         own = self._document.path
-        path = questions.choose_save(self._window, own or self.suggested(PROJECT_SUFFIX, Purpose.PROJECT))
-        if path is None or not self._may_save_to(path):
+        chosen = questions.choose_save(self._window, own or self.suggested(PROJECT_SUFFIX, Purpose.PROJECT))
+        if chosen is None or not self._may_save_to(path := questions.with_suffix(chosen, PROJECT_SUFFIX), chosen):
             self._disarm()
         else:
             self._files.save(path)
@@ -273,10 +279,10 @@ class FileActions(QObject):
         if path is not None:
             self._export.start(format_name, path)
 
-    def _may_save_to(self, path: Path) -> bool:
+    def _may_save_to(self, path: Path, chosen: Path) -> bool:
         """Whether the project may be written there: not onto the plate; onto what is no project if the artist says so.
 
-        Over another project the file chooser has asked already.
+        Over another project the file chooser has asked already, if that is what was `chosen` in it.
         """
         from roam_core.interchange.authorship import Kind
         from roam_core.interchange.targets import Sources, obstacles
@@ -287,7 +293,9 @@ class FileActions(QObject):
         except RoamError as error:
             self._view.say(str(error))
             return False
-        return not found.foreign or questions.ask_overwrite(self._window, found.foreign)
+        if found.foreign:
+            return questions.ask_overwrite(self._window, found.foreign)
+        return path == self._document.path or questions.may_take(self._window, chosen, path)
 
     def _noted(self, purpose: Purpose, path: Path | None) -> Path | None:
         """What was chosen, if anything was; its folder is where the next chooser of this kind begins."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +12,9 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.propagate.shapes.departed import departed_settings
-from roam_core.roto import BlendMode, Clip, Project, backups, edit, file, project_lock
+from roam_core.roto import Clip, Project, backups, file, project_lock
 from roam_core.roto.fingerprint import Fingerprint
-from roam_core.roto.migrate import UNION_SINCE
 from roam_core.roto.project_lock import Holder
-from roam_core.roto.relinking import other_content, other_size, relinked
 
 from ..jobs.decode import PlateReader
 from ..jobs.found_clip import looked_at
@@ -26,8 +24,9 @@ from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
 from ..model.view_state import ViewState
-from ..translation import N_, tr, translated
+from ..translation import N_, tr
 from .claim import Claim
+from .reading import Found, clip_project, demo_project, differences, gaps_of, plate_of, read_project, version_of
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -35,27 +34,6 @@ if TYPE_CHECKING:
 DEMO = N_(
     "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
 )
-SUMMED = N_(
-    "It joins soft edges as older versions did (Plus), so that its mattes stay as they were; "
-    "choose Add in the Shape panel where they are to join as in other programs."
-)
-
-
-@dataclass(frozen=True)
-class Found:
-    """What was opened: the project, its plate or None, and the sentence about it.
-
-    `path` is the file that saving writes to, `fingerprint` that of the file that was read; `follows` is the journal
-    that the project was recovered from. It is unsaved work where no file holds it.
-    """
-
-    project: Project
-    source: Any
-    sentence: str
-    path: Path | None = None
-    fingerprint: Fingerprint | None = None
-    is_unsaved: bool = False
-    follows: Path | None = None
 
 
 class Files(QObject):
@@ -67,6 +45,8 @@ class Files(QObject):
     saved() : the document was written to its file.
     not_saved() : it could not be written; the sentence is told by `finished`.
     doubted(path, doubt) : it was not written, because the file is not as it was left: the sentence says why.
+    overtaken(show) : what was opened has come, but the document was changed meanwhile and not saved: it takes the
+        document's place when `show` is called.
     contested(path, holder) : a project was not opened, because the `Holder` has it open.
     opened(path) : the project or clip that the artist named is open.
     looked(found) : the clip that `look_at` was asked about, as a `FoundClip`.
@@ -77,6 +57,7 @@ class Files(QObject):
     saved = Signal()
     not_saved = Signal()
     doubted = Signal(object, str)
+    overtaken = Signal(object)
     contested = Signal(object, object)
     opened = Signal(object)
     looked = Signal(object)
@@ -138,7 +119,7 @@ class Files(QObject):
         def read() -> Found:
             project, source = clip_project(path, declare, layer)
             sentence = tr(
-                "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=_gaps(source)
+                "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=gaps_of(source)
             ).rstrip()
             return Found(project, source, sentence)
 
@@ -157,21 +138,20 @@ class Files(QObject):
     def open_plate(self, path: Path) -> None:
         """Give the project its plate, which lies elsewhere now, or another version of it.
 
-        Its shapes stay, and so do the layer, where the files have it, and what the artist declared of the plate before.
-        The project is to be saved.
+        Its shapes stay, those drawn meanwhile, too, and so do frame and selection, the layer, where the files have it,
+        and what the artist declared of the plate before. The project is to be saved.
         """
-        project, home, fingerprint = self._document.project, self._document.path, self._document.fingerprint
-        before = self._reader.source
+        project, before, sitting = self._document.project, self._reader.source, self._sitting
 
         def read() -> Found:
-            source = _version_of(project.require_clip(), before, path)
-            sentence = _differences(project, source) or tr(
+            source = version_of(project.require_clip(), before, path)
+            sentence = differences(project, source) or tr(
                 "The plate is {name} now; save to keep that.", name=source.path.name
             )
             clip = replace(Clip.of(source), extra=project.require_clip().extra)
-            return Found(replace(project, clip=clip), source, sentence, home, fingerprint, is_unsaved=True)
+            return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
 
-        self._open(tr("Opening {name} …", name=path.name), read)
+        self._start(_reading(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting))
 
     def open_project(self, path: Path) -> None:
         """Open a project and its plate; without its plate it opens too, and says so.
@@ -180,20 +160,20 @@ class Files(QObject):
         """
 
         def read() -> Found | Holder:
-            return project_lock.holder(path) or _read_project(path)
+            return project_lock.holder(path) or read_project(path)
 
         self._open(tr("Opening {name} …", name=path.name), read, origin=path)
 
     def open_anyway(self, path: Path) -> None:
         """Open a project that somebody else has open, as if they had not."""
         self.claim.insist_on(path)
-        self._open(tr("Opening {name} …", name=path.name), lambda: _read_project(path), origin=path)
+        self._open(tr("Opening {name} …", name=path.name), lambda: read_project(path), origin=path)
 
     def open_copy(self, path: Path) -> None:
         """Open what a project file holds as a new project, which has no file yet."""
 
         def read() -> Found:
-            found = _read_project(path)
+            found = read_project(path)
             first = tr("A copy of {name}; save to keep it.", name=path.name)
             sentence = " ".join(filter(None, (first, departed_settings(found.project.shapes))))
             return Found(found.project, found.source, sentence, is_unsaved=True)
@@ -204,11 +184,11 @@ class Files(QObject):
         """Render the demo shot, if it is not there yet, and open it with its true outline as the first key."""
 
         def work(report: Report) -> str:
-            project, source = _demo_project(report)
+            project, source = demo_project(report)
             report.partial(Found(project, source, tr(DEMO)))
             return tr(DEMO)
 
-        self._start(work)
+        self._replace_by(work)
 
     def open_recovered(self, found: Recovery) -> None:
         """Open what a journal holds, as unsaved changes of the artist's own file."""
@@ -286,20 +266,48 @@ class Files(QObject):
         origin: Path | None = None,
     ) -> None:
         """Read on the worker and show what comes; `origin` is what `opened` tells afterwards."""
+        self._replace_by(_reading(text, read), origin)
 
-        def work(report: Report) -> str:
-            report.progress(0.0, text)
-            found = read()
-            report.partial(found)
-            return found.sentence if isinstance(found, Found) else ""
+    def _replace_by(self, work: Work, origin: Path | None = None) -> None:
+        """Let what `work` finds take the document's place, which the artist agreed to leave as it is now.
 
-        self._start(work, origin=origin)
+        What they do until it comes is theirs to decide about again.
+        """
+        left = self._document.project
 
-    def _start(self, work: Work, *, origin: Path | None = None) -> None:
+        def take(found: Found | Holder) -> Callable[[], object] | None:
+            if not self._document.is_modified or self._document.project is left:
+                self._take(found, origin)
+                return None
+            return lambda: self._take(found, origin)
+
+        self._start(work, take)
+
+    def _start(self, work: Work, take: Callable[[Any], Callable[[], object] | None]) -> None:
+        """Open on the worker; `take` gets what was found, and gives what is to be asked about first, if anything."""
+        waiting: list[Callable[[], object]] = []
+
+        def arrive(found: Found | Holder) -> None:
+            if (show := take(found)) is not None:
+                waiting.append(show)
+
+        def end(ending: Ending, sentence: str) -> None:
+            if not waiting:
+                self.finished.emit(ending, sentence)
+                return
+
+            def show() -> None:
+                waiting[-1]()
+                self.finished.emit(ending, sentence)
+
+            self.finished.emit(Ending.CANCELLED, tr("The project was changed meanwhile; nothing was opened."))
+            if ending is Ending.DONE:
+                self.overtaken.emit(show)
+
         job = self._runner.start("open", work)
         job.progress.connect(self.progress)
-        job.partial.connect(lambda found: self._take(found, origin))
-        job.ended.connect(self.finished)
+        job.partial.connect(arrive)
+        job.ended.connect(end)
 
     def _take(self, found: Found | Holder, origin: Path | None) -> None:
         if isinstance(found, Holder):
@@ -308,6 +316,17 @@ class Files(QObject):
         self._show(found)
         if origin is not None:
             self.opened.emit(origin)
+
+    def _relink(self, found: Found, sitting: int) -> None:
+        """Give the project, as it is now, the clip that was found; not another one that was opened since."""
+        if sitting != self._sitting:
+            return
+        document, view, clip = self._document, self._view, found.project.require_clip()
+        frame, selection, layers = view.frame, view.selection, view.layers
+        now = replace(document.project, clip=clip)
+        self._show(replace(found, project=now, path=document.path, fingerprint=document.fingerprint))
+        view.set_frame(min(max(frame, clip.first), clip.last))
+        view.select(selection.shapes, selection.points, layers)
 
     def _show(self, found: Found) -> None:
         # The old plate goes first and the new one comes last: no frame is ever asked of the wrong one.
@@ -326,78 +345,16 @@ class Files(QObject):
         self._sitting += 1
 
 
-def clip_project(
-    path: Path, declare: Callable[[PlateSource], PlateSource] | None = None, layer: str = ""
-) -> tuple[Project, PlateSource]:
-    """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
-    from roam_core.media import open_clip
-    from roam_core.media.colour_spaces import definition_of
+def _reading(text: str, read: Callable[[], Found | Holder]) -> Work:
+    """The work of reading something; its sentence is that of what was found."""
 
-    source = open_clip(path, layer)
-    if declare is not None:
-        source = declare(source)
-    definition_of(source.colour_space)  # kept from now on: stamps ask for it in the window's thread
-    return Project(Clip.of(source)), source
+    def work(report: Report) -> str:
+        report.progress(0.0, text)
+        found = read()
+        report.partial(found)
+        return found.sentence if isinstance(found, Found) else ""
 
-
-def _version_of(clip: Clip, before: PlateSource | None, path: Path) -> PlateSource:
-    """The plate at `path`, read as the project's `clip` is; what was declared of the plate `before` holds."""
-    from roam_core.media import declared, open_clip
-    from roam_core.media.declared import DeclaredPlate
-
-    source = open_clip(path)
-    if clip.layer in source.layers:
-        source = open_clip(path, clip.layer)
-    if isinstance(before, DeclaredPlate):
-        source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
-    return source
-
-
-def _demo_project(report: Report) -> tuple[Project, Any]:
-    from roam_core.installation import demo
-
-    from ..folders import cache_folder
-
-    folder = cache_folder() / demo.cache_name()
-    try:
-
-        def tell(fraction: float, text: str) -> None:
-            frame = text.rpartition(" ")[2]  # what is rendered says it in English, the number last
-            done = tr("The demo shot is rendered …")
-            report.progress(
-                fraction, tr("Rendering the demo shot, frame {frame} …", frame=frame) if fraction < 1.0 else done
-            )
-
-        demo.write_frames(folder, tell)
-    except OSError as error:
-        raise RoamError(
-            tr("The demo shot cannot be written to {folder}: {reason}.", folder=folder, reason=error.strerror or error)
-        ) from None
-    project, source = clip_project(folder)
-    project, _ = edit.new_shape(project, demo.true_points(demo.FIRST), demo.FIRST, name="Manta")
-    return project, source
-
-
-def _read_project(path: Path) -> Found:
-    # Before it is read: what is written meanwhile is a change.
-    fingerprint = Fingerprint.of(path)
-    stored, version = file.load_versioned(path)
-    project = relinked(stored, path.parent)
-    source, problem = plate_of(project)
-    moved = (
-        ""
-        if project is stored
-        else tr(" Its plate was found at {path}; save to keep that.", path=project.require_clip().path)
-    )
-    more = filter(None, (_older(project, version), departed_settings(project.shapes)))
-    sentence = " ".join([problem or tr("Opened {name}.{moved}", name=path.name, moved=moved), *more])
-    return Found(project, source, sentence, path, fingerprint)
-
-
-def _older(project: Project, version: int) -> str:
-    """What an artist must know of a project whose file is of an older version; mostly nothing."""
-    is_summed = version < UNION_SINCE and any(item.blend is BlendMode.PLUS for item in project.root.items())
-    return tr(SUMMED) if is_summed else ""
+    return work
 
 
 def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -> str:
@@ -419,31 +376,3 @@ def _rotated(path: Path, count: int) -> str:
     except RoamError as error:
         return str(error)
     return ""
-
-
-def plate_of(project: Project) -> tuple[Any, str]:
-    """The plate of a project, or None and why it could not be opened; or the plate and what differs from before."""
-    from roam_core.media import declared, open_clip
-    from roam_core.media.colour_spaces import definition_of
-
-    if (clip := project.clip) is None:
-        return None, ""
-    definition_of(clip.colour_space)
-    try:
-        source = declared(open_clip(clip.path, clip.layer), clip.colour_space, clip.fps, clip.pixel_aspect)
-    except RoamError as error:
-        return None, tr("The plate could not be opened; choose it again in the File menu. {error}", error=error)
-    return source, _differences(project, source)
-
-
-def _differences(project: Project, source: PlateSource) -> str:
-    """What tells a plate from the one that the project was made on, as a sentence; "" where nothing does."""
-    if project.clip is None:
-        return ""
-    found = Clip.of(source)
-    return translated(other_size(project.clip, found) or other_content(project.clip, found))
-
-
-def _gaps(source: Any) -> str:
-    missing = len(source.missing)
-    return tr("%n frame(s) is/are missing.", "", missing) if missing else ""

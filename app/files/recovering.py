@@ -22,7 +22,8 @@ from ..model.document import PROJECT_SUFFIX
 from ..model.view_state import ViewState
 from ..translation import tr
 from .file_actions import FileActions
-from .files import Files, plate_of
+from .files import Files
+from .reading import plate_of
 
 
 class Recovering(QObject):

@@ -103,6 +103,10 @@ class Export(QObject):
         job.partial.connect(self.noted)
         job.ended.connect(end)
 
+    @property
+    def is_running(self) -> bool:
+        return self._runner.running("export") is not None
+
     def stop(self) -> None:
         """Stop the export; files that are written whole stay."""
         if (job := self._runner.running("export")) is not None:

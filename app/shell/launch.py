@@ -54,7 +54,7 @@ def _require_readable(path: str) -> None:
     """Raise `RoamError` when a clip or project cannot be opened: a wrong name is told before any window opens."""
     from roam_core.roto import file
 
-    from ..files.files import clip_project
+    from ..files.reading import clip_project
     from ..model.document import PROJECT_SUFFIX
 
     if path.lower().endswith(PROJECT_SUFFIX):

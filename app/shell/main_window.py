@@ -428,7 +428,8 @@ class MainWindow(QMainWindow):
             event.accept()
         else:
             event.ignore()
-            self.file_actions.leave_project(self._leave)
+            is_writing = self.export.is_running or self.review_job.is_writing
+            self.file_actions.leave_window(self._leave, is_writing=is_writing)
 
     def leave_unasked(self) -> None:
         """Close without a question, because the desktop or the terminal says so; unsaved work waits for recovery."""

@@ -1902,6 +1902,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Annehmen</translation>
     </message>
     <message>
+        <source>Keep it running</source>
+        <translation>Weiterlaufen lassen</translation>
+    </message>
+    <message>
         <source>Keep the keys that the action has, and add the new one</source>
         <translation>Die Tasten der Aktion behalten und die neue hinzufügen</translation>
     </message>
@@ -3780,6 +3784,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Manche haben auf diesem Frame einen Keyframe oder ändern sich, andere nicht. Klicken setzt überall einen Keyframe</translation>
     </message>
     <message>
+        <source>Something is still being written. Files that are finished stay; the rest is not written.</source>
+        <translation>Es wird noch etwas geschrieben. Fertige Dateien bleiben; der Rest wird nicht geschrieben.</translation>
+    </message>
+    <message>
         <source>Something went wrong inside ROAM</source>
         <translation>In ROAM ist etwas schiefgegangen</translation>
     </message>
@@ -3862,6 +3870,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop it and close</source>
+        <translation>Abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Stop the export and close?</source>
+        <translation>Den Export abbrechen und schließen?</translation>
     </message>
     <message>
         <source>Stop; the frames that are finished stay</source>
@@ -4194,6 +4210,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Projekt wird gespeichert …</translation>
     </message>
     <message>
+        <source>The project was changed meanwhile; nothing was opened.</source>
+        <translation>Das Projekt wurde inzwischen geändert; es wurde nichts geöffnet.</translation>
+    </message>
+    <message>
         <source>The red channel alone, and back</source>
         <translation>Nur der rote Kanal, und zurück</translation>
     </message>
@@ -4252,6 +4272,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The translation {code!r} is not installed; choose another language in the settings.</source>
         <translation>Die Übersetzung {code!r} ist nicht installiert; bitte in den Einstellungen eine andere Sprache wählen.</translation>
+    </message>
+    <message>
+        <source>There is a file of that name in {folder}, now that {suffix} is added to it. It would be lost.</source>
+        <translation>Mit dem ergänzten {suffix} gibt es in {folder} schon eine Datei dieses Namens. Sie ginge verloren.</translation>
     </message>
     <message>
         <source>There is no closed shape yet</source>

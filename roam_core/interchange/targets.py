@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -18,6 +19,8 @@ from roam_core.roto.backups import rotate
 
 BACKUPS = 9
 """How many older projects are kept beside a project that is written over."""
+SHOWN = 40
+"""How much is told of a name that is too long."""
 
 Identity = tuple[int, int] | str
 
@@ -66,9 +69,10 @@ def exported(
 class Obstacles:
     """Why files may not be written, first come first: those that are `read`, those `in_plate`, those not `ours`.
 
-    `odd` are no plain files, `twice` those that two results would go to.
+    `odd` are no plain files, `twice` those that two results would go to; names that are `too_long` lead nowhere.
     """
 
+    too_long: tuple[Path, ...] = ()
     read: tuple[Path, ...] = ()
     in_plate: tuple[Path, ...] = ()
     odd: tuple[Path, ...] = ()
@@ -77,6 +81,8 @@ class Obstacles:
 
     def refuse_always(self) -> None:
         """Raise `RoamError` for what is never permitted."""
+        if self.too_long:
+            raise RoamError(f"The name {self.too_long[0].name[:SHOWN]}… is too long; choose a shorter one.")
         for paths, reason in (
             (self.read, "is read for this and is never written over; name another place"),
             (self.in_plate, "would lie among the frames of the plate; choose another folder"),
@@ -106,9 +112,12 @@ def obstacles(targets: Iterable[tuple[Path, Kind]], sources: Sources, rewritten:
     own = None if rewritten is None else _identity(rewritten)
     folder = None if sources.plate_folder is None else _identity(sources.plate_folder)
     places = Counter(os.path.realpath(path) for path, _ in wanted)  # two names of one file are two places
-    rest = [(path, kind) for path, kind in wanted if not (kind is Kind.PROJECT and _identity(path) == own)]
+    too_long = tuple(path for path, _ in wanted if _is_too_long(path))
+    others = [(path, kind) for path, kind in wanted if path not in too_long]
+    rest = [(path, kind) for path, kind in others if not (kind is Kind.PROJECT and _identity(path) == own)]
     there = [(path, kind) for path, kind in rest if path.exists()]
     return Obstacles(
+        too_long=too_long,
         read=tuple(path for path, kind in there if _identity(path) in read),
         in_plate=tuple(path for path, kind in rest if kind is Kind.PICTURE and _identity(path.parent) == folder),
         odd=tuple(path for path, _ in there if not path.is_file() and not path.is_dir()),
@@ -144,6 +153,14 @@ def kept_aside(path: Path) -> Path | None:
 
 def _is_free(path: Path, kind: Kind) -> bool:
     return path.stat().st_size == 0 or written_by_us(path) is kind
+
+
+def _is_too_long(path: Path) -> bool:
+    try:
+        path.lstat()
+    except OSError as error:
+        return error.errno == errno.ENAMETOOLONG
+    return False
 
 
 def _identity(path: Path) -> Identity:

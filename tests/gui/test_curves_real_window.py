@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QPointF, QRect
 from pytestqt.qtbot import QtBot
 
-from app.files.files import clip_project
+from app.files.reading import clip_project
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Animated, ValueKey, edit, file

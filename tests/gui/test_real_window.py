@@ -31,7 +31,7 @@ pytestmark = NEEDS_SCREEN
 @pytest.fixture
 def project_path(tmp_path: Path) -> Path:
     """A project on a tiny clip, saved, without a shape: Ctrl+S then needs no file chooser."""
-    from app.files.files import clip_project
+    from app.files.reading import clip_project
 
     path = tmp_path / "disc.roam"
     project, _source = clip_project(write_clip(tmp_path / "plate"))

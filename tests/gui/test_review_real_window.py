@@ -21,7 +21,7 @@ pytestmark = NEEDS_SCREEN
 
 def tracked_project(tmp_path: Path) -> Path:
     """A square that stands still, but for one point on one frame."""
-    from app.files.files import clip_project
+    from app.files.reading import clip_project
 
     path = tmp_path / "disc.roam"
     project, _source = clip_project(write_clip(tmp_path / "plate"))

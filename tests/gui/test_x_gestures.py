@@ -75,7 +75,7 @@ class Artist:
 @pytest.fixture
 def project_path(tmp_path: Path) -> Path:
     """Two squares on each other, `lower` and `upper`, on textured ground that glides."""
-    from app.files.files import clip_project
+    from app.files.reading import clip_project
 
     path = tmp_path / "gestures.roam"
     project, _source = clip_project(write_ground(tmp_path / "plate"))

@@ -19,6 +19,7 @@ from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.palette import Palette
 from app.features.clipboards.paste_range import PasteRangeDialog
 from app.features.verbs.steady_dialog import SteadyDialog
+from app.files import files
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
 from app.tools.edit.numbers import NumbersDialog
@@ -69,6 +70,21 @@ def opened_window(
         window._leave()
         qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
         window.deleteLater()
+
+
+class Gate:
+    """Holds up what opens, as a function of `app.files.files` reads it, until it is opened."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, function: str) -> None:
+        self.reached, self.open = threading.Event(), threading.Event()
+        read = getattr(files, function)
+
+        def slow(*args: Any) -> Any:
+            self.reached.set()
+            assert self.open.wait(WAIT / 1000)
+            return read(*args)
+
+        monkeypatch.setattr(files, function, slow)
 
 
 @contextmanager

@@ -51,6 +51,10 @@ class ReviewJob(QObject):
         super().__init__(parent)
         self._document, self._runner, self._read, self._may_overwrite = document, runner, read, may_overwrite
 
+    @property
+    def is_writing(self) -> bool:
+        return self._runner.running(WRITING) is not None
+
     def start(self, request: ReviewRequest) -> None:
         """Write what is asked for; its project is the snapshot."""
         self._start(_Writing(request, self._document.path))

@@ -191,6 +191,36 @@ def test_what_cannot_be_written_is_one_sentence(qtbot: QtBot, dialog: ExportDial
     assert "Exported" not in told
 
 
+def test_no_format_proposes_the_file_of_another(dialog: ExportDialog) -> None:
+    proposed = {}
+    for name in EXPORTERS:
+        dialog.choose(name)
+        proposed[name] = dialog.path.name
+    assert len(set(proposed.values())) == len(EXPORTERS)
+    assert (proposed["nuke"], proposed["nuke-tracks"]) == ("shot.nk", "shot_tracks.nk")
+    assert (proposed["nuke-python"], proposed["blender"]) == ("shot.py", "shot_blender.py")
+    assert (proposed["json"], proposed["coco"]) == ("shot.json", "shot_coco.json")
+    dialog.choose("nuke-tracks")
+    dialog.target.setText(str(dialog.path.with_name("mine.nk")))
+    seen = []
+    for name in ("coco", "json", "nuke-tracks", "nuke"):
+        dialog.choose(name)
+        seen.append(dialog.path.name)
+    assert seen == ["mine_coco.json", "mine.json", "mine_tracks.nk", "mine.nk"]
+
+
+def test_a_dot_in_a_name_begins_no_suffix_and_a_long_name_is_told(
+    qtbot: QtBot, dialog: ExportDialog, tmp_path: Path
+) -> None:
+    dialog.choose("nuke")
+    dialog.target.setText(str(tmp_path / "shot_010.v003"))
+    assert dialog.path == tmp_path / "shot_010.v003.nk"
+    dialog.choose("svg")
+    assert dialog.path == tmp_path / "shot_010.v003.svg"
+    dialog.target.setText("n" * 300)
+    assert "is too long; choose a shorter one." in export(qtbot, dialog)
+
+
 def test_browse_asks_for_a_file_or_a_folder(
     qtbot: QtBot, dialog: ExportDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

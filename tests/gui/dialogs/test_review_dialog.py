@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtWidgets import QComboBox, QLabel
 from pytestqt.qtbot import QtBot
 
 from app.dialogs.review_dialog import ReviewDialog
@@ -19,6 +19,7 @@ from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.model.viewing import ViewMode
+from app.translation import SOURCE, speak
 from roam_core.arrays import UInt8
 from roam_core.review.boil import BOILING
 from roam_core.review.look import Burn, ReviewView
@@ -278,3 +279,26 @@ def test_boil_is_measured_by_the_picture_and_shown_in_the_lane(qtbot: QtBot, tmp
         assert ended.args == [Ending.DONE, "Boil is measured by the picture."]
         assert window.timeline.boil.most[:, 0].tolist() == [float(at) for at in range(FIRST + 1, FIRST + COUNT - 1)]
         assert window.timeline.boil.most[:, 1].max() > 1e-3, "the picture below it moves"
+
+
+def test_a_dot_in_a_name_begins_no_suffix(dialog: ReviewDialog, tmp_path: Path) -> None:
+    dialog.target.setText(str(tmp_path / "shot_010.v003"))
+    assert dialog.path == tmp_path / "shot_010.v003.mp4"
+    dialog.show_for(Output.SHEET, ViewMode.OVERLAY)
+    assert dialog.path == tmp_path / "shot_010.v003.png"
+    dialog.show_for(Output.MOVIE, ViewMode.OVERLAY)
+    assert dialog.path == tmp_path / "shot_010.v003.mp4"
+
+
+def test_in_german_the_target_is_a_place_and_no_frame(
+    document: Document, view_state: ViewState, runner: Runner, qtbot: QtBot
+) -> None:
+    speak("de")
+    try:
+        dialog = ReviewDialog(document, view_state, ReviewJob(document, runner, read), Path)
+        qtbot.addWidget(dialog)
+        words = [label.text() for label in dialog.findChildren(QLabel)]
+    finally:
+        speak(SOURCE)
+    assert "Nach" in words
+    assert "Bis" not in words

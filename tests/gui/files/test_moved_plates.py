@@ -15,7 +15,7 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
 from roam_core.media import declared
 from roam_core.roto import Keyframe, Origin, RotoShape, edit, file
-from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
+from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
 
 SQUARE = bezier.polygon_points([[20.0, 20.0], [90.0, 20.0], [90.0, 80.0], [20.0, 80.0]])
 
@@ -107,3 +107,25 @@ def test_a_version_of_the_plate_that_cannot_be_opened_changes_nothing(
         window.files.open_plate(tmp_path / "notes.txt")
     assert window.document.project is before
     assert window.reader.source is not None
+
+
+def test_what_is_drawn_while_the_plate_is_relinked_stays_and_so_do_frame_and_selection(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document, view, version = window.document, window.view_state, write_clip(tmp_path / "plate_v002", 3)
+    gate = Gate(monkeypatch, "version_of")
+    window.files.open_plate(version)
+    assert gate.reached.wait(WAIT / 1000)
+    for _ in range(2):
+        document.apply("Draw", edit.new_shape(document.project, SQUARE, FIRST)[0])
+    view.set_frame(FIRST + 1)
+    view.select(frozenset({document.project.shapes[1].id}))
+    drawn, selection = document.project.shapes, view.selection
+    document.save(tmp_path / "b.roam")
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        gate.open.set()
+    assert document.project.require_clip().path == version
+    assert document.project.shapes == drawn
+    assert document.path == tmp_path / "b.roam"
+    assert document.is_modified
+    assert (view.frame, view.selection) == (FIRST + 1, selection)

@@ -37,7 +37,7 @@ def window(qtbot: QtBot, root: Path) -> Iterator[MainWindow]:
 @pytest.fixture
 def mine(tmp_path: Path) -> Path:
     """A project on a clip, saved."""
-    from app.files.files import clip_project
+    from app.files.reading import clip_project
 
     project, _ = clip_project(write_clip(tmp_path / "plate", 2))
     file.save(project, tmp_path / "mine.roam")

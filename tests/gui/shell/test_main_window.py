@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QGuiApplication
+from PySide6.QtWidgets import QMessageBox
 from pytestqt.qtbot import QtBot
 
 from app.actions.specs import SPECS
@@ -15,6 +17,7 @@ from app.dialogs import questions
 from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.questions import Unsaved
+from app.jobs.runner import Ending, Report
 from app.model.viewing import BackgroundKind
 from app.shell.main_window import MainWindow
 from app.widgets.panel import Panel
@@ -128,6 +131,39 @@ def test_saving_happens_on_the_worker_while_edits_go_on(
     assert window.windowTitle().startswith("a.roam")
     window.document.undo_stack.undo()
     assert not window.document.is_modified
+
+
+@pytest.mark.parametrize("kind", ["export", "review"])
+@pytest.mark.parametrize("answer", ["Keep it running", "Stop it and close"])
+def test_closing_asks_about_what_is_being_written(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch, kind: str, answer: str
+) -> None:
+    asked: list[tuple[str, str]] = []
+
+    def click(box: QMessageBox) -> int:
+        asked.append((box.text(), box.defaultButton().text()))
+        next(button for button in box.buttons() if button.text() == answer).click()
+        return 0
+
+    monkeypatch.setattr(QMessageBox, "exec", click)
+    done = threading.Event()
+
+    def write(report: Report) -> str:
+        while not done.wait(0.01):
+            report.token.check()
+        return "Written."
+
+    job = window.writer.start(kind, write)
+    window.close()
+    assert asked == [("Stop the export and close?", "Keep it running")]
+    if answer == "Keep it running":
+        with qtbot.waitSignal(job.ended, timeout=WAIT) as ended:
+            done.set()
+        assert ended.args == [Ending.DONE, "Written."]
+        assert window.isVisible()
+        window.close()
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
+    assert len(asked) == 1
 
 
 @pytest.mark.parametrize("answer", Unsaved)

@@ -1,0 +1,145 @@
+"""What is read on the worker when something is opened: a clip, a project and its plate, the demo shot."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from roam_core.errors import RoamError
+from roam_core.propagate.shapes.departed import departed_settings
+from roam_core.roto import BlendMode, Clip, Project, edit, file
+from roam_core.roto.fingerprint import Fingerprint
+from roam_core.roto.migrate import UNION_SINCE
+from roam_core.roto.relinking import other_content, other_size, relinked
+
+from ..jobs.runner import Report
+from ..translation import N_, tr, translated
+
+if TYPE_CHECKING:
+    from roam_core.media import PlateSource
+
+SUMMED = N_(
+    "It joins soft edges as older versions did (Plus), so that its mattes stay as they were; "
+    "choose Add in the Shape panel where they are to join as in other programs."
+)
+
+
+@dataclass(frozen=True)
+class Found:
+    """What was opened: the project, its plate or None, and the sentence about it.
+
+    `path` is the file that saving writes to, `fingerprint` that of the file that was read; `follows` is the journal
+    that the project was recovered from. It is unsaved work where no file holds it.
+    """
+
+    project: Project
+    source: Any
+    sentence: str
+    path: Path | None = None
+    fingerprint: Fingerprint | None = None
+    is_unsaved: bool = False
+    follows: Path | None = None
+
+
+def clip_project(
+    path: Path, declare: Callable[[PlateSource], PlateSource] | None = None, layer: str = ""
+) -> tuple[Project, PlateSource]:
+    """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
+    from roam_core.media import open_clip
+    from roam_core.media.colour_spaces import definition_of
+
+    source = open_clip(path, layer)
+    if declare is not None:
+        source = declare(source)
+    definition_of(source.colour_space)  # kept from now on: stamps ask for it in the window's thread
+    return Project(Clip.of(source)), source
+
+
+def version_of(clip: Clip, before: PlateSource | None, path: Path) -> PlateSource:
+    """The plate at `path`, read as the project's `clip` is; what was declared of the plate `before` holds."""
+    from roam_core.media import declared, open_clip
+    from roam_core.media.declared import DeclaredPlate
+
+    source = open_clip(path)
+    if clip.layer in source.layers:
+        source = open_clip(path, clip.layer)
+    if isinstance(before, DeclaredPlate):
+        source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
+    return source
+
+
+def demo_project(report: Report) -> tuple[Project, Any]:
+    from roam_core.installation import demo
+
+    from ..folders import cache_folder
+
+    folder = cache_folder() / demo.cache_name()
+    try:
+
+        def tell(fraction: float, text: str) -> None:
+            frame = text.rpartition(" ")[2]  # what is rendered says it in English, the number last
+            done = tr("The demo shot is rendered …")
+            report.progress(
+                fraction, tr("Rendering the demo shot, frame {frame} …", frame=frame) if fraction < 1.0 else done
+            )
+
+        demo.write_frames(folder, tell)
+    except OSError as error:
+        raise RoamError(
+            tr("The demo shot cannot be written to {folder}: {reason}.", folder=folder, reason=error.strerror or error)
+        ) from None
+    project, source = clip_project(folder)
+    project, _ = edit.new_shape(project, demo.true_points(demo.FIRST), demo.FIRST, name="Manta")
+    return project, source
+
+
+def read_project(path: Path) -> Found:
+    # Before it is read: what is written meanwhile is a change.
+    fingerprint = Fingerprint.of(path)
+    stored, version = file.load_versioned(path)
+    project = relinked(stored, path.parent)
+    source, problem = plate_of(project)
+    moved = (
+        ""
+        if project is stored
+        else tr(" Its plate was found at {path}; save to keep that.", path=project.require_clip().path)
+    )
+    more = filter(None, (_older(project, version), departed_settings(project.shapes)))
+    sentence = " ".join([problem or tr("Opened {name}.{moved}", name=path.name, moved=moved), *more])
+    return Found(project, source, sentence, path, fingerprint)
+
+
+def _older(project: Project, version: int) -> str:
+    """What an artist must know of a project whose file is of an older version; mostly nothing."""
+    is_summed = version < UNION_SINCE and any(item.blend is BlendMode.PLUS for item in project.root.items())
+    return tr(SUMMED) if is_summed else ""
+
+
+def plate_of(project: Project) -> tuple[Any, str]:
+    """The plate of a project, or None and why it could not be opened; or the plate and what differs from before."""
+    from roam_core.media import declared, open_clip
+    from roam_core.media.colour_spaces import definition_of
+
+    if (clip := project.clip) is None:
+        return None, ""
+    definition_of(clip.colour_space)
+    try:
+        source = declared(open_clip(clip.path, clip.layer), clip.colour_space, clip.fps, clip.pixel_aspect)
+    except RoamError as error:
+        return None, tr("The plate could not be opened; choose it again in the File menu. {error}", error=error)
+    return source, differences(project, source)
+
+
+def differences(project: Project, source: PlateSource) -> str:
+    """What tells a plate from the one that the project was made on, as a sentence; "" where nothing does."""
+    if project.clip is None:
+        return ""
+    found = Clip.of(source)
+    return translated(other_size(project.clip, found) or other_content(project.clip, found))
+
+
+def gaps_of(source: Any) -> str:
+    missing = len(source.missing)
+    return tr("%n frame(s) is/are missing.", "", missing) if missing else ""

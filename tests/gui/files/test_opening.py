@@ -1,0 +1,73 @@
+"""What the artist does while something opens is theirs: it is asked about when that arrives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.dialogs import questions
+from app.dialogs.questions import Unsaved
+from app.shell.main_window import MainWindow
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import edit, file
+from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
+
+SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
+
+
+@pytest.fixture
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
+    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "journal") as window:
+        draw(window)
+        window.document.save(tmp_path / "a.roam")
+        yield window
+
+
+def draw(window: MainWindow) -> None:
+    window.document.apply("Draw", edit.new_shape(window.document.project, SQUARE, FIRST)[0])
+
+
+@pytest.mark.parametrize("answer", Unsaved)
+@pytest.mark.parametrize("is_project", [False, True])
+def test_what_is_drawn_while_something_opens_is_asked_about(
+    qtbot: QtBot,
+    window: MainWindow,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    answer: Unsaved,
+    is_project: bool,
+) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: asked.append(name) or answer)
+    other = tmp_path / "b.roam" if is_project else write_clip(tmp_path / "other", 3)
+    if is_project:
+        file.save(window.document.project, other)
+    gate = Gate(monkeypatch, "read_project" if is_project else "clip_project")
+    window.file_actions.open_chosen(other)
+    assert gate.reached.wait(WAIT / 1000)
+    draw(window)
+    drawn = window.document.project
+    gate.open.set()
+    qtbot.waitUntil(lambda: asked != [] and window.writer.is_idle and window.saver.is_idle, timeout=WAIT)
+    assert asked == ["a.roam"]
+    is_kept, said = answer is Unsaved.CANCEL, window.status.sentence.text()
+    assert (window.document.project is drawn) == is_kept
+    assert window.document.path == (tmp_path / "a.roam" if is_kept else other if is_project else None)
+    assert {Unsaved.CANCEL: "nothing was opened", Unsaved.SAVE: "Saved", Unsaved.DISCARD: "Opened"}[answer] in said
+    assert window.reader.source is not None
+    assert (len(file.load(tmp_path / "a.roam").shapes) == 2) == (answer is Unsaved.SAVE)
+
+
+def test_what_was_given_up_before_is_not_asked_about_again(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: asked.append(name) or Unsaved.DISCARD)
+    draw(window)
+    with qtbot.waitSignal(window.document.replaced, timeout=WAIT):
+        window.file_actions.open_chosen(write_clip(tmp_path / "other", 3))
+    assert asked == ["a.roam"]
+    assert window.document.project.shapes == ()
