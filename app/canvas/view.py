@@ -35,7 +35,7 @@ from .pointed import PointedWidget
 from .repaint import Repaint
 from .view_snapshot import SnapshotPainter, ViewSnapshot
 from .wipe import Wipe
-from .words import NO_PLATE, OPENING, paint_words
+from .words import LOST, NO_PLATE, OPENING, paint_words
 
 PATIENCE = 25
 """Milliseconds in which the picture of another frame should come; then the shapes go there without it."""
@@ -86,7 +86,7 @@ class CanvasView(PointedWidget):
         self.edges: Callable[[], Mapping[str, Edges]] = dict
         """Gives the kinds of edge of the shapes in hand on the present frame."""
         self._proposal_side = Side.BOTH
-        self._is_pressed = self._is_waiting = False
+        self._is_pressed = self._is_waiting = self._lacks_plate = False
         self._pointer: QPointF | None = None
         self._key_presses = 0
         self._framed: tuple[QSizeF | None, float] = (None, 1.0)
@@ -146,9 +146,9 @@ class CanvasView(PointedWidget):
         self._proposal_side = side
         self.update()
 
-    def set_waiting(self, waits: bool) -> None:
-        """While a plate is being opened the empty canvas does not ask for one."""
-        self._is_waiting = waits
+    def set_waiting(self, waits: bool, lacks_plate: bool) -> None:
+        """What the empty canvas says: a plate is being opened, or that of the project could not be."""
+        self._is_waiting, self._lacks_plate = waits, lacks_plate
         self.update()
 
     def fit_selection(self) -> None:
@@ -291,7 +291,7 @@ class CanvasView(PointedWidget):
         """What is to be said in the middle of an empty viewer."""
         if self._image_size() is None:
             return tr(OPENING) if self._is_waiting else tr(NO_PLATE)
-        return self.stage.emptiness()
+        return tr(LOST) if self._lacks_plate else self.stage.emptiness()
 
     def _hint(self, snapshot: ViewSnapshot) -> str:
         is_idle = snapshot.image is not None and not snapshot.project.shapes and self._view_state.tool == "select"

@@ -29,7 +29,7 @@ class SecondViewer(QWidget):
         super().__init__()
         self._make, self._present = make, present
         self.canvas: CanvasView | None = None
-        self._waits = False
+        self._waits = self._lacks_plate = False
         self.mode = ChoiceBox(tr("What the second viewer shows"))
         for mode in ViewMode:
             self.mode.addItem(title_of(mode), mode)
@@ -47,11 +47,11 @@ class SecondViewer(QWidget):
         if self.canvas is not None and self.isVisible():
             self.canvas.set_image(frame, image)
 
-    def set_waiting(self, waits: bool) -> None:
-        """While a plate is being opened the empty viewer does not ask for one."""
-        self._waits = waits
+    def set_waiting(self, waits: bool, lacks_plate: bool) -> None:
+        """What the empty viewer says, as the first one."""
+        self._waits, self._lacks_plate = waits, lacks_plate
         if self.canvas is not None:
-            self.canvas.set_waiting(waits)
+            self.canvas.set_waiting(waits, lacks_plate)
 
     def remembered(self) -> dict[str, dict[str, Any]]:
         """What comes back when the window is opened again."""
@@ -71,7 +71,7 @@ class SecondViewer(QWidget):
             assert column is not None
             column.addWidget(self.canvas)
             self._push_mode()
-            self.canvas.set_waiting(self._waits)
+            self.canvas.set_waiting(self._waits, self._lacks_plate)
             self.canvas.view_changed.connect(self._pull_mode)
         if (present := self._present()) is not None:
             self.canvas.set_image(*present)

@@ -390,8 +390,8 @@ class MainWindow(QMainWindow):
 
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
-        self.canvas.set_waiting(self.files.is_opening)
-        self.second_viewer.set_waiting(self.files.is_opening)
+        self.canvas.set_waiting(self.files.is_opening, self.files.lacks_plate)
+        self.second_viewer.set_waiting(self.files.is_opening, self.files.lacks_plate)
 
     def _delete_in_list(self) -> None:
         self.shapes.tree.delete_selected()

@@ -4194,6 +4194,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Plate innerhalb der Matte, auf einem Hintergrund</translation>
     </message>
     <message>
+        <source>The plate is not where it was: choose it again with File &gt; Relink clip</source>
+        <translation>Die Plate ist nicht mehr an ihrem Ort: mit Datei &gt; Clip neu verknüpfen neu wählen</translation>
+    </message>
+    <message>
         <source>The plate is {name} now; save to keep that.</source>
         <translation>Die Plate ist jetzt {name}; durch Speichern bleibt das so.</translation>
     </message>

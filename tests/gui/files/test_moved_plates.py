@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.canvas.words import LOST
 from app.dialogs import questions
 from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
@@ -129,3 +130,15 @@ def test_what_is_drawn_while_the_plate_is_relinked_stays_and_so_do_frame_and_sel
     assert document.path == tmp_path / "b.roam"
     assert document.is_modified
     assert (view.frame, view.selection) == (FIRST + 1, selection)
+
+
+def test_an_empty_viewer_says_that_the_plate_is_lost_until_it_is_relinked(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.files.reading.relinked", lambda project, _folder: project)
+    (tmp_path / "plate").rename(tmp_path / "elsewhere")
+    said_on_opening(qtbot, window, tmp_path / "a.roam")
+    qtbot.waitUntil(lambda: window.canvas._sentence() == LOST, timeout=WAIT)
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open_plate(tmp_path / "elsewhere")
+    qtbot.waitUntil(lambda: window.canvas._sentence() == "", timeout=WAIT)
