@@ -16,6 +16,8 @@ from roam_core.media.partial import PartialPicture
 
 DECODED_TOGETHER = 32
 """Pixels: parts of a picture are decoded in boxes of whole multiples."""
+AS_THEY_ARE = np.arange(256, dtype=np.uint8)
+"""The table of values that nothing changes."""
 
 
 @dataclass(frozen=True)
@@ -90,28 +92,38 @@ class PreparedFrame:
         self._lock = threading.Lock()
         self._gradients: dict[tuple[Region, float, float, float], Float32] = {}
         self._deriving = threading.Lock()
-        self._mapped: dict[bytes, PreparedFrame] = {}
+        self._levelled: dict[bytes, PreparedFrame] = {}
         self._resized: dict[tuple[int, int], PreparedFrame] = {}
 
     @property
-    def given(self) -> PreparedFrame:
-        """The picture as it was given: itself, if nothing was multiplied."""
+    def plate(self) -> PreparedFrame:
+        """The picture whose values nothing has changed: itself, if nothing was."""
         return self
 
+    @property
+    def given(self) -> PreparedFrame:
+        """The picture as it was given, by its levels: itself, if nothing was multiplied."""
+        return self
+
+    @property
+    def table(self) -> UInt8:
+        """What the plate's values become in it, `(256,)`."""
+        return AS_THEY_ARE
+
     def multiplied(self, by: float) -> PreparedFrame:
-        """The picture as it was given, all its values multiplied: rounded, and cut at white."""
+        """The picture as it was given, all values of its plate multiplied: rounded, and cut at white."""
         if by == 1.0:
             return self.given
-        table = np.clip(np.round(by * np.arange(256.0)), 0.0, 255.0).astype(np.uint8)
-        return _MappedFrame(self.given, table, self.given)
+        values = np.clip(np.round(by * np.arange(256.0)), 0.0, 255.0).astype(np.uint8)
+        return _MappedFrame(self.plate, self.given.table[values], self.given)
 
-    def mapped(self, table: UInt8) -> PreparedFrame:
-        """The picture with every value replaced by that of a `table (256,)`; it counts as given so."""
+    def levelled(self, table: UInt8) -> PreparedFrame:
+        """The plate with every value replaced by that of a `table (256,)`; it counts as given so."""
         with self._deriving:
             key = table.tobytes()
-            if key not in self._mapped:
-                self._mapped[key] = _MappedFrame(self, table)
-            return self._mapped[key]
+            if key not in self._levelled:
+                self._levelled[key] = _MappedFrame(self.plate, table)
+            return self._levelled[key]
 
     @property
     def image(self) -> UInt8:
@@ -181,17 +193,25 @@ class PreparedFrame:
 class _MappedFrame(PreparedFrame):
     """A frame whose values are replaced by those of a table, where it is looked at; `given` as another one, or so."""
 
-    def __init__(self, source: PreparedFrame, table: UInt8, given: PreparedFrame | None = None) -> None:
+    def __init__(self, plate: PreparedFrame, table: UInt8, given: PreparedFrame | None = None) -> None:
         super().__init__(np.empty((0, 0, 3), np.uint8))
-        self.size = source.size
-        self._source, self._table, self._given = source, table, given
+        self.size = plate.size
+        self._plate, self._table, self._given = plate, table, given
+
+    @property
+    def plate(self) -> PreparedFrame:
+        return self._plate
 
     @property
     def given(self) -> PreparedFrame:
         return self._given or self
 
+    @property
+    def table(self) -> UInt8:
+        return self._table
+
     def within(self, region: Region) -> UInt8:
-        return np.asarray(cv2.LUT(self._source.within(region), self._table), dtype=np.uint8)
+        return np.asarray(cv2.LUT(self._plate.within(region), self._table), dtype=np.uint8)
 
 
 def _kept(image: NDArray[Any]) -> UInt8:

@@ -42,7 +42,7 @@ NO_CHOICE = {
     # Rounding, and bounds that change the time or keep a loop from going on for ever.
     "kernels/alignment.py": {"BEAM", "ROUNDING"},
     "kernels/oblivious_trees.py": {"BLOCK"},
-    "features/frame.py": {"DECODED_TOGETHER"},
+    "features/frame.py": {"DECODED_TOGETHER", "AS_THEY_ARE"},
     "motion/planar.py": {"BESIDE"},
     "kernels/flattening.py": {"MOST"},
     # How closely an error is measured, which is then compared with a tolerance that somebody chose.
@@ -53,6 +53,7 @@ NO_CHOICE = {
     "motion/flow.py": {"LEAST_SIDE"},
     # Bookkeeping: a revision, a length without meaning, what an explanation shows.
     "propagate/shapes/provenance.py": {"REVISION", "MIN_POINTS"},
+    "propagate/shapes/departed.py": {"NAMED"},
     "propagate/engines/by_regions.py": {"BESIDE"},
 }
 """By module the constants that are no choice, each with its reason above."""

@@ -59,8 +59,8 @@ class EngineView:
 
     def picture(self, picture: PreparedFrame) -> PreparedFrame:
         """A picture as the engine sees it."""
-        levelled = picture if self.levels is None else picture.mapped(self.levels.table)
-        return levelled.resized(self.seen)
+        resized = picture.resized(self.seen)
+        return resized if self.levels is None else resized.levelled(self.levels.table)
 
     def points(self, points: Array) -> Array:
         """Image positions `(..., 2)` for the engine."""

@@ -123,7 +123,12 @@ def _drawn_to(frame: PreparedFrame, key: KeyMemory, possible: Bools, grid: Grid,
         key = key.with_surroundings_moved(correction(*seen, grid, params.background.agreed))
     if params.exposure is None:
         return key
-    gain = exposure_gain(key.behind(grid), grid.grey_of(frame.given), possible, grid, params.exposure)
+    view = key.behind(grid)
+    plates = (
+        replace(view, picture=view.picture.plate),
+        grid.grey_of(frame.plate),
+    )  # light multiplies what no level shifts
+    gain = exposure_gain(*plates, possible, grid, params.exposure)
     return key if gain is None else replace(key, gain=gain)
 
 

@@ -27,7 +27,7 @@ def levels(picture: PreparedFrame, margin: float = 200.0) -> Levels | None:
 def within(picture: PreparedFrame) -> UInt8:
     found = levels(picture)
     assert found is not None
-    return picture.mapped(found.table).image
+    return picture.levelled(found.table).image
 
 
 def test_a_picture_of_the_usual_contrast_is_seen_as_it_is() -> None:
@@ -56,11 +56,13 @@ def test_what_lies_far_from_the_object_does_not_count() -> None:
     assert everywhere is None
 
 
-def test_a_mapped_picture_counts_as_given_and_is_made_once() -> None:
+def test_a_levelled_picture_counts_as_given_and_is_made_once() -> None:
     picture = ramp(90.0, 160.0)
     found = levels(picture)
     assert found is not None
-    mapped = picture.mapped(found.table)
-    assert mapped is picture.mapped(found.table)
-    assert mapped.multiplied(0.5).given is mapped
-    np.testing.assert_array_equal(mapped.multiplied(0.5).image, np.round(0.5 * mapped.image))
+    levelled = picture.levelled(found.table)
+    assert levelled is picture.levelled(found.table)
+    assert levelled.multiplied(0.5).given is levelled
+    darker = np.uint8(np.round(0.5 * picture.image))
+    np.testing.assert_array_equal(levelled.multiplied(0.5).image, found.table[darker])
+    assert levelled.multiplied(0.5).plate is picture

@@ -176,10 +176,12 @@ def test_a_body_in_haze_is_followed_by_the_levels_alone(config: str, is_followed
 def test_both_passes_of_a_fill_go_by_the_levels_of_its_first_key() -> None:
     shape, last = SHOT.shape(), SHOT.frames[-1]
     keyed = shape.with_key(Keyframe(last, SHOT.truth(last)))
-    (filled,) = fill_span({frame: faded(frame) for frame in SHOT.frames}, [keyed], SHOT.first, last, LEVELLED)
+    (filled,) = fill_span(
+        {frame: faded(frame) for frame in SHOT.frames}, [keyed], SHOT.first, last, f"{LEVELLED}+region.exposure=none"
+    )
     levels = EngineView.of_key(PreparedFrame(faded(SHOT.first)), parts_at([shape], SHOT.first), BEST_LEVELLED).levels
     assert levels is not None
     stretched = {frame: levels.table[faded(frame)] for frame in SHOT.frames}
-    (twin,) = fill_span(stretched, [keyed], SHOT.first, last, CONFIG)
+    (twin,) = fill_span(stretched, [keyed], SHOT.first, last, f"{CONFIG}+region.exposure=none")
     apart = [np.abs(filled.at(frame).points - twin.at(frame).points).max() for frame in SHOT.frames]
     assert max(apart) < 0.3  # steadied by the flow of the picture as it is
