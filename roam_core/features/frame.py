@@ -161,8 +161,12 @@ class PreparedFrame:
             return self
         with self._deriving:
             if size not in self._resized:
-                self._resized[size] = PreparedFrame(cv2.resize(self.image, size[::-1], interpolation=cv2.INTER_CUBIC))
+                self._resized[size] = self._of(cv2.resize(self.image, size[::-1], interpolation=cv2.INTER_CUBIC))
             return self._resized[size]
+
+    def _of(self, pixels: NDArray[Any]) -> PreparedFrame:
+        """The same picture at another size, of which these are the pixels."""
+        return PreparedFrame(pixels)
 
     def squared_gradient(self, region: Region, sigma: float, floor: float, top: float) -> Float32:
         """|grad I|^2 of equation 3 over a region, (rows, columns), normalised to [0, 1].
@@ -191,12 +195,21 @@ class PreparedFrame:
 
 
 class _MappedFrame(PreparedFrame):
-    """A frame whose values are replaced by those of a table, where it is looked at; `given` as another one, or so."""
+    """A frame whose values are replaced by those of a table, where it is looked at; `given` as another one, or so.
 
-    def __init__(self, plate: PreparedFrame, table: UInt8, given: PreparedFrame | None = None) -> None:
-        super().__init__(np.empty((0, 0, 3), np.uint8))
+    `pixels` are what becomes of all of it, where that is known.
+    """
+
+    def __init__(
+        self,
+        plate: PreparedFrame,
+        table: UInt8,
+        given: PreparedFrame | None = None,
+        pixels: NDArray[Any] | None = None,
+    ) -> None:
+        super().__init__(np.empty((0, 0, 3), np.uint8) if pixels is None else pixels)
         self.size = plate.size
-        self._plate, self._table, self._given = plate, table, given
+        self._plate, self._table, self._given, self._is_known = plate, table, given, pixels is not None
 
     @property
     def plate(self) -> PreparedFrame:
@@ -211,7 +224,13 @@ class _MappedFrame(PreparedFrame):
         return self._table
 
     def within(self, region: Region) -> UInt8:
+        if self._is_known:
+            return super().within(region)
         return np.asarray(cv2.LUT(self._plate.within(region), self._table), dtype=np.uint8)
+
+    def _of(self, pixels: NDArray[Any]) -> PreparedFrame:
+        # Levels first: a few values that are made finer and then stretched stay a few.
+        return _MappedFrame(self.plate.resized((pixels.shape[0], pixels.shape[1])), self._table, pixels=pixels)
 
 
 def _kept(image: NDArray[Any]) -> UInt8:

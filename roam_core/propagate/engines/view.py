@@ -59,8 +59,8 @@ class EngineView:
 
     def picture(self, picture: PreparedFrame) -> PreparedFrame:
         """A picture as the engine sees it."""
-        resized = picture.resized(self.seen)
-        return resized if self.levels is None else resized.levelled(self.levels.table)
+        levelled = picture if self.levels is None else picture.levelled(self.levels.table)
+        return levelled.resized(self.seen)
 
     def points(self, points: Array) -> Array:
         """Image positions `(..., 2)` for the engine."""
