@@ -12,8 +12,9 @@ from ..translation import tr
 class History:
     """The verbs behind the undo keys. Without a word an undo of something out of sight would seem to do nothing."""
 
-    def __init__(self, document: Document, view_state: ViewState) -> None:
-        self._stack, self._view = document.undo_stack, view_state
+    def __init__(self, document: Document, view_state: ViewState, take_back: Callable[[], bool]) -> None:
+        """`take_back()` takes the last step of what a tool has half done back, and says whether there was any."""
+        self._stack, self._view, self._take_back = document.undo_stack, view_state, take_back
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -23,7 +24,9 @@ class History:
         }
 
     def undo(self) -> None:
-        """Take the last step back."""
+        """Take the last step back: that of what is being drawn, else the document's."""
+        if self._take_back():
+            return
         if text := self._stack.undoText():
             self._stack.undo()
             self._view.say(tr("Undone: {text}.", text=text))

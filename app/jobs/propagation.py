@@ -197,8 +197,9 @@ class Propagation(QObject):
         self._document.amend(tr(run.verb), lambda project: _with_engine_keys(project, made), run.merge_key)
 
     def _follow(self, run: _Run, frame: int) -> None:
-        """Take the playhead along, unless the artist went to look at another frame or drags something on this one."""
-        if self._view.frame == run.shown_frame and self._view.preview is None:
+        """Take the playhead along, unless the artist went to look at another frame, or drags or draws on this one."""
+        is_at_work = self._view.preview is not None or self._view.is_drawing
+        if self._view.frame == run.shown_frame and not is_at_work:
             run.shown_frame = frame
             self._view.set_frame(frame)
 

@@ -24,7 +24,8 @@ class Selection:
 class ViewState(QObject):
     """Frame, selection, tool, drag preview, play range.
 
-    Signals carry nothing: listeners pull. `preview` is the project as a drag would make it, or None.
+    Signals carry nothing: listeners pull. `preview` is the project as a drag would make it, or None;
+    `is_drawing` tells that a shape is being drawn on the frame that is shown.
     """
 
     frame_changed = Signal()
@@ -42,6 +43,7 @@ class ViewState(QObject):
         self._layers: frozenset[str] = frozenset()
         self._tool = "select"
         self._preview: Project | None = None
+        self.is_drawing = False
         self._range = (1, 2)
         self._message = self._hint = ""
         self._keymap = load_keymap()

@@ -205,7 +205,7 @@ class ShapeTree(QTreeWidget):
 
     def delete_selected(self) -> None:
         """Delete the layers and shapes of the selected rows."""
-        delete(self._document, self.selected_ids())
+        delete(self._document, self._view, self.selected_ids())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):

@@ -290,7 +290,7 @@ class MainWindow(QMainWindow):
         """What each action calls; tools and switches are connected by their own widgets."""
         nodes = NodeClipboard(self.document, self.view_state, self.copying, self.importing)
         clipboard = ShapeClipboard(self.document, self.view_state, self, nodes.paste)
-        history = History(self.document, self.view_state)
+        history = History(self.document, self.view_state, self.canvas.in_hand.take_back)
         files, tracking, time, playback = self.file_actions, self.tracking, self.navigation, self.playback
         handlers: dict[str, Callable[[], object]] = {
             "file.quit": self.close,

@@ -47,6 +47,13 @@ class ToolInHand(QObject):
             self._eraser.drop()
         self._erases = erases
 
+    def take_back(self) -> bool:
+        """Take the last step of what the tool has half done back; False where there is none."""
+        if not self.tool.take_back():
+            return False
+        self.used.emit(None, None)
+        return True
+
     def lend(self, pictures: PictureWork) -> None:
         """Let the tools look at the picture that is shown."""
         for tool in self._tools.values():

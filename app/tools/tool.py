@@ -112,6 +112,10 @@ class Tool:
         """True while something half done is in the hand: a drag, or a shape that is being drawn."""
         return bool(self.claimed_keys)
 
+    def take_back(self) -> bool:
+        """Take the last step of what is half done back, where there is one; False where there is none."""
+        return False
+
     def key(self, name: str) -> None:
         """One of the claimed keys was pressed; `name` as in `app.actions.key_names.key_name`."""
 

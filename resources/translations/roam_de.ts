@@ -4575,6 +4575,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Was Keyframes hat, als Kurven über die Zeit</translation>
     </message>
     <message>
+        <source>What is locked stays; unlock it first (&lt;shape.lock&gt;).</source>
+        <translation>Was gesperrt ist, bleibt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
+    </message>
+    <message>
         <source>What is selected is locked; unlock it first (&lt;shape.lock&gt;).</source>
         <translation>Die Auswahl ist gesperrt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
     </message>

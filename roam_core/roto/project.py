@@ -191,6 +191,12 @@ class Project:
         """Whether a layer or a shape is locked, or lies in a layer that is."""
         return any(item.locked for item in (self.find(item_id), *self.layers_above(item_id)))
 
+    def holds_locked(self, item_id: str) -> bool:
+        """Whether a layer or a shape is locked, or a layer holds something that is."""
+        item = self.find(item_id)
+        inside = item.items() if isinstance(item, Layer) else ()
+        return self.is_locked(item_id) or any(each.locked for each in inside)
+
     def placement_in(self, layer_id: str) -> Placement:
         """The transforms that move what lies in a layer, the outermost first."""
         layers = (*self.layers_above(layer_id), self.find(layer_id))

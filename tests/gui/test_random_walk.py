@@ -50,7 +50,7 @@ class Walk:
         )
         handlers = {name: call for part in parts for name, call in part.handlers().items()}
         self.actions = [call for name, call in sorted(handlers.items()) if name not in ASKING]
-        history = History(document, view_state).handlers()
+        history = History(document, view_state, lambda: False).handlers()
         self.commands: tuple[Callable[[], object], ...] = (
             *(self.drag,) * 6,
             *(self.grab_a_point,) * 5,

@@ -16,6 +16,7 @@ from roam_core.roto.baking import baked
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import tr
+from ..verbs.shapes import delete
 from .keys import KeyClipboard, copied_keys
 
 
@@ -50,10 +51,10 @@ class ShapeClipboard:
             self._view.say(tr("Copied {shapes}.", shapes=tr("%n shape(s)", "", len(shapes))))
 
     def cut(self) -> None:
-        """Copy the selected shapes and delete them."""
+        """Copy the selected shapes and delete those that are not locked."""
         if shapes := self._selected():
             self.copy()
-            self._document.apply(tr("Cut"), edit.remove_items(self._document.project, [shape.id for shape in shapes]))
+            delete(self._document, self._view, [shape.id for shape in shapes], tr("Cut"))
 
     def paste(self) -> None:
         """Put copied shapes on top, with ids and names of their own, and select them; a copied key on this frame."""

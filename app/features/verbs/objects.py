@@ -11,9 +11,8 @@ from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
-from .shapes import NOTHING_SELECTED
+from .shapes import ALL_LOCKED, NOTHING_SELECTED
 
-ALL_LOCKED = N_("What is selected is locked; unlock it first (<shape.lock>).")
 LEVELS = {IN_FRONT: N_("In front"), AS_STACKED: N_("As stacked"), BEHIND: N_("Behind")}
 """The levels of depth, the nearest first, as the window calls them."""
 PLACES = {

@@ -14,6 +14,8 @@ from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
 
 NOTHING_SELECTED = N_("Select a shape first: click it in the viewer or in the list.")
+ALL_LOCKED = N_("What is selected is locked; unlock it first (<shape.lock>).")
+LOCKED_STAYS = N_("What is locked stays; unlock it first (<shape.lock>).")
 
 
 class ShapeVerbs:
@@ -70,7 +72,7 @@ class ShapeVerbs:
         self._edit_each(tr("Delete tracked frames"), edit.delete_engine_keys)
 
     def delete(self) -> None:
-        delete(self._document, self._selected())
+        delete(self._document, self._view, self._selected())
 
     def duplicate(self) -> None:
         """Copies of the selected shapes on top of their layers, selected in their place."""
@@ -99,11 +101,13 @@ class ShapeVerbs:
         self._document.apply(tr("Show all"), project)
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
-        project = self._document.project
+        project, selected = self._document.project, self._selected()
+        free = [shape_id for shape_id in selected if not project.is_locked(shape_id)]
+        if selected and not free:
+            self._view.say(tr(ALL_LOCKED))
         try:
-            for shape_id in self._selected():
-                if not project.is_locked(shape_id):
-                    project = project.with_shape(verb(project.shape(shape_id)))
+            for shape_id in free:
+                project = project.with_shape(verb(project.shape(shape_id)))
         except RoamError as error:
             self._view.say(str(error))
             return
@@ -117,10 +121,14 @@ class ShapeVerbs:
         return ids
 
 
-def delete(document: Document, item_ids: Iterable[str]) -> None:
-    """Delete layers and shapes."""
-    if ids := list(item_ids):
-        document.apply(tr("Delete"), edit.remove_items(document.project, ids))
+def delete(document: Document, view: ViewState, item_ids: Iterable[str], text: str = "") -> None:
+    """Delete layers and shapes, but for what is locked or holds what is; `text` names the step."""
+    ids = list(item_ids)
+    free = [item_id for item_id in ids if not document.project.holds_locked(item_id)]
+    if free:
+        document.apply(text or tr("Delete"), edit.remove_items(document.project, free))
+    if len(free) < len(ids):
+        view.say(tr(LOCKED_STAYS))
 
 
 def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:

@@ -12,7 +12,7 @@ from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState
 from ...translation import tr
-from .shapes import NOTHING_SELECTED
+from .shapes import ALL_LOCKED, NOTHING_SELECTED
 
 
 class SplineVerbs:
@@ -50,7 +50,9 @@ class SplineVerbs:
             already = tr("The selected shapes are Bezier already.")
             if spline is Spline.BSPLINE:
                 already = tr("The selected shapes are B-spline already.")
-            self._view.say(already if shapes else tr(NOTHING_SELECTED))
+            self._view.say(
+                already if shapes else tr(ALL_LOCKED if any(map(project.is_locked, chosen)) else NOTHING_SELECTED)
+            )
             return
         sentences = []
         for shape in turning:

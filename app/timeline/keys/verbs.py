@@ -32,6 +32,7 @@ class KeyVerbs:
     ) -> None:
         self._document, self._view, self._keys, self._has_keyboard = document, view_state, keys, has_keyboard
         self._copied: dict[str, tuple[Keyframe, ...]] = {}
+        document.replaced.connect(self._forget)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -65,6 +66,10 @@ class KeyVerbs:
             return call
 
         return {action_id: chosen(action_id) for action_id in own}
+
+    def _forget(self) -> None:
+        """Another project has other shapes, though their ids may be the same."""
+        self._copied = {}
 
     # ---- the verbs
 

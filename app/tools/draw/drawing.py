@@ -44,7 +44,7 @@ class DrawingTool(Tool, ABC):
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
-        self._points: Array = np.empty((0, 3, 2))
+        self._placed: Array = np.empty((0, 3, 2))
         self._frame = 0
         self._pressed: Pointer | None = None
         self._hover: Pointer | None = None
@@ -53,7 +53,16 @@ class DrawingTool(Tool, ABC):
     @property
     def points(self) -> Array:
         """The points placed so far, `(P, 3, 2)`."""
-        return self._points
+        return self._placed
+
+    @property
+    def _points(self) -> Array:
+        return self._placed
+
+    @_points.setter
+    def _points(self, points: Array) -> None:
+        self._placed = points
+        self.view_state.is_drawing = len(points) > 0
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -120,12 +129,18 @@ class DrawingTool(Tool, ABC):
     def leave(self) -> None:
         self._hover = None
 
+    def take_back(self) -> bool:
+        if not len(self._points):
+            return False
+        self._points = self._points[:-1]
+        self._pressed, self._is_closing = None, False
+        return True
+
     def key(self, name: str) -> None:
         if name in CLOSE_KEYS:
             self._finish_closed()
         elif name in TAKE_BACK_KEYS:
-            self._points = self._points[:-1]
-            self._pressed, self._is_closing = None, False
+            self.take_back()
         else:
             self._finish_open()
 

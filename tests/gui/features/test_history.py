@@ -12,6 +12,8 @@ from pytestqt.qtbot import QtBot
 
 from app.actions.keymaps import OwnKeymap
 from app.shell.main_window import MainWindow
+from app.tools.draw.drawing import DrawingTool
+from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
 from tests.gui.windows import opened_window
@@ -66,3 +68,19 @@ def test_tooltips_follow_the_keymap(window: MainWindow) -> None:
         assert [button.toolTip() for button in buttons] == [button.defaultAction().toolTip() for button in buttons]
         for name in window.actions_by_id.keymap:
             assert window.actions_by_id[name].toolTip().endswith(f"({window.actions_by_id.keys_of(name)})")
+
+
+def test_undo_by_the_menu_takes_back_the_last_point_of_what_is_drawn(qtbot: QtBot, window: MainWindow) -> None:
+    window.document.apply("Draw 1", edit.new_shape(window.document.project, SQUARE, 1)[0])
+    window.view_state.set_tool("bezier")
+    tool = window.canvas.in_hand.tool
+    assert isinstance(tool, DrawingTool)
+    for place in ((5.0, 5.0), (50.0, 5.0)):
+        tool.press(Pointer(place, (1.0, 1.0)))
+        tool.release(Pointer(place, (1.0, 1.0)))
+    undo = window.actions_by_id["edit.undo"]
+    undo.trigger()
+    assert (len(tool.points), len(window.document.project.shapes)) == (1, 1)
+    undo.trigger()
+    undo.trigger()
+    assert (len(tool.points), len(window.document.project.shapes)) == (0, 0)

@@ -12,6 +12,8 @@ from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
+from app.tools.draw.bezier import BezierTool
+from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 from tests.gui.engines import OUT_OF_DATE, GlidingEngine, put_in
@@ -302,6 +304,24 @@ def test_the_frame_stays_under_the_hand_while_something_is_dragged(
     qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
     assert view_state.frame == 2
     view_state.set_preview(None)
+    engine.allow(2)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert view_state.frame == 5
+
+
+def test_the_frame_stays_while_a_shape_is_drawn_on_it(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine
+) -> None:
+    tool = BezierTool(document, view_state)
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(lambda: view_state.frame == 2, timeout=WAIT)
+    tool.press(Pointer((5.0, 5.0), (1.0, 1.0)))
+    engine.allow(1)
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    assert view_state.frame == 2
+    tool.take_back()
     engine.allow(2)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT):
         pass

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from app.features.verbs.shapes import ShapeVerbs
+from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -57,3 +58,30 @@ def test_selected_points_become_a_key_of_theirs(document: Document, view_state: 
     key = document.project.shape(plain).key_at(7)
     assert key is not None
     assert key.set_points == ()
+
+
+def test_what_is_locked_is_not_deleted_and_that_is_said(document: Document, view_state: ViewState) -> None:
+    """Neither a locked shape, nor one in a locked layer, nor the layer of one."""
+    plain, locked, inside, kept = opened(document, 4)
+    project = edit.set_properties(document.project, locked, locked=True)
+    project, layer = grouped(project, [inside], "Done")
+    project, other = grouped(project, [kept], "Other")
+    project = edit.set_properties(edit.set_properties(project, layer.id, locked=True), kept, locked=True)
+    document.open(project, None)
+    view_state.select(frozenset({plain, locked, inside}))
+    ShapeVerbs(document, view_state).delete()
+    assert {shape.id for shape in document.project.shapes} == {locked, inside, kept}
+    assert "What is locked stays" in view_state.message
+    before = document.project
+    delete(document, view_state, [layer.id, other.id])
+    assert document.project is before
+
+
+def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_state: ViewState) -> None:
+    (only,) = opened(document, 1)
+    document.open(edit.set_properties(document.project, only, locked=True), None)
+    view_state.select(frozenset({only}))
+    view_state.set_frame(7)
+    ShapeVerbs(document, view_state).set_key()
+    assert document.project.shape(only).frames == (1,)
+    assert "is locked" in view_state.message

@@ -284,6 +284,21 @@ def test_copying_means_what_it_meant_elsewhere_without_the_keyboard_or_without_k
     assert asked[5:] == ["edit.paste"]  # the shapes were copied last
 
 
+def test_keys_that_were_copied_are_forgotten_with_their_project(
+    qtbot: QtBot, timeline: Timeline, document: Document
+) -> None:
+    """Another project has shapes of its own, of the same ids."""
+    asked: list[str] = []
+    handlers = timeline.verbs.taking_over({name: lambda name=name: asked.append(name) for name in ("edit.paste",)})
+    take_keyboard(qtbot, timeline)
+    drag(timeline, place(timeline, 1025, 0) - QPoint(0, 8), place(timeline, 1032, 1))
+    handlers["edit.copy"]()
+    document.open(document.project, None)
+    before = document.project
+    handlers["edit.paste"]()
+    assert (asked, document.project) == (["edit.paste"], before)
+
+
 def test_the_menu_sets_how_the_shape_moves_on_and_the_mark_tells(
     timeline: Timeline, document: Document, monkeypatch: pytest.MonkeyPatch
 ) -> None:
