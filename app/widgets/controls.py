@@ -58,9 +58,19 @@ def icon_button(icon: str, tip: str, *, size: int = 24) -> QToolButton:
     return button
 
 
-def number_field(tip: str) -> QSpinBox:
+class FrameField(QSpinBox):
+    """A field for a frame number. The wheel, turned on the way past, changes nothing: only with the keyboard in it."""
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+def number_field(tip: str) -> FrameField:
     """A field for a frame number: typed, or changed by the wheel; one change when it is done."""
-    field = QSpinBox()
+    field = FrameField()
     field.setRange(-FRAME_LIMIT, FRAME_LIMIT)
     field.setKeyboardTracking(False)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)

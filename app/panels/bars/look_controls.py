@@ -7,7 +7,7 @@ from collections.abc import Callable
 from itertools import groupby
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QActionGroup, QMouseEvent
+from PySide6.QtGui import QActionGroup, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSlider, QToolButton, QWidget
 
 from roam_core.errors import RoamError
@@ -36,7 +36,7 @@ LETTERS = {
 
 
 class ResettingSlider(QSlider):
-    """A slider that a double click puts back.
+    """A slider that a double click puts back, and the wheel moves only while it has the keyboard.
 
     Signals
     -------
@@ -55,6 +55,12 @@ class ResettingSlider(QSlider):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self.reset.emit()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
 
 
 class LookSlider(QWidget):

@@ -188,7 +188,8 @@ class DrawingTool(Tool, ABC):
         return pointer.screen_distance((x, y)) <= REACH
 
     def _finish_closed(self) -> None:
-        if len(self._points) < edit.MIN_POINTS_CLOSED:
+        places = np.unique(self._points[:, bezier.ANCHOR], axis=0)  # clicks on one spot enclose nothing
+        if len(places) < edit.MIN_POINTS_CLOSED:
             self.view_state.say(
                 tr(
                     "A closed shape needs at least {min_points_closed} points; click to place more.",

@@ -249,3 +249,12 @@ def test_polygon_corner_follows_the_drag(canvas: CanvasView, hand: Hand, view_st
     view_state.set_tool("polygon")
     hand.drag((40.0, 40.0), (60.0, 50.0))
     np.testing.assert_array_equal(tool_of(canvas).points, polygon_points([(60.0, 50.0)]))
+
+
+def test_clicks_on_one_spot_close_no_shape(hand: Hand, document: Document, view_state: ViewState, drawing: str) -> None:
+    for _ in range(4):
+        hand.click((80.0, 60.0))
+        hand.move((20.0, 20.0))
+    hand.key(RETURN)
+    assert document.project.shapes == ()
+    assert "at least 3 points" in view_state.message
