@@ -35,7 +35,7 @@ from .pointed import PointedWidget
 from .repaint import Repaint
 from .view_snapshot import SnapshotPainter, ViewSnapshot
 from .wipe import Wipe
-from .words import LOST, NO_PLATE, OPENING, paint_words
+from .words import NO_PLATE, OPENING, paint_words
 
 PATIENCE = 25
 """Milliseconds in which the picture of another frame should come; then the shapes go there without it."""
@@ -291,7 +291,7 @@ class CanvasView(PointedWidget):
         """What is to be said in the middle of an empty viewer."""
         if self._image_size() is None:
             return tr(OPENING) if self._is_waiting else tr(NO_PLATE)
-        return tr(LOST) if self._lacks_plate else self.stage.emptiness()
+        return self.stage.emptiness(self._lacks_plate)
 
     def _hint(self, snapshot: ViewSnapshot) -> str:
         is_idle = snapshot.image is not None and not snapshot.project.shapes and self._view_state.tool == "select"

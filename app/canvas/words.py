@@ -14,7 +14,6 @@ from .plate.backdrop import paint_label, paint_sentence
 from .view_snapshot import ViewSnapshot
 
 OPENING, NO_PLATE = N_("Opening …"), N_("Drop a folder of images or a movie here")
-LOST = N_("The plate is not where it was: choose it again with File > Relink clip")
 
 
 def paint_words(

@@ -28,6 +28,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
+from roam_core.interchange.registry import SHAPE_SUFFIXES, read_shapes
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.matte.vectorise import LEAST_AREA, coverage_of, read_mask, shapes_from_mask, specks_left_out
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
@@ -278,15 +279,11 @@ def given_project(init: Path) -> Project | None:
 
 def is_shape_file(init: Path) -> bool:
     """Whether a file is one of another program's shapes, by its suffix."""
-    from roam_core.interchange.registry import SHAPE_SUFFIXES  # every format: a run that begins on a mask needs none
-
     return init.is_file() and init.suffix.lower() in SHAPE_SUFFIXES
 
 
 def imported_project(init: Path, plate: Plate) -> Project:
     """A project of the shapes in another program's file; what is lost of them is told."""
-    from roam_core.interchange.registry import read_shapes
-
     clip = Clip.of(plate.source)
     imported = read_shapes(init, clip)
     for note in imported.notes:

@@ -58,7 +58,7 @@ def track(
         raise RoamError("There is no shape to track; draw one, or select one, first.")
     first = PreparedFrame(read(frames[0]))
     stamps = Stamps(shapes, clip, first.size)
-    forward = frames[-1] >= frames[0]
+    forward = frames.step > 0 if isinstance(frames, range) else frames[-1] >= frames[0]
     runs: dict[Beginning, _Run] = {}
     name = params_for(config).config
     for k in asked:

@@ -12,11 +12,13 @@ from roam_core.roto import Project
 
 from ...model.viewing import OF_MATTE, Viewing, ViewMode
 from ...paint import marks
-from ...translation import tr
+from ...translation import N_, tr
 from .backdrop import Below
 from .background import BackgroundLayer
 from .matte_layer import MatteLayer
 from .picture import NEUTRAL, Picture
+
+LOST = N_("The plate is not where it was: choose it again with File > Relink clip")
 
 
 class Stage(QObject):
@@ -86,11 +88,14 @@ class Stage(QObject):
         mode = self._viewing.mode
         return self._mattes.get(mode is ViewMode.CUTOUT) if mode in OF_MATTE else self.picture
 
-    def emptiness(self) -> str:
+    def emptiness(self, lacks_plate: bool) -> str:
         """Why the plate's area is empty, or nothing where it is not."""
         mode = self._viewing.mode
-        if self.missing is not None and mode not in (ViewMode.MATTE, ViewMode.ALPHA):
-            return tr("frame {frame} is missing or damaged", frame=self.missing)
+        if mode not in (ViewMode.MATTE, ViewMode.ALPHA):
+            if lacks_plate:
+                return tr(LOST)
+            if self.missing is not None:
+                return tr("frame {frame} is missing or damaged", frame=self.missing)
         if mode in OF_MATTE and self.shown_picture() is None:
             return tr("Cutting out …") if mode is ViewMode.CUTOUT else tr("Rendering the matte …")
         return ""

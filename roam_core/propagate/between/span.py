@@ -78,8 +78,8 @@ def fill_span(
     gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
     if not gaps:
         raise RoamError(
-            f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys of that range "
-            "with frames between them. Set a key at both ends of such frames first."
+            f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there with "
+            "frames between them. Set a key on both ends first."
         )
     meter = _Meter(sum(2 * (last - first) for first, last, _ in gaps), progress)
     filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)

@@ -124,11 +124,8 @@ def _drawn_to(frame: PreparedFrame, key: KeyMemory, possible: Bools, grid: Grid,
     if params.exposure is None:
         return key
     view = key.behind(grid)
-    plates = (
-        replace(view, picture=view.picture.plate),
-        grid.grey_of(frame.plate),
-    )  # light multiplies what no level shifts
-    gain = exposure_gain(*plates, possible, grid, params.exposure)
+    plate = replace(view, picture=view.picture.plate)  # light multiplies its values, not those that levels shift
+    gain = exposure_gain(plate, grid.grey_of(frame.plate), possible, grid, params.exposure)
     return key if gain is None else replace(key, gain=gain)
 
 

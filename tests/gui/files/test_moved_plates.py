@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.canvas.words import LOST
+from app.canvas.plate.stage import LOST
 from app.dialogs import questions
 from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
