@@ -288,7 +288,7 @@ class _Run:
         doubtful = len(self._doubtful)
         if not doubtful:
             return ""
-        return tr("%n doubtful frame(s): N goes to the next one.", "", doubtful)
+        return tr("%n doubtful frame(s): <track.next_doubtful> goes to the next one.", "", doubtful)
 
 
 @dataclass(frozen=True)

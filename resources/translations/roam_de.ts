@@ -94,10 +94,10 @@
         <translation>Zweifelhafte Frames: %n</translation>
     </message>
     <message numerus="yes">
-        <source>%n doubtful frame(s): N goes to the next one.</source>
+        <source>%n doubtful frame(s): &lt;track.next_doubtful&gt; goes to the next one.</source>
         <translation>
-            <numerusform>%n zweifelhafter Frame: N springt zum nächsten.</numerusform>
-            <numerusform>%n zweifelhafte Frames: N springt zum nächsten.</numerusform>
+            <numerusform>%n zweifelhafter Frame: &lt;track.next_doubtful&gt; springt zum nächsten.</numerusform>
+            <numerusform>%n zweifelhafte Frames: &lt;track.next_doubtful&gt; springt zum nächsten.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

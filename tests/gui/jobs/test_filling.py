@@ -101,8 +101,9 @@ def test_a_fill_is_one_undo_step_and_the_playhead_stays(
     assert document.project.shape("shape-1").key_at(4) is before.shape("shape-1").key_at(4)
     assert view_state.frame == 1
     assert finished.args == [
-        Ending.DONE, "Filled 2 gaps between frames 1 and 7. 4 doubtful frames: N goes to the next one."
-    ]  # fmt: skip
+        Ending.DONE,
+        "Filled 2 gaps between frames 1 and 7. 4 doubtful frames: <track.next_doubtful> goes to the next one.",
+    ]
     assert (0.25, "Filling frames 2 to 3") in told
     assert document.undo_stack.count() == 1
     assert document.undo_stack.undoText() == "Fill"

@@ -62,7 +62,8 @@ def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
     assert document.undo_stack.count() == 1
     assert finished.args == [
         Ending.DONE,
-        "Tracked Shape 1 to frame 5: 4 frames, 10 ms each. 1 doubtful frame: N goes to the next one.",
+        "Tracked Shape 1 to frame 5: 4 frames, 10 ms each. "
+        "1 doubtful frame: <track.next_doubtful> goes to the next one.",
     ]
     document.undo_stack.undo()
     assert document.project is before
