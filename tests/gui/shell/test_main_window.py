@@ -342,7 +342,8 @@ def test_what_cannot_be_done_says_why(window: MainWindow, action: str, sentence:
 def test_shape_verbs_are_one_step_each(qtbot: QtBot, window: MainWindow) -> None:
     draw(window)
     before = window.document.project
-    for action in ("shape.duplicate", "shape.group", "shape.lock", "shape.hide", "shape.show_all", "shape.delete"):
+    lock, unlock = "shape.lock", "shape.lock"
+    for action in ("shape.duplicate", "shape.group", lock, "shape.hide", "shape.show_all", unlock, "shape.delete"):
         steps = window.document.undo_stack.count()
         window.actions_by_id[action].trigger()
         assert window.document.undo_stack.count() == steps + 1, action
