@@ -327,13 +327,19 @@ def insert_point(shape: RotoShape, segment: int, t: float) -> RotoShape:
 
 
 def _renumbered(shape: RotoShape, number: Callable[[int], int | None]) -> RotoShape:
-    """The shape whose points have other numbers, or none, on keys of which the artist set some."""
-    keys = (
-        replace(key, set_points=tuple(new for index in key.set_points if (new := number(index)) is not None))
-        for key in shape.keys
-        if key.set_points
-    )
-    return shape.with_keys(keys)
+    """The shape whose points have other numbers, or none, on keys of which the artist set some.
+
+    A key that none of these is left of is no word of the artist's any more: it becomes the engine's, to be derived
+    anew. One whose points are all left of them is the artist's as a whole.
+    """
+
+    def renumbered(key: Keyframe) -> Keyframe:
+        left = tuple(new for index in key.set_points if (new := number(index)) is not None)
+        if not left:
+            return replace(key, set_points=(), origin=Origin.ENGINE)
+        return replace(key, set_points=() if len(left) == shape.point_count else left)
+
+    return shape.with_keys(renumbered(key) for key in shape.keys if key.set_points)
 
 
 def _is_straight(array: Array, segment: int, closed: bool) -> bool:

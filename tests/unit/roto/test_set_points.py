@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from roam_core.geometry.bezier import ANCHOR, polygon_points
+from roam_core.propagate.shapes.provenance import is_stale
 from roam_core.roto import Keyframe, Origin, Outline, RotoShape, Spline, control_points, edit
 from roam_core.roto.keying import Keying, reshape
 
@@ -81,3 +82,19 @@ def test_points_that_come_and_go_leave_the_set_ones_set(spline: Spline) -> None:
     assert set_points(fewer, 5) == (2,)
     if spline is Spline.BEZIER:
         np.testing.assert_allclose(more.at(5).points[4, ANCHOR], some.at(5).points[3, ANCHOR], atol=1e-9)
+
+
+def test_a_key_that_no_set_point_is_left_of_is_the_engines_again() -> None:
+    some = edit.insert_point(edit.key_points(SHAPE, 5, [0]), 1, 0.5)
+    key = edit.delete_points(some, [0]).key_at(5)
+    assert key is not None
+    assert (key.origin, key.set_points) == (Origin.ENGINE, ())
+    assert is_stale(edit.delete_points(some, [0]), key, None)
+    solved = Keyframe(5, key.points + 7.0, origin=Origin.ENGINE, confidence=0.8)
+    after = edit.set_engine_keys(edit.delete_points(some, [0]), [solved])
+    assert after.key_at(5) == solved
+
+
+def test_a_key_that_only_set_points_are_left_of_is_the_artists_as_a_whole() -> None:
+    some = edit.key_points(SHAPE, 5, [0, 1, 2])
+    assert set_points(edit.delete_points(some, [3]), 5) == ()
