@@ -88,7 +88,7 @@ class Stage(QObject):
         mode = self._viewing.mode
         return self._mattes.get(mode is ViewMode.CUTOUT) if mode in OF_MATTE else self.picture
 
-    def emptiness(self, lacks_plate: bool) -> str:
+    def emptiness(self, lacks_plate: bool = False) -> str:
         """Why the plate's area is empty, or nothing where it is not."""
         mode = self._viewing.mode
         if mode not in (ViewMode.MATTE, ViewMode.ALPHA):
