@@ -17,6 +17,7 @@ from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.between.span import Filling, Reader, spans
 from roam_core.propagate.engines.by_regions import RegionEngine
+from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, SpanFeatures, expected_overlap
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.shapes.objects import near, objects
@@ -95,14 +96,14 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
             continue
         stamps = Stamps(shapes, size=shot.size)
         groups = sorted({stamps.filled_with(k, (start, stop)) for k in gaps[0][2]})
-        made = []
-        for members in groups:
-            group = [shapes[k] for k in members]
-            view = filling.view_of(group, (start, stop))
-            made.append((group, view, filling.passed(group, (start, stop), view)))
+        view = EngineView.of_key(filling.read(start), filling.params)
+        made = [
+            (group, filling.passed(group, (start, stop), view))
+            for group in ([shapes[k] for k in members] for members in groups)
+        ]
         for frame in range(start + 1, stop):
             known, outlines = list[Told](), list[RotoShape]()
-            for group, view, span in made:
+            for group, span in made:
                 solved = filling.solved(span, group, view, frame)
                 pairs = [(s, each) for s, each in zip(group, solved, strict=True) if each is not None]
                 here = [RotoShape(s.id, s.name, (Keyframe(frame, m.points),), blend=s.blend) for s, m in pairs]

@@ -184,7 +184,7 @@ class Proposals(QObject):
         count = len(self.frames)
         if not count:
             return sentence
-        waiting = tr("%n proposal(s) to answer: Alt+P goes there.", "", count)
+        waiting = tr("%n proposal(s) to answer: <proposal.next> goes there.", "", count)
         return f"{sentence} {waiting}".lstrip()
 
     # ---- the rest is private

@@ -140,7 +140,7 @@ class PlanarTrack(QObject):
             run.expected = layer.transform
             self._document.amend(tr("Planar track"), change, run.merge_key)
         run.reached = frame
-        if self._view.frame == run.shown_frame and self._view.preview is None:
+        if self._view.frame == run.shown_frame and not self._view.is_in_use:
             run.shown_frame = frame
             self._view.set_frame(frame)
         if is_doubtful(found.confidence) and not run.warned:

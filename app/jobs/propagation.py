@@ -198,8 +198,7 @@ class Propagation(QObject):
 
     def _follow(self, run: _Run, frame: int) -> None:
         """Take the playhead along, unless the artist went to look at another frame, or drags or draws on this one."""
-        is_at_work = self._view.preview is not None or self._view.is_drawing
-        if self._view.frame == run.shown_frame and not is_at_work:
+        if self._view.frame == run.shown_frame and not self._view.is_in_use:
             run.shown_frame = frame
             self._view.set_frame(frame)
 

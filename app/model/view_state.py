@@ -102,6 +102,11 @@ class ViewState(QObject):
     def preview(self) -> Project | None:
         return self._preview
 
+    @property
+    def is_in_use(self) -> bool:
+        """Whether the artist drags or draws something on the frame that is shown: no run takes it away."""
+        return self._preview is not None or self.is_drawing
+
     def set_preview(self, project: Project | None) -> None:
         if project is not self._preview:
             self._preview = project

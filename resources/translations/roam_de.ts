@@ -161,10 +161,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n proposal(s) to answer: Alt+P goes there.</source>
+        <source>%n proposal(s) to answer: &lt;proposal.next&gt; goes there.</source>
         <translation>
-            <numerusform>%n Vorschlag wartet auf Antwort: Alt+P springt dorthin.</numerusform>
-            <numerusform>%n Vorschläge warten auf Antwort: Alt+P springt dorthin.</numerusform>
+            <numerusform>%n Vorschlag wartet auf Antwort: &lt;proposal.next&gt; springt dorthin.</numerusform>
+            <numerusform>%n Vorschläge warten auf Antwort: &lt;proposal.next&gt; springt dorthin.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -1,7 +1,8 @@
 """Levels: a picture of little contrast as one of the usual contrast, which the engine's differences of colour are of.
 
-A night exterior, haze or a log plate spans a small part of the range around the object. Seen as it is, what tells the
-object from its ground lies below what the engine takes for the same colour.
+A night exterior, haze or a log plate spans a small part of the range. Seen as it is, what tells the object from its
+ground lies below what the engine takes for the same colour. The whole picture tells, for around a small object the
+ground may be plain on any plate.
 """
 
 from __future__ import annotations
@@ -11,8 +12,8 @@ from functools import cached_property
 
 import numpy as np
 
-from roam_core.arrays import Array, UInt8
-from roam_core.features.frame import PreparedFrame, Region
+from roam_core.arrays import UInt8
+from roam_core.features.frame import PreparedFrame
 from roam_core.params.evidence import LevelsParams
 
 
@@ -25,15 +26,13 @@ class Levels:
     floor: float
 
     @classmethod
-    def of(cls, picture: PreparedFrame, around: Array, margin: float, params: LevelsParams) -> Levels | None:
-        """Those that a picture asks for within `margin` pixels of `around (..., 2)`; None where it has the contrast."""
-        area = Region.around(around, margin, picture.size)
-        if area.is_empty:
-            return None
-        black, white = np.quantile(picture.grey_within(area), (params.dark, params.bright))
+    def of(cls, picture: PreparedFrame, params: LevelsParams) -> Levels | None:
+        """Those that a picture asks for; None where it has the contrast."""
+        count = np.cumsum(np.bincount(picture.grey.ravel(), minlength=256))
+        black, white = (float(np.searchsorted(count, share * count[-1])) for share in (params.dark, params.bright))
         if white - black >= params.under:
             return None
-        return cls(float(black), min(params.span / max(float(white - black), 1.0), params.most), params.floor)
+        return cls(black, min(params.span / max(white - black, 1.0), params.most), params.floor)
 
     @cached_property
     def table(self) -> UInt8:

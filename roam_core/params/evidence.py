@@ -109,7 +109,7 @@ class LevelsParams:
 
     Attributes
     ----------
-    dark, bright : shares of the pixels around the object that are darker, in luma, than black and than white.
+    dark, bright : shares of the pixels that are darker, in luma, than black and than white.
     under : how far white lies above black, of 255, in a picture that is seen as it is. span : how far it shall in one
         where it lies nearer; most : by how much contrast grows at most. floor : where black comes to lie.
     """

@@ -85,7 +85,7 @@ class GroupTracker:
             if shape.point_count < provenance.MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
-        view = EngineView.of_key(picture, parts, self.params)
+        view = EngineView.of_key(picture, self.params)
         engine = self._begun(picture, given, frame, parts, view)
         self._standing = Standing(frame, picture, given, engine, view, frame, frame)
 
@@ -164,7 +164,7 @@ class GroupTracker:
         parts, view = parts_at(shapes, frame), self.standing.view
         corrected = engine.corrected(view.parts(parts), stacked(shapes, frame), given)
         if corrected is None:
-            view = EngineView.of_key(picture, parts, self.params)
+            view = EngineView.of_key(picture, self.params)
             corrected = self._begun(picture, shapes, frame, parts, view)
         self._standing = Standing(frame, picture, shapes, corrected, view, frame, self.standing.known_from)
 

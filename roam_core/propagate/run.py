@@ -56,6 +56,8 @@ def track(
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:
         raise RoamError("There is no shape to track; draw one, or select one, first.")
+    if len(frames) == 0:
+        raise RoamError("There is no frame to track; name the one to begin on, and those to go to.")
     first = PreparedFrame(read(frames[0]))
     stamps = Stamps(shapes, clip, first.size)
     forward = frames.step > 0 if isinstance(frames, range) else frames[-1] >= frames[0]

@@ -19,8 +19,8 @@ from roam_core.roto.placement import Placement, carried, matrix_at
 
 NO_COLOUR = (0.90, 0.60, 0.0)
 """Of a shape to which nobody gave a colour: it takes the next of the palette when it is added to a project."""
-EVER = 1_000_000_000
-"""Frame that stands for "always" at an open end of a lifetime: no frame has ten digits (`media.numbering`)."""
+EVER = 10_000_000
+"""Frame that stands for "always" at an open end of a lifetime; files for other programs can number it, offset too."""
 
 
 class Origin(StrEnum):
@@ -63,6 +63,15 @@ def frozen_array(values: ArrayLike) -> Array:
         array = array.copy()
         array.setflags(write=False)
     return array
+
+
+def lifetime_of(start: int | None, stop: int | None) -> tuple[int, int] | None:
+    """The half-open frame range of a lifetime whose ends may be open, None; None where both are."""
+    if start is None:
+        return None if stop is None else (-EVER if stop > -EVER else stop - EVER, stop)
+    if stop is None:
+        stop = EVER if start < EVER else start + EVER
+    return start, stop
 
 
 @dataclass(frozen=True, eq=False)

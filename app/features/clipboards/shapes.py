@@ -46,15 +46,18 @@ class ShapeClipboard:
 
     def copy(self) -> None:
         """Copy the selected shapes with all their keys."""
-        if shapes := self._selected():
-            QGuiApplication.clipboard().setText(_text(shapes))
-            self._view.say(tr("Copied {shapes}.", shapes=tr("%n shape(s)", "", len(shapes))))
+        self._copy(self._selected())
 
     def cut(self) -> None:
-        """Copy the selected shapes and delete those that are not locked."""
+        """Copy the selected shapes that are not locked, and delete them."""
         if shapes := self._selected():
-            self.copy()
+            self._copy([shape for shape in shapes if not self._document.project.is_locked(shape.id)])
             delete(self._document, self._view, [shape.id for shape in shapes], tr("Cut"))
+
+    def _copy(self, shapes: Sequence[RotoShape]) -> None:
+        if shapes:
+            QGuiApplication.clipboard().setText(_text(shapes))
+            self._view.say(tr("Copied {shapes}.", shapes=tr("%n shape(s)", "", len(shapes))))
 
     def paste(self) -> None:
         """Put copied shapes on top, with ids and names of their own, and select them; a copied key on this frame."""

@@ -52,8 +52,8 @@ class ShapeVerbs:
 
     def set_key_of_points(self) -> None:
         """Make the selected points, as they are on this frame, the artist's; a run may derive the others anew."""
-        frame, points = self._view.frame, self._view.selection.points
-        if not points:
+        frame, points, selected = self._view.frame, self._view.selection.points, self._selected()
+        if not points and (not selected or self._free(selected)):
             self._view.say(tr("Select the points that are right here first; a run then derives the others anew."))
             return
 
@@ -101,17 +101,21 @@ class ShapeVerbs:
         self._document.apply(tr("Show all"), project)
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
-        project, selected = self._document.project, self._selected()
-        free = [shape_id for shape_id in selected if not project.is_locked(shape_id)]
-        if selected and not free:
-            self._view.say(tr(ALL_LOCKED))
+        project = self._document.project
         try:
-            for shape_id in free:
+            for shape_id in self._free(self._selected()):
                 project = project.with_shape(verb(project.shape(shape_id)))
         except RoamError as error:
             self._view.say(str(error))
             return
         self._document.apply(text, project)
+
+    def _free(self, selected: list[str]) -> list[str]:
+        """Those of the selected shapes that are not locked; says so when all are."""
+        free = [shape_id for shape_id in selected if not self._document.project.is_locked(shape_id)]
+        if selected and not free:
+            self._view.say(tr(ALL_LOCKED))
+        return free
 
     def _selected(self) -> list[str]:
         """The selected shapes in the order of stacking; says so when there is none."""

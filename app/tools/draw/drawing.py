@@ -56,6 +56,11 @@ class DrawingTool(Tool, ABC):
         return self._placed
 
     @property
+    def _place_count(self) -> int:
+        """How many places the points lie on: clicks on one spot enclose nothing, and lead nowhere."""
+        return len(np.unique(self._placed[:, bezier.ANCHOR], axis=0))
+
+    @property
     def _points(self) -> Array:
         return self._placed
 
@@ -188,8 +193,7 @@ class DrawingTool(Tool, ABC):
         return pointer.screen_distance((x, y)) <= REACH
 
     def _finish_closed(self) -> None:
-        places = np.unique(self._points[:, bezier.ANCHOR], axis=0)  # clicks on one spot enclose nothing
-        if len(places) < edit.MIN_POINTS_CLOSED:
+        if self._place_count < edit.MIN_POINTS_CLOSED:
             self.view_state.say(
                 tr(
                     "A closed shape needs at least {min_points_closed} points; click to place more.",
@@ -200,7 +204,7 @@ class DrawingTool(Tool, ABC):
             self._finish(closed=True)
 
     def _finish_open(self) -> None:
-        if len(self._points) < edit.MIN_POINTS_OPEN:
+        if self._place_count < edit.MIN_POINTS_OPEN:
             self.drop()
         else:
             self._finish(closed=False)

@@ -234,7 +234,7 @@ class MagneticTool(Tool):
     def _finish(self, closed: bool) -> None:
         if self._closing is not None or not self._legs:
             return
-        if len(self._legs) < 2:
+        if self._is_on_one_spot:
             self.drop()
             return
         self._closing = closed
@@ -270,7 +270,13 @@ class MagneticTool(Tool):
         return a, b
 
     def _closes(self, pointer: Pointer) -> bool:
-        return len(self._legs) > 2 and pointer.screen_distance(self._legs[0].start) <= REACH
+        is_far_enough = len(self._legs) > 2 and not self._is_on_one_spot
+        return is_far_enough and pointer.screen_distance(self._legs[0].start) <= REACH
+
+    @property
+    def _is_on_one_spot(self) -> bool:
+        """True while nothing is laid but one point, however often it was clicked."""
+        return len({leg.start for leg in self._legs}) < 2
 
     # ---- painting
 

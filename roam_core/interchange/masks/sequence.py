@@ -17,7 +17,7 @@ from roam_core.interchange.masks.tracks import Ring, Track
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.mask_fit import distances
 from roam_core.roto import BlendMode, Keyframe, RotoShape
-from roam_core.roto.shape import EVER
+from roam_core.roto.shape import lifetime_of
 
 TREMBLES = 0.01
 """A part is drawn frame by frame when so much of its outline, over all frames, lies farther than the tolerance from
@@ -195,15 +195,15 @@ def as_shapes(parts: list[tuple[Track, Fitted]], first: int, last: int, compound
             hole += 1
         else:
             outer += 1
-        start = -EVER if track.frames[0] == first else track.frames[0] - offset
-        stop = EVER if track.frames[-1] == last else track.frames[-1] + 1 - offset
+        start = None if track.frames[0] == first else track.frames[0] - offset
+        stop = None if track.frames[-1] == last else track.frames[-1] + 1 - offset
         shapes.append(
             RotoShape(
                 id=f"shape-{len(shapes) + 1}",
                 name=f"Hole {hole}" if track.is_hole else f"Shape {outer}",
                 keys=tuple(Keyframe(frame - offset, points) for frame, points in part.keys),
                 blend=BlendMode.SUBTRACT if track.is_hole else BlendMode.ADD,
-                lifetime=None if (start, stop) == (-EVER, EVER) else (start, stop),
+                lifetime=lifetime_of(start, stop),
                 compound=compound,
             )
         )

@@ -164,8 +164,8 @@ class Filling:
         self, shapes: Sequence[RotoShape], gap: tuple[int, int], asked: Sequence[int]
     ) -> dict[int, list[Keyframe]]:
         """The ENGINE keys in one gap of the shapes that are asked for, solved object by object."""
-        size = self.read(gap[0]).size
-        stamps = Stamps(shapes, self.clip, size)
+        view = EngineView.of_key(self.read(gap[0]), self.params)
+        stamps = Stamps(shapes, self.clip, view.size)
         made: dict[int, list[Keyframe]] = {}
         for members in sorted({stamps.filled_with(k, gap, self.alone) for k in asked}):
             ours, between = [shapes[k] for k in members], range(gap[0] + 1, gap[1])
@@ -173,7 +173,6 @@ class Filling:
                 _require_closed(shape)
             if not any(shape.exists_at(frame) for shape in ours for frame in between):
                 continue
-            view = self.view_of(ours, gap)
             span = self.passed(ours, gap, view)
             found = list(zip(between, each(partial(self.solved, span, ours, view), between), strict=True))
             for place, k in enumerate(members):
@@ -229,14 +228,6 @@ class Filling:
             return Colours(view.picture(self.read(frame)), params)
         except MissingFrame:
             return None
-
-    def view_of(self, shapes: Sequence[RotoShape], gap: tuple[int, int]) -> EngineView:
-        """How both passes see the pictures: by the levels of the first key that has an outline."""
-        size = self.read(gap[0]).size
-        for frame in gap:
-            if drawn := _key(shapes, frame, EngineView(size, size)).drawn:
-                return EngineView.of_key(self.read(frame), drawn, self.params)
-        return EngineView.of(size, self.params)
 
     def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], view: EngineView) -> Span:
         """Both passes of one object, side by side, as the engine sees them."""

@@ -17,7 +17,7 @@ from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.features.levels import Levels
-from roam_core.params import RoamParams, enlargement_for, scale_for
+from roam_core.params import RoamParams, enlargement_for
 from roam_core.propagate.engines.protocol import Account, Engine, Step
 from roam_core.propagate.frame.result import Part, StepResult
 
@@ -43,14 +43,12 @@ class EngineView:
         return cls(size, (round(size[0] * factor), round(size[1] * factor)))
 
     @classmethod
-    def of_key(cls, picture: PreparedFrame, parts: Sequence[Part], params: RoamParams) -> EngineView:
-        """For all frames that are reached from a key with the outlines `parts`, in pixels of its picture."""
+    def of_key(cls, picture: PreparedFrame, params: RoamParams) -> EngineView:
+        """For all frames that are reached from a key, of which this is the picture."""
         view, region = cls.of(picture.size, params), params.region
-        if region is None or region.levels is None or not parts:
+        if region is None or region.levels is None:
             return view
-        around = np.vstack([part.points.reshape(-1, 2) for part in parts])
-        margin = region.margin * scale_for(picture.size)
-        return replace(view, levels=Levels.of(picture, around, margin, region.levels))
+        return replace(view, levels=Levels.of(picture, region.levels))
 
     @cached_property
     def factor(self) -> Array:

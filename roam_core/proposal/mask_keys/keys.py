@@ -19,7 +19,7 @@ from roam_core.proposal.mask_keys.pairing import paired, poses
 from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
 from roam_core.roto.control_points import settled
 from roam_core.roto.project import PALETTE
-from roam_core.roto.shape import EVER
+from roam_core.roto.shape import lifetime_of
 from roam_core.roto.sight import is_shut, opened
 
 
@@ -151,14 +151,14 @@ def _place(shapes: list[RotoShape], shape_id: str) -> int:
 
 def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
     """The shape without `frame` in its lifetime: it ends before, begins after, or is two, one for each side."""
-    start, stop = shape.lifetime or (-EVER, EVER)
+    start, stop = shape.lifetime or (None, None)
     after = tuple(key for key in shape.keys if key.frame > frame)
     if not after:
-        return [replace(shape, lifetime=(start, frame))]
+        return [replace(shape, lifetime=lifetime_of(start, frame))]
     if len(after) == len(shape.keys):
-        return [replace(shape, lifetime=(frame + 1, stop))]
-    twin = replace(shape, id=_free_id(taken), keys=after, lifetime=(frame + 1, stop))
-    return [replace(shape, lifetime=(start, frame)), twin]
+        return [replace(shape, lifetime=lifetime_of(frame + 1, stop))]
+    twin = replace(shape, id=_free_id(taken), keys=after, lifetime=lifetime_of(frame + 1, stop))
+    return [replace(shape, lifetime=lifetime_of(start, frame)), twin]
 
 
 def _begin(result: list[RotoShape], part: _Part, frame: int, compound: str) -> None:
@@ -172,7 +172,7 @@ def _begin(result: list[RotoShape], part: _Part, frame: int, compound: str) -> N
         keys=(Keyframe(frame, simplified(points, points)),),
         colour=PALETTE[len(result) % len(PALETTE)],
         blend=BlendMode.SUBTRACT if part.is_hole else BlendMode.ADD,
-        lifetime=(frame, EVER),
+        lifetime=lifetime_of(frame, None),
         compound=compound,
     )
     owner = part.parent.owner if part.parent is not None else ""

@@ -5,14 +5,16 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import numpy.testing as npt
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, ExportOptions, ImportOptions, KeyChoice, read_shapes
+from roam_core.interchange import EXPORTERS, ExportOptions, ImportOptions, KeyChoice, read_shapes, write_shapes
 from roam_core.interchange.protocol import exported_keys, readied, within
 from roam_core.interchange.timing import value_within
-from roam_core.matte import render_matte
+from roam_core.matte import render_matte, shapes_from_mask
+from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Animated, Clip, Interpolation, Layer, Origin, Project, ValueKey
 from roam_core.roto.animated import frames_of
 from tests.judges.coverage import overlap
@@ -160,3 +162,25 @@ def test_keys_beside_the_clip_are_told_with_the_offset_that_would_bring_them_in(
     assert note.startswith(f"The keys lie on frames {first} to ")
     assert f"--frame-offset {first - 1001}' would begin" in note
     assert read_shapes(path, clip, ImportOptions(frame_offset=-1000)).notes == ()
+
+
+@pytest.mark.parametrize(("name", "suffix"), [("nuke", ".nk"), ("silhouette", ".fxs"), ("json", ".json")])
+@pytest.mark.parametrize(("first", "offset"), [(1001, 0), (1001, 1_000_000), (1_789_234, -1000)])
+def test_a_shape_that_a_mask_began_comes_back_as_it_was(
+    tmp_path: Path, name: str, suffix: str, first: int, offset: int
+) -> None:
+    """Its lifetime is open at one end: that end, too, is a frame that the formats can number."""
+    one = np.zeros((90, 120), np.uint8)
+    one[20:60, 10:50] = 255
+    both = one.copy()
+    both[20:60, 70:110] = 255
+    shapes = keys_from_mask(shapes_from_mask(one, first), both, first + 3)
+    assert [shape.lifetime is None for shape in shapes] == [True, False]
+    clip = Clip(tmp_path / "plate", first, first + 6, (120, 90))
+    path = tmp_path / f"a{suffix}"
+    write_shapes(Project(clip, Layer("root", "Root", tuple(shapes))), path, name, ExportOptions(frame_offset=offset))
+    read = read_shapes(path, clip, ImportOptions(frame_offset=offset))
+    assert read.notes == ()
+    for frame in (first, first + 2, first + 3, first + 6):
+        mattes = [render_matte(each, frame, one.shape) for each in (shapes, list(read.layer.shapes()))]
+        npt.assert_allclose(*mattes, rtol=0, atol=0.02)

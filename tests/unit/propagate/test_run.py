@@ -56,6 +56,8 @@ def test_frames_may_be_a_list(config: str, blob_shot: Shot) -> None:
     one, other = (list(track(blob_shot.read, shapes, each, config)) for each in (blob_shot.frames, frames))
     assert [result.frame for result in other] == frames[1:]
     assert one[-1].results[0].shape == other[-1].results[0].shape
+    with pytest.raises(RoamError, match="no frame to track"):
+        list(track(blob_shot.read, shapes, [], config))
 
 
 def test_shapes_far_apart_are_what_each_is_alone(config: str, blob_shot: Shot) -> None:

@@ -155,13 +155,12 @@ def faded(frame: int) -> UInt8:
 
 
 def test_a_picture_of_little_contrast_is_seen_by_the_levels_of_its_key() -> None:
-    shape = SHOT.shape()
     key, later = (PreparedFrame(faded(frame)) for frame in (1001, 1003))
-    view = EngineView.of_key(key, parts_at([shape], 1001), BEST_LEVELLED)
+    view = EngineView.of_key(key, BEST_LEVELLED)
     assert view.levels is not None
     assert view.picture(later).size == view.seen
     assert view.picture(later).image.std() > 3.0 * later.image.std()
-    assert EngineView.of_key(key, parts_at([shape], 1001), params_for("full")).levels is None
+    assert EngineView.of_key(key, params_for("full")).levels is None
 
 
 @pytest.mark.parametrize(("config", "is_followed"), [("best", True), ("best+region.levels=none", False)])
@@ -179,7 +178,7 @@ def test_both_passes_of_a_fill_go_by_the_levels_of_its_first_key() -> None:
     (filled,) = fill_span(
         {frame: faded(frame) for frame in SHOT.frames}, [keyed], SHOT.first, last, f"{LEVELLED}+region.exposure=none"
     )
-    levels = EngineView.of_key(PreparedFrame(faded(SHOT.first)), parts_at([shape], SHOT.first), BEST_LEVELLED).levels
+    levels = EngineView.of_key(PreparedFrame(faded(SHOT.first)), BEST_LEVELLED).levels
     assert levels is not None
     stretched = {frame: levels.table[faded(frame)] for frame in SHOT.frames}
     (twin,) = fill_span(stretched, [keyed], SHOT.first, last, f"{CONFIG}+region.exposure=none")

@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from app.features.clipboards.shapes import ShapeClipboard
 from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
@@ -10,6 +16,13 @@ from roam_core.roto import Project, edit
 from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+
+
+@pytest.fixture
+def widget(qtbot: QtBot) -> QWidget:
+    widget = QWidget()
+    qtbot.addWidget(widget)
+    return widget
 
 
 def opened(document: Document, count: int) -> list[str]:
@@ -85,3 +98,30 @@ def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_st
     ShapeVerbs(document, view_state).set_key()
     assert document.project.shape(only).frames == (1,)
     assert "is locked" in view_state.message
+
+
+def test_points_of_a_locked_shape_get_no_key_and_that_is_what_is_said(
+    document: Document, view_state: ViewState
+) -> None:
+    (only,) = opened(document, 1)
+    document.open(edit.set_properties(document.project, only, locked=True), None)
+    view_state.select(frozenset({only}))
+    ShapeVerbs(document, view_state).set_key_of_points()
+    assert "is locked" in view_state.message
+
+
+def test_what_is_locked_is_not_cut_nor_copied_by_that(
+    document: Document, view_state: ViewState, widget: QWidget
+) -> None:
+    plain, locked = opened(document, 2)
+    document.open(edit.set_properties(document.project, locked, locked=True), None)
+    clipboard = ShapeClipboard(document, view_state, widget, lambda _text: False)
+    QGuiApplication.clipboard().setText("before")
+    view_state.select(frozenset({locked}))
+    clipboard.cut()
+    assert QGuiApplication.clipboard().text() == "before"
+    view_state.select(frozenset({plain, locked}))
+    clipboard.cut()
+    assert [shape.id for shape in document.project.shapes] == [locked]
+    assert '"shape-1"' in QGuiApplication.clipboard().text()
+    assert '"shape-2"' not in QGuiApplication.clipboard().text()

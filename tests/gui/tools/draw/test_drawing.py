@@ -258,3 +258,5 @@ def test_clicks_on_one_spot_close_no_shape(hand: Hand, document: Document, view_
     hand.key(RETURN)
     assert document.project.shapes == ()
     assert "at least 3 points" in view_state.message
+    hand.key(ESCAPE)
+    assert document.project.shapes == ()

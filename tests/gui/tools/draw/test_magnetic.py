@@ -213,3 +213,15 @@ def test_what_is_seen_before_the_last_press_is_what_comes_out(
     hand.click(first) if closes else hand.key(ESCAPE)
     assert only().closed is closes
     np.testing.assert_allclose(only().at(1).control_points, seen, atol=1e-9)
+
+
+@pytest.mark.parametrize("key", [RETURN, ESCAPE])
+def test_clicks_on_one_spot_make_no_shape(
+    qtbot: QtBot, hand: Hand, canvas: CanvasView, document: Document, pictures: PictureWork, key: Qt.Key
+) -> None:
+    for _ in range(4):
+        hand.click((60.0, 60.0))
+        qtbot.waitUntil(lambda: magnetic(canvas).legs[-1].wire is not None)
+    hand.key(key)
+    assert not magnetic(canvas).legs
+    assert not document.project.shapes

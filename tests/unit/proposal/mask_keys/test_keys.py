@@ -226,9 +226,9 @@ def test_a_lone_outline_and_what_begins_beside_it_are_one_thing() -> None:
     assert {shape.compound for shape in keys_from_mask([], mask, 5)} == {shapes_from_mask(mask, 5)[0].compound}
 
 
-def test_a_part_that_begins_on_a_time_of_day_is_there_from_then_on() -> None:
+@pytest.mark.parametrize("frame", [1004, 1_789_237, 123_456_789, -123_456_789])
+def test_a_part_that_begins_is_there_from_then_on_whatever_the_frames_number(frame: int) -> None:
     """Plates are numbered by the time of day, too: seven digits and more."""
-    frame = 1_789_237
     shapes = shapes_from_mask(solid((20, 20, 60, 60)), frame - 3)
     shapes = keys_from_mask(shapes, solid((20, 20, 60, 60), (90, 20, 130, 60)), frame)
     assert [shape.exists_at(frame + 5) for shape in shapes] == [True, True]
