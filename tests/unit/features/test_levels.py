@@ -36,7 +36,7 @@ def test_a_picture_of_the_usual_contrast_is_seen_as_it_is() -> None:
 @pytest.mark.parametrize(("black", "white"), [(90.0, 160.0), (0.0, 80.0), (180.0, 250.0)])
 def test_one_of_less_spans_what_a_usual_one_does(black: float, white: float) -> None:
     low, high = np.quantile(within(ramp(black, white))[..., 0], (PARAMS.dark, PARAMS.bright))
-    assert low == pytest.approx(PARAMS.floor, abs=2.0)
+    assert low == pytest.approx(PARAMS.floor, abs=4.0)  # a level of the plate is up to three
     assert high == pytest.approx(PARAMS.floor + PARAMS.span, abs=4.0)
 
 
