@@ -321,12 +321,13 @@ class Files(QObject):
         """Give the project, as it is now, the clip that was found; not another one that was opened since."""
         if sitting != self._sitting:
             return
-        document, view, clip = self._document, self._view, found.project.require_clip()
+        view, clip = self._view, found.project.require_clip()
         frame, selection, layers = view.frame, view.selection, view.layers
-        now = replace(document.project, clip=clip)
-        self._show(replace(found, project=now, path=document.path, fingerprint=document.fingerprint))
+        self._reader.open(None)
+        self._document.relink(clip)
         view.set_frame(min(max(frame, clip.first), clip.last))
         view.select(selection.shapes, selection.points, layers)
+        self._reader.open(found.source)
 
     def _show(self, found: Found) -> None:
         # The old plate goes first and the new one comes last: no frame is ever asked of the wrong one.

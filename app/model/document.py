@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -10,7 +11,7 @@ from PySide6.QtGui import QUndoStack
 
 from roam_core.roto import Project, RotoShape, file
 from roam_core.roto.fingerprint import Fingerprint
-from roam_core.roto.project import Layer
+from roam_core.roto.project import Clip, Layer
 
 from .beginning import Beginning
 from .commands import ProjectEdit
@@ -84,14 +85,7 @@ class Document(QObject):
         if not own:
             self.apply(text, change(self._project), merge_key)
             return
-        made: dict[int, tuple[Project, Project]] = {}
-
-        def once(project: Project) -> Project:
-            # The project is kept with its successor: while it lives no other can have its identity.
-            if id(project) not in made:
-                made[id(project)] = project, change(project)
-            return made[id(project)][1]
-
+        once = _once(change)
         for index in range(own[-1], stack.count()):
             step = steps[index]
             assert isinstance(step, ProjectEdit)
@@ -116,6 +110,18 @@ class Document(QObject):
         """
         self._replace(project, Project(), Beginning(project, path, fingerprint, follows=follows))
 
+    def relink(self, clip: Clip) -> None:
+        """Give the project, and all that undo and redo lead to, another clip: as unsaved work on the same file."""
+        change, stack = _once(lambda project: replace(project, clip=clip)), self.undo_stack
+        steps, done = (
+            [step.copy() for i in range(stack.count()) if isinstance(step := stack.command(i), ProjectEdit)],
+            stack.index(),
+        )
+        for step in steps:
+            step.change(change, begins_changed=True)
+        project = change(self._project)
+        self._replace(project, Project(), Beginning(project, self.path, self.fingerprint), steps, done)
+
     def save(self, path: Path) -> None:
         """Write the project; raises `RoamError` when it cannot be written."""
         file.save(self._project, path)
@@ -132,12 +138,15 @@ class Document(QObject):
         """True when the file does not hold the current project. Undoing back to the saved value is enough."""
         return self._project is not self._saved
 
-    def _replace(self, project: Project, saved: Project, beginning: Beginning) -> None:
+    def _replace(
+        self, project: Project, saved: Project, beginning: Beginning, steps: Sequence[ProjectEdit] = (), done: int = 0
+    ) -> None:
+        """Show a project from which `steps` lead to others, the first `done` of them done."""
         fate = "discarded" if self.is_modified else "saved"
         self._project, self._saved = project, saved
         self.path, self.fingerprint = beginning.original, beginning.fingerprint
-        self.undo_stack.clear()
-        self._held_at_most = 0
+        self._keep_steps(steps, done)
+        self._held_at_most = sum(step.most_bytes for step in steps)
         self.rebased.emit(fate, beginning)
         self.replaced.emit()
         self.path_changed.emit()
@@ -159,7 +168,7 @@ class Document(QObject):
             self._keep_steps([step.copy() for step in steps[gone:]], stack.index() - gone)
             self.forgot.emit()
 
-    def _keep_steps(self, steps: list[ProjectEdit], done: int) -> None:
+    def _keep_steps(self, steps: Sequence[ProjectEdit], done: int) -> None:
         """Make these the only steps, the first `done` of them done. Qt's stack lets nothing go at its lower end."""
         self._is_quiet = True
         self.undo_stack.clear()
@@ -176,6 +185,19 @@ class Document(QObject):
         self.changed.emit(changed_ids(before, project))
         if self.is_modified != was_modified:
             self.path_changed.emit()
+
+
+def _once(change: Callable[[Project], Project]) -> Callable[[Project], Project]:
+    """The change, made to each project once: what was one project stays one."""
+    made: dict[int, tuple[Project, Project]] = {}
+
+    def once(project: Project) -> Project:
+        # The project is kept with its successor: while it lives no other can have its identity.
+        if id(project) not in made:
+            made[id(project)] = project, change(project)
+        return made[id(project)][1]
+
+    return once
 
 
 def changed_ids(before: Project, after: Project) -> frozenset[str]:

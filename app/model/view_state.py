@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
@@ -24,8 +25,7 @@ class Selection:
 class ViewState(QObject):
     """Frame, selection, tool, drag preview, play range.
 
-    Signals carry nothing: listeners pull. `preview` is the project as a drag would make it, or None;
-    `is_drawing` tells that a shape is being drawn on the frame that is shown.
+    Signals carry nothing: listeners pull. `preview` is the project as a drag would make it, or None.
     """
 
     frame_changed = Signal()
@@ -43,7 +43,7 @@ class ViewState(QObject):
         self._layers: frozenset[str] = frozenset()
         self._tool = "select"
         self._preview: Project | None = None
-        self.is_drawing = False
+        self._is_hand_busy: Callable[[], bool] = lambda: False
         self._range = (1, 2)
         self._message = self._hint = ""
         self._keymap = load_keymap()
@@ -105,7 +105,11 @@ class ViewState(QObject):
     @property
     def is_in_use(self) -> bool:
         """Whether the artist drags or draws something on the frame that is shown: no run takes it away."""
-        return self._preview is not None or self.is_drawing
+        return self._preview is not None or self._is_hand_busy()
+
+    def ask_hand(self, is_busy: Callable[[], bool]) -> None:
+        """Let `is_busy()` tell whether a tool has something half done in the picture."""
+        self._is_hand_busy = is_busy
 
     def set_preview(self, project: Project | None) -> None:
         if project is not self._preview:

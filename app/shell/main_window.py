@@ -265,13 +265,12 @@ class MainWindow(QMainWindow):
         self.planar.doubted.connect(view.say)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
-        name_steps(self.document, self.history, self.actions_by_id)
+        name_steps(self.document, self.canvas.in_hand, self.history, self.actions_by_id)
 
     def _connect_actions(self) -> None:
         actions = self.actions_by_id
         actions.connect_all(self._handlers())
-        for name in ("edit.undo", "edit.redo", "track.stop"):
-            actions[name].setEnabled(False)
+        actions["track.stop"].setEnabled(False)
         actions["view.panels"].toggled.connect(self.panel_column.setVisible)
         actions["view.tall_timeline"].toggled.connect(self.timeline_height.make_tall)
 

@@ -25,6 +25,10 @@ class GestureTool(Tool):
     def claimed_keys(self) -> frozenset[str]:
         return DROP_KEYS if self._gesture else frozenset()
 
+    @property
+    def is_busy(self) -> bool:
+        return self._gesture is not None
+
     def deactivate(self) -> None:
         self.drop()
         self.leave()

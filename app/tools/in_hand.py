@@ -33,6 +33,7 @@ class ToolInHand(QObject):
         self._tools: dict[str, Tool] = {name: tool(document, view_state) for name, tool in TOOLS.items()}
         self._tool = self._tools[view_state.tool]
         self._eraser, self._erases = Eraser(document, view_state), False
+        view_state.ask_hand(lambda: self.tool.is_busy)
         self._tool.activate()
         view_state.tool_changed.connect(self._take)
 

@@ -112,6 +112,11 @@ class Tool:
         """True while something half done is in the hand: a drag, or a shape that is being drawn."""
         return bool(self.claimed_keys)
 
+    @property
+    def last_step(self) -> str:
+        """What `take_back` takes back, in the artist's language; "" where nothing is half done that it could."""
+        return ""
+
     def take_back(self) -> bool:
         """Take the last step of what is half done back, where there is one; False where there is none."""
         return False

@@ -1991,6 +1991,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Letzter Frame, auf dem die Form existiert</translation>
     </message>
     <message>
+        <source>Last mark</source>
+        <translation>Letzte Markierung</translation>
+    </message>
+    <message>
+        <source>Last point</source>
+        <translation>Letzten Punkt</translation>
+    </message>
+    <message>
         <source>Later</source>
         <translation>Später</translation>
     </message>

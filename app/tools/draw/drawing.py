@@ -44,7 +44,7 @@ class DrawingTool(Tool, ABC):
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
-        self._placed: Array = np.empty((0, 3, 2))
+        self._points: Array = np.empty((0, 3, 2))
         self._frame = 0
         self._pressed: Pointer | None = None
         self._hover: Pointer | None = None
@@ -53,21 +53,12 @@ class DrawingTool(Tool, ABC):
     @property
     def points(self) -> Array:
         """The points placed so far, `(P, 3, 2)`."""
-        return self._placed
+        return self._points
 
     @property
     def _place_count(self) -> int:
         """How many places the points lie on: clicks on one spot enclose nothing, and lead nowhere."""
-        return len(np.unique(self._placed[:, bezier.ANCHOR], axis=0))
-
-    @property
-    def _points(self) -> Array:
-        return self._placed
-
-    @_points.setter
-    def _points(self, points: Array) -> None:
-        self._placed = points
-        self.view_state.is_drawing = len(points) > 0
+        return len(np.unique(self._points[:, bezier.ANCHOR], axis=0))
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -133,6 +124,10 @@ class DrawingTool(Tool, ABC):
 
     def leave(self) -> None:
         self._hover = None
+
+    @property
+    def last_step(self) -> str:
+        return tr("Last point") if len(self._points) else ""
 
     def take_back(self) -> bool:
         if not len(self._points):

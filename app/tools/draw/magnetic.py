@@ -150,9 +150,23 @@ class MagneticTool(Tool):
     def leave(self) -> None:
         self._hover = None
 
+    @property
+    def last_step(self) -> str:
+        return tr("Last point") if self._legs else ""
+
+    def take_back(self) -> bool:
+        if not self._legs:
+            return False
+        self._legs.pop()
+        if self._legs:
+            start = self._legs.pop().start
+            self._closing = None
+            self._follow_from(start)
+        return True
+
     def key(self, name: str) -> None:
         if name in TAKE_BACK_KEYS:
-            self._take_back()
+            self.take_back()
         else:
             self._finish(closed=name in CLOSE_KEYS)
 
@@ -215,13 +229,6 @@ class MagneticTool(Tool):
         leg.end, leg.is_straight = spot, leg.is_straight or straight
         self._settle()
         self._follow_from(spot)
-
-    def _take_back(self) -> None:
-        self._legs.pop()
-        if self._legs:
-            start = self._legs.pop().start
-            self._closing = None
-            self._follow_from(start)
 
     def _settle(self, wait: bool = True) -> None:
         """Lay the lines whose ends and wires are known, or all of them without `wait`; then finish, if that waits."""

@@ -91,11 +91,21 @@ class ObjectTool(Tool):
         else:
             self._find(None)
 
+    @property
+    def last_step(self) -> str:
+        return tr("Last mark") if self._marks and self._job is None else ""
+
+    def take_back(self) -> bool:
+        if not self.last_step:
+            return False
+        self._marks.pop()
+        return True
+
     def key(self, name: str) -> None:
         if name in FIND_KEYS:
             self._find(None)
         elif name in TAKE_BACK_KEYS:
-            self._marks.pop()
+            self.take_back()
         else:
             self.drop()
             self.view_state.say(tr(self.hint))

@@ -60,10 +60,6 @@ class TransformTool(SelectTool):
     def claimed_keys(self) -> frozenset[str]:
         return super().claimed_keys or END_KEYS
 
-    @property
-    def is_busy(self) -> bool:
-        return self._gesture is not None
-
     def key(self, name: str) -> None:
         if self._gesture:
             self.drop()

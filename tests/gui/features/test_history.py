@@ -15,7 +15,8 @@ from app.shell.main_window import MainWindow
 from app.tools.draw.drawing import DrawingTool
 from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import edit
+from roam_core.roto import Clip, Project, edit
+from tests.gui.hand import Hand
 from tests.gui.windows import opened_window
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -84,3 +85,19 @@ def test_undo_by_the_menu_takes_back_the_last_point_of_what_is_drawn(qtbot: QtBo
     undo.trigger()
     undo.trigger()
     assert (len(tool.points), len(window.document.project.shapes)) == (0, 0)
+
+
+def test_undo_is_offered_and_names_its_step_while_the_first_shape_is_drawn(window: MainWindow) -> None:
+    window.document.open(Project(Clip(Path("plate"), 1, 9, (200, 150))), None)
+    hand, undo = Hand(window.canvas), window.actions_by_id["edit.undo"]
+    window.view_state.set_tool("polygon")
+    assert not undo.isEnabled()
+    hand.click((50.0, 50.0))
+    assert (undo.isEnabled(), undo.text()) == (True, "Undo Last point")
+    undo.trigger()
+    assert (undo.isEnabled(), undo.text()) == (False, "Undo")
+    for spot in ((50.0, 50.0), (90.0, 50.0), (90.0, 90.0)):
+        hand.click(spot)
+    hand.key(Qt.Key.Key_Return)
+    assert undo.text() == "Undo Draw shape"
+    assert len(window.document.project.shapes) == 1

@@ -132,6 +132,24 @@ def test_what_is_drawn_while_the_plate_is_relinked_stays_and_so_do_frame_and_sel
     assert (view.frame, view.selection) == (FIRST + 1, selection)
 
 
+def test_what_was_done_before_the_plate_was_relinked_is_undone_and_redone_on_the_new_one(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    document, version = window.document, write_clip(tmp_path / "plate_v002", 3)
+    for _ in range(3):
+        document.apply("Draw", edit.new_shape(document.project, SQUARE, FIRST)[0])
+    document.undo_stack.undo()
+    document.save(tmp_path / "b.roam")
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open_plate(version)
+    for step, left in (("undo", 1), ("undo", 0), ("redo", 1), ("redo", 2), ("redo", 3)):
+        getattr(document.undo_stack, step)()
+        assert len(document.project.shapes) == left
+        assert document.project.require_clip().path == version
+        assert document.is_modified
+    assert not document.undo_stack.canRedo()
+
+
 def test_an_empty_viewer_says_that_the_plate_is_lost_until_it_is_relinked(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -12,7 +12,7 @@ from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.tools.draw.bezier import BezierTool
+from app.tools.in_hand import ToolInHand
 from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
@@ -311,18 +311,20 @@ def test_the_frame_stays_under_the_hand_while_something_is_dragged(
     assert view_state.frame == 5
 
 
-def test_the_frame_stays_while_a_shape_is_drawn_on_it(
-    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine
+@pytest.mark.parametrize("name", ["bezier", "polygon", "freehand", "ellipse", "object", "points"])
+def test_the_frame_stays_while_a_tool_has_something_half_done_on_it(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine, name: str
 ) -> None:
-    tool = BezierTool(document, view_state)
+    hand = ToolInHand(document, view_state)
+    view_state.set_tool(name)
     engine.allow(1)
     propagation.start(["shape-1"], range(1, 6))
     qtbot.waitUntil(lambda: view_state.frame == 2, timeout=WAIT)
-    tool.press(Pointer((5.0, 5.0), (1.0, 1.0)))
+    hand.tool.press(Pointer((5.0, 5.0), (1.0, 1.0)))
     engine.allow(1)
     qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
     assert view_state.frame == 2
-    tool.take_back()
+    hand.tool.drop()
     engine.allow(2)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT):
         pass

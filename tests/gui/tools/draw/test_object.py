@@ -107,6 +107,15 @@ def test_escape_forgets_marks(canvas: CanvasView, hand: Hand, pictures: PictureW
     assert runner.is_idle
 
 
+def test_undo_takes_the_last_mark_back(canvas: CanvasView, hand: Hand, pictures: PictureWork) -> None:
+    for spot in (CENTRE, (90.0, 75.0)):
+        hand.click(spot, SHIFT)
+        assert canvas.tool.last_step == "Last mark"
+    assert [canvas.in_hand.take_back() for _ in range(3)] == [True, True, False]
+    assert not canvas.tool.is_busy
+    assert canvas.tool.last_step == ""
+
+
 def test_a_proxy_gives_a_shape_of_the_plates_size(
     hand: Hand, document: Document, pictures: PictureWork, only: OnlyShape, qtbot: QtBot
 ) -> None:

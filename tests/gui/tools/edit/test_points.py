@@ -57,6 +57,7 @@ def test_clicks_put_points_and_drags_move_them(
         hand.click(spot)
     assert len(places(view_state)) == 4
     assert "Four points are enough" in view_state.message
+    assert not hand.canvas.tool.is_busy
     hand.drag((180, 150), (190, 158))
     np.testing.assert_allclose(places(view_state)[2], (190, 158), atol=0.8)
     hand.key(Qt.Key.Key_Backspace)
