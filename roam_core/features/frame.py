@@ -107,14 +107,17 @@ class PreparedFrame:
 
     @property
     def table(self) -> UInt8:
-        """What the plate's values become in it, `(256,)`."""
+        """What the plate's values become in it, `(256,)`; `(256, 3)` where its channels were multiplied apart."""
         return AS_THEY_ARE
 
-    def multiplied(self, by: float) -> PreparedFrame:
-        """The picture as it was given, all values of its plate multiplied: rounded, and cut at white."""
-        if by == 1.0:
+    def multiplied(self, by: Array) -> PreparedFrame:
+        """The picture as it was given, all values of its plate multiplied: rounded, and cut at white.
+
+        `by (3,)`: of red, green and blue.
+        """
+        if (by == 1.0).all():
             return self.given
-        values = np.clip(np.round(by * np.arange(256.0)), 0.0, 255.0).astype(np.uint8)
+        values = np.clip(np.round(by * np.arange(256.0)[:, None]), 0.0, 255.0).astype(np.uint8)
         return _MappedFrame(self.plate, self.given.table[values], self.given)
 
     def levelled(self, table: UInt8) -> PreparedFrame:
@@ -226,7 +229,7 @@ class _MappedFrame(PreparedFrame):
     def within(self, region: Region) -> UInt8:
         if self._is_known:
             return super().within(region)
-        return np.asarray(cv2.LUT(self._plate.within(region), self._table), dtype=np.uint8)
+        return np.asarray(cv2.LUT(self._plate.within(region), self._table.reshape(256, 1, -1)), dtype=np.uint8)
 
     def _of(self, pixels: NDArray[Any]) -> PreparedFrame:
         # Levels first: a few values that are made finer and then stretched stay a few.

@@ -123,8 +123,24 @@ class LevelsParams:
 
 
 @dataclass(frozen=True)
+class BlankParams:
+    """Parameters of frames that show nothing (`features.blank`).
+
+    Attributes
+    ----------
+    cell : side, pixels, of the cells whose means are compared: grain does not count.
+    span : levels, of 255, by which they differ at least where a picture shows something.
+    margin : pixels around the outlines that are looked at first.
+    """
+
+    cell: int = 8
+    span: float = 8.0
+    margin: float = 32.0
+
+
+@dataclass(frozen=True)
 class ExposureParams:
-    """Parameters of how much brighter the picture has become since the key (`proposal.cues.exposure`).
+    """Parameters of how the light has changed since the key (`proposal.cues.exposure`).
 
     Attributes
     ----------
@@ -133,8 +149,8 @@ class ExposureParams:
     beside : share of the key's object in a cell up to which it is background.
     darkest, brightest : mean luma between which a patch tells anything.
     least : cells that must be known again.
-    within : difference of the logarithm of brightness that two patches of one light may show. agreed : share of the
-        cells that must agree on a change within that.
+    within : difference of the logarithm of brightness that two patches of one light may show. tint_within : the same
+        of a channel's, besides. agreed : share of the cells that must agree on a change within that.
     """
 
     window: int = 7
@@ -146,6 +162,7 @@ class ExposureParams:
     least: int = 200
     within: float = 0.06
     agreed: float = 0.5
+    tint_within: float = later(0.03)
 
 
 @dataclass(frozen=True)

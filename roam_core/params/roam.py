@@ -8,6 +8,7 @@ from typing import Literal
 from roam_core.params.appearance import AppearanceParams
 from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import UNTYING, UntyingParams
+from roam_core.params.evidence import BlankParams
 from roam_core.params.klt import KLT, KltParams
 from roam_core.params.landmarks import LandmarkParams
 from roam_core.params.proposals import ProposalParams
@@ -56,6 +57,7 @@ class RoamParams:
     untangling : times that loops are looked for in a round; a curve that still crosses itself then is put back.
     klt : of the followed points.
     untying : of taking crossings out of the fitted spline. confidence : of edges and motion, where there is no region.
+    blank : of frames that show nothing.
     """
 
     config: str = "baseline"
@@ -88,6 +90,7 @@ class RoamParams:
     klt: KltParams = later(KLT)
     untying: UntyingParams = later(UNTYING)
     confidence: ConfidenceParams = later(ConfidenceParams())
+    blank: BlankParams = later(BlankParams())
 
     def __hash__(self) -> int:
         return hash(self.config)

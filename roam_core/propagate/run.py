@@ -10,6 +10,7 @@ from functools import partial
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.features.blank import is_blank
 from roam_core.media.partial import ReadFrame
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
@@ -51,7 +52,8 @@ def track(
     Cancelled
         at a safe point after `token` was cancelled.
     MissingFrame, RoamError
-        as `read` raises them for the first frame; a gap later on is passed over and reported as MISSING_FRAME.
+        as `read` raises them for the first frame, and where that is blank and holds no key; a gap later on, or a blank
+        frame, is passed over and reported as MISSING_FRAME.
     """
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:
@@ -59,6 +61,9 @@ def track(
     if len(frames) == 0:
         raise RoamError("There is no frame to track; name the one to begin on, and those to go to.")
     first = PreparedFrame(read(frames[0]))
+    begun_with = [shapes[k].at(frames[0]).points for k in asked]
+    if not any(shapes[k].key_at(frames[0]) for k in asked) and is_blank(first, begun_with, params_for(config).blank):
+        raise MissingFrame(f"Frame {frames[0]} shows nothing; track from a frame that does.")
     stamps = Stamps(shapes, clip, first.size)
     forward = frames.step > 0 if isinstance(frames, range) else frames[-1] >= frames[0]
     runs: dict[Beginning, _Run] = {}

@@ -68,6 +68,8 @@ class Tracker:
     def step(self, image: NDArray[Any] | PreparedFrame, frame: int, token: CancelToken | None = None) -> TrackResult:
         """Carry the shape to `frame`. A frame that holds an artist's key is taken as the artist made it.
 
+        One that shows nothing, all black or white, is passed over as by `skip`.
+
         Raises
         ------
         Cancelled
@@ -76,7 +78,7 @@ class Tracker:
         return self._group.step(image, frame, token)[0]
 
     def skip(self, frame: int) -> TrackResult:
-        """Pass over a frame whose picture is missing: no key is made there, the next step bridges the gap."""
+        """Pass over a frame whose picture is missing, or blank: no key is made there, the next step bridges the gap."""
         return self._group.skip(frame)[0]
 
     def correct(self, shape: RotoShape) -> None:

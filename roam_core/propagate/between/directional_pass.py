@@ -10,6 +10,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
+from roam_core.features.blank import is_blank
 from roam_core.geometry import bezier
 from roam_core.media.source import MissingFrame
 from roam_core.motion.klt import similarity_warp
@@ -111,6 +112,8 @@ def directional_pass(
 ) -> DirectionalPass:
     """Carry the `parts` of an object, begun on `frames[0]`, through the other frames in their order.
 
+    Those that are missing, or show nothing, are passed over.
+
     `orders` tells how they are stacked on a frame (`propagate.shapes.objects`). `passed` is called after each frame.
     """
     key = picture = engine.frame
@@ -122,6 +125,8 @@ def directional_pass(
             token.check()
         try:
             following = read(frame)
+            if is_blank(following, points, params.blank) and not is_blank(picture, points, params.blank):
+                continue
             step = engine.step(following, orders(frame), token)
             since_key = step.after.motion.since_key
             moved = since_key if since_key is not None else _moved(picture, following, points, params) @ carried

@@ -23,7 +23,7 @@ from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.background import correction
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
-from roam_core.proposal.cues.exposure import exposure_gain
+from roam_core.proposal.cues.exposure import light_since
 from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import MotionMisfit
@@ -125,8 +125,7 @@ def _drawn_to(frame: PreparedFrame, key: KeyMemory, possible: Bools, grid: Grid,
         return key
     view = key.behind(grid)
     plate = replace(view, picture=view.picture.plate)  # light multiplies its values, not those that levels shift
-    gain = exposure_gain(plate, grid.grey_of(frame.plate), possible, grid, params.exposure)
-    return key if gain is None else replace(key, gain=gain)
+    return replace(key, light=light_since(plate, frame.plate, possible, grid, key.light, params.exposure))
 
 
 def _displacement(state: RegionState, frame: PreparedFrame, spots: Array, params: FastMotionParams) -> Array | None:

@@ -19,6 +19,7 @@ from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
 from roam_core.proposal.cues.background import Background, LaterView
+from roam_core.proposal.cues.exposure import UNCHANGED, Light
 from roam_core.proposal.cues.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.cues.label_propagation import LabelPropagation
 from roam_core.proposal.cues.patch_sides import PatchSides
@@ -61,7 +62,7 @@ class KeyMemory:
     Attributes
     ----------
     to_now, surroundings : (3, 3) similarities, of the image, by which the object and what lay around it went since.
-    gain : by which the picture has become brighter since.
+    light : what has become of the picture's since.
     neither : closed polylines `(K, 2)` on the key of what need not be background, though it is not the object's: what
         lay before it, and its holes.
     later : what came into sight around the object since.
@@ -74,11 +75,11 @@ class KeyMemory:
     surroundings: Array
     neither: tuple[Array, ...] = ()
     later: tuple[LaterView, ...] = ()
-    gain: float = 1.0
+    light: Light = UNCHANGED
 
     def in_its_light(self, frame: PreparedFrame) -> PreparedFrame:
         """A frame as it would be if the light had not changed since the key."""
-        return frame.multiplied(1.0 / self.gain)
+        return frame.multiplied(1.0 / self.light.gains)
 
     def behind(self, grid: Grid) -> KeyView:
         """The key in the cells of `grid`, carried by the motion of its surroundings."""

@@ -59,7 +59,9 @@ def test_a_levelled_picture_counts_as_given_and_is_made_once() -> None:
     assert found is not None
     levelled = picture.levelled(found.table)
     assert levelled is picture.levelled(found.table)
-    assert levelled.multiplied(0.5).given is levelled
-    darker = np.uint8(np.round(0.5 * picture.image))
-    np.testing.assert_array_equal(levelled.multiplied(0.5).image, found.table[darker])
-    assert levelled.multiplied(0.5).plate is picture
+    darker = levelled.multiplied(np.array([0.5, 0.6, 0.7]))
+    assert darker.given is levelled
+    assert darker.plate is picture
+    np.testing.assert_array_equal(
+        darker.image, found.table[np.uint8(np.round(np.array([0.5, 0.6, 0.7]) * picture.image))]
+    )

@@ -105,6 +105,33 @@ def test_a_gap_in_the_plate_is_passed_over(config: str, blob_shot: Shot) -> None
     assert outline_distance(last(results).at(1004).points, blob_shot.truth(1004)) < 1.5
 
 
+@pytest.mark.parametrize("value", [0, 255], ids=["black", "white"])
+def test_a_frame_that_shows_nothing_is_passed_over_like_a_gap(config: str, blob_shot: Shot, value: int) -> None:
+    def read(frame: int) -> UInt8:
+        return np.full_like(blob_shot.read(frame), value) if frame in (1003, 1004) else blob_shot.read(frame)
+
+    results = list(track(read, [blob_shot.shape()], blob_shot.frames, config))
+    ends = [result.results[0].termination for result in results]
+    assert [end is Termination.MISSING_FRAME for end in ends] == [False, True, True, False, False]
+    assert last(results).frames == (1001, 1002, 1005, 1006)
+    assert outline_distance(last(results).at(1005).points, blob_shot.truth(1005)) < 1.5
+    stopped = last(results[:2])
+    with pytest.raises(MissingFrame, match="1003 shows nothing"):
+        next(track(read, [stopped], blob_shot.frames[2:], config))
+    again = list(track(read, [stopped], blob_shot.frames[1:], config))
+    assert last(again) == last(results)
+
+
+def test_an_artists_key_on_a_frame_that_shows_nothing_stays(config: str, blob_shot: Shot) -> None:
+    def read(frame: int) -> UInt8:
+        return np.zeros_like(blob_shot.read(frame)) if frame == 1003 else blob_shot.read(frame)
+
+    key = Keyframe(1003, blob_shot.truth(1003))
+    results = list(track(read, [blob_shot.shape().with_key(key)], blob_shot.frames, config))
+    assert results[1].results[0].termination is Termination.ARTIST_KEY
+    assert last(results).key_at(1003) == key
+
+
 def test_a_missing_first_frame_is_an_error(config: str, blob_shot: Shot) -> None:
     def read(frame: int) -> UInt8:
         raise MissingFrame(f"Frame {frame} is missing.")

@@ -142,6 +142,8 @@ def test_a_missing_picture_is_passed_over(shot: Shot) -> None:
     [filled] = fill_span(Gappy(pictures(shot)), [keyed(shot, FIRST, LAST)], FIRST, LAST)
     assert filled.key_at(FIRST + 3) is None
     assert filled.key_at(FIRST + 4) is not None
+    black = pictures(shot) | {FIRST + 3: np.zeros_like(pictures(shot)[FIRST])}
+    assert fill_span(black, [keyed(shot, FIRST, LAST)], FIRST, LAST) == [filled]
 
 
 def test_a_filled_key_is_stale_once_either_of_its_artist_keys_changes(shot: Shot) -> None:

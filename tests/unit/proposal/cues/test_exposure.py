@@ -1,4 +1,4 @@
-"""How much brighter the picture has become since the key: told only where its background agrees on it."""
+"""How the light has changed since the key: told only where the key's background agrees on it."""
 
 from __future__ import annotations
 
@@ -9,83 +9,120 @@ from roam_core.arrays import Array, Bools, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.params.evidence import ExposureParams
-from roam_core.proposal.cues.exposure import exposure_gain
+from roam_core.proposal.cues.exposure import UNCHANGED, Light, light_since
 from roam_core.proposal.cues.key_view import KeyView
 
 SIDE = 120
 GRID = Grid(Region(0, 0, SIDE, SIDE), SIDE, SIDE)
 PARAMS = ExposureParams()
 NOWHERE = np.zeros((SIDE, SIDE), bool)
-WITHIN = float(np.exp(PARAMS.within))
+WITHIN, TINT_WITHIN = float(np.exp(PARAMS.within)), float(np.exp(PARAMS.tint_within))
+LAST = Light(0.9, np.array([1.1, 1.0, 0.9]))
+WARM = np.array([1.15, 1.0, 0.8])
 
 
 def ground(seed: int = 3) -> UInt8:
-    """Coarse texture `(SIDE, SIDE)`."""
-    return np.uint8(np.kron(np.random.default_rng(seed).integers(60, 140, (SIDE // 4, SIDE // 4)), np.ones((4, 4))))
+    """Coarse texture `(SIDE, SIDE, 3)`, of all hues."""
+    rng = np.random.default_rng(seed)
+    luma = rng.integers(70, 140, (SIDE // 4, SIDE // 4, 1))
+    return np.uint8(np.kron(luma + rng.integers(-30, 31, (SIDE // 4, SIDE // 4, 3)), np.ones((4, 4, 1))))
 
 
 def lit(picture: UInt8, by: float | Array) -> UInt8:
     return np.uint8(np.clip(np.round(picture * by), 0, 255))
 
 
-def told(now: UInt8, inside: Bools = NOWHERE, key: UInt8 | None = None, carried: Array | None = None) -> float | None:
-    picture = np.repeat((ground() if key is None else key)[..., None], 3, axis=2)
+def shaded(by: Array) -> Array:
+    """Factors `(SIDE, SIDE)` for all channels."""
+    return np.repeat(by[..., None], 3, axis=2)
+
+
+def told(now: UInt8, inside: Bools = NOWHERE, key: UInt8 | None = None, carried: Array | None = None) -> Light:
     by = np.eye(3) if carried is None else carried
-    view = KeyView(PreparedFrame(picture), by, GRID.warped(inside.astype(np.float32), by))
-    return exposure_gain(view, now, inside, GRID, PARAMS)
+    view = KeyView(PreparedFrame(ground() if key is None else key), by, GRID.warped(inside.astype(np.float32), by))
+    return light_since(view, PreparedFrame(now), inside, GRID, LAST, PARAMS)
+
+
+def nearer(gains: Array | float, within: float) -> Array:
+    """Factors as far from 1 as they are beyond what two patches of one light differ by."""
+    logs = np.log(gains)
+    return np.asarray(np.exp(logs - np.clip(logs, -np.log(within), np.log(within))))
 
 
 @pytest.mark.parametrize("gain", [0.5, 0.65, 0.8, 1.25, 1.6])
 def test_a_change_of_exposure_is_told_up_to_what_patches_differ_by(gain: float) -> None:
-    expected = gain * WITHIN if gain < 1.0 else gain / WITHIN
-    assert told(lit(ground(), gain)) == pytest.approx(expected, rel=0.01)
+    light = told(lit(ground(), gain))
+    assert light.exposure == pytest.approx(float(nearer(gain, WITHIN)), rel=0.01)
+    np.testing.assert_array_equal(light.tint, np.ones(3))
+
+
+@pytest.mark.parametrize("exposure", [0.7, 1.0, 1.3])
+def test_a_change_of_colour_temperature_is_told_beside_that_of_exposure(exposure: float) -> None:
+    luma = np.array([0.299, 0.587, 0.114])
+    tint = WARM * (luma @ ground().mean((0, 1))) / ((luma * WARM) @ ground().mean((0, 1)))
+    light = told(lit(ground(), exposure * WARM))
+    np.testing.assert_allclose(light.tint, nearer(tint, TINT_WITHIN), rtol=0.02)
+    assert light.exposure == pytest.approx(float(nearer(exposure * WARM[0] / tint[0], WITHIN)), rel=0.02)
+    np.testing.assert_array_equal(light.gains, light.exposure * light.tint)
 
 
 def test_the_same_light_is_no_change_at_all() -> None:
-    grain = np.random.default_rng(4).normal(0.0, 3.0, (SIDE, SIDE))
-    assert told(ground()) == 1.0
-    assert told(np.uint8(np.clip(0.97 * ground() + grain, 0, 255))) == 1.0
+    grain = np.random.default_rng(4).normal(0.0, 3.0, (SIDE, SIDE, 3))
+    for now in (ground(), np.uint8(np.clip(np.array([0.98, 0.97, 0.96]) * ground() + grain, 0, 255))):
+        np.testing.assert_array_equal(told(now).gains, UNCHANGED.gains)
 
 
 def test_there_is_no_leap_where_a_change_begins() -> None:
-    gains = [told(lit(ground(), gain)) for gain in np.linspace(0.9, 1.0, 21)]
-    assert np.abs(np.diff(np.array(gains, float))).max() < 0.01
+    lights = [told(lit(ground(), 1.0 + share * (0.9 * WARM - 1.0))).gains for share in np.linspace(0.0, 1.0, 21)]
+    assert np.abs(np.diff(np.array(lights), axis=0)).max() < 0.03
 
 
 def test_it_is_told_where_the_camera_has_gone_on() -> None:
     carried = np.array([[1.0, 0.0, 8.0], [0.0, 1.0, -4.0], [0.0, 0.0, 1.0]])
     moved = np.roll(ground(), (-4, 8), axis=(0, 1))
-    assert told(lit(moved, 0.6), carried=carried) == pytest.approx(0.6 * WITHIN, rel=0.02)
+    light = told(lit(moved, 0.6), carried=carried)
+    assert light.exposure == pytest.approx(0.6 * WITHIN, rel=0.02)
 
 
-def test_shadows_on_some_of_it_are_no_change_of_exposure() -> None:
+def test_shadows_on_some_of_it_are_no_change() -> None:
     third = np.ones((SIDE, SIDE))
     third[:, : SIDE // 3] = 0.5
-    assert told(lit(ground(), third)) == 1.0
+    np.testing.assert_array_equal(told(lit(ground(), shaded(third))).gains, UNCHANGED.gains)
 
 
-def test_nothing_is_told_where_patches_disagree() -> None:
+def test_where_patches_disagree_on_it_the_exposure_stays_and_the_tint_is_told() -> None:
     gains = np.kron(np.random.default_rng(5).uniform(0.5, 1.0, (SIDE // 20, SIDE // 20)), np.ones((20, 20)))
-    assert told(lit(ground(), gains)) is None
+    light = told(lit(ground(), shaded(gains)))
+    assert light.exposure == LAST.exposure
+    np.testing.assert_array_equal(light.tint, np.ones(3))
 
 
-def test_nothing_is_told_of_another_ground() -> None:
-    assert told(ground(8)) is None
+def test_where_patches_disagree_on_it_the_tint_stays_and_the_exposure_is_told() -> None:
+    hues = np.random.default_rng(5).uniform(0.8, 1.25, (SIDE // 20, SIDE // 20, 3))
+    luma = np.array([0.299, 0.587, 0.114])
+    hues /= (hues @ luma)[..., None]
+    light = told(lit(ground(), np.kron(hues, np.ones((20, 20, 1)))))
+    assert light.exposure == pytest.approx(1.0, abs=0.02)
+    np.testing.assert_array_equal(light.tint, LAST.tint)
 
 
-def test_nothing_is_told_by_what_is_flat() -> None:
-    flat = np.full((SIDE, SIDE), 100, np.uint8)
-    assert told(lit(flat, 0.7), key=flat) is None
-
-
-def test_nothing_is_told_of_what_is_cut_at_white() -> None:
-    bright = np.uint8(ground() // 8 + 235)
-    assert told(lit(bright, 1.2), key=bright) is None
+@pytest.mark.parametrize(
+    ("key", "now"),
+    [
+        (ground(), ground(8)),
+        (np.full((SIDE, SIDE, 3), 100, np.uint8), np.full((SIDE, SIDE, 3), 70, np.uint8)),
+        (np.uint8(ground() // 12 + 235), lit(np.uint8(ground() // 12 + 235), 1.2)),
+    ],
+    ids=["another ground", "flat", "cut at white"],
+)
+def test_what_tells_nothing_leaves_the_light_as_it_was(key: UInt8, now: UInt8) -> None:
+    np.testing.assert_array_equal(told(now, key=key).gains, LAST.gains)
 
 
 def test_the_object_itself_tells_nothing() -> None:
     inside = np.zeros((SIDE, SIDE), bool)
     inside[:, SIDE // 10 :] = True
-    assert told(lit(ground(), np.where(inside, 0.5, 1.0)), inside) == 1.0
+    now = lit(ground(), np.where(inside[..., None], 0.5 * WARM, 1.0))
+    np.testing.assert_array_equal(told(now, inside).gains, UNCHANGED.gains)
     inside[:] = True
-    assert told(lit(ground(), 0.5), inside) is None
+    np.testing.assert_array_equal(told(now, inside).gains, LAST.gains)

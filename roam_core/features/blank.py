@@ -1,0 +1,33 @@
+"""Frames that show nothing: black ones where a shot was cut, white ones of a flash, dropped ones of a transfer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+
+from roam_core.arrays import Array
+from roam_core.features.frame import PreparedFrame, Region
+from roam_core.params.evidence import BlankParams
+
+
+def is_blank(picture: PreparedFrame, outlines: Sequence[Array], params: BlankParams) -> bool:
+    """Whether a picture shows nothing at all, but for grain.
+
+    Looked at is what lies around the `outlines (P, 3, 2)` first: the rest of a picture that shows something there need
+    not be decoded.
+    """
+    height, width = picture.size
+    whole = Region(0, 0, width, height)
+    places = np.concatenate([outline.reshape(-1, 2) for outline in outlines])
+    around = Region.around(places, params.margin, picture.size)
+    boxes = (whole,) if around.is_empty else (around, whole)
+    return all(_span(picture, box, params.cell) < params.span for box in boxes)
+
+
+def _span(picture: PreparedFrame, box: Region, cell: int) -> float:
+    """By how many levels the cells of a box differ at most, in the channel in which they differ most."""
+    size = max((box.x1 - box.x0) // cell, 1), max((box.y1 - box.y0) // cell, 1)
+    cells = cv2.resize(picture.within(box), size, interpolation=cv2.INTER_AREA).reshape(-1, 3)
+    return float(np.ptp(cells.astype(np.float64), axis=0).max())
