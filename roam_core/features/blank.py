@@ -15,7 +15,7 @@ from roam_core.params.evidence import BlankParams
 def is_blank(picture: PreparedFrame, outlines: Sequence[Array], params: BlankParams) -> bool:
     """Whether a picture shows nothing at all, but for grain.
 
-    Looked at is what lies around the `outlines (P, 3, 2)` first: the rest of a picture that shows something there need
+    Its plate tells: levels may have cut what it shows at black. Looked at is what lies around the `outlines (P, 3, 2)` first: the rest of a picture that shows something there need
     not be decoded.
     """
     height, width = picture.size
@@ -23,7 +23,7 @@ def is_blank(picture: PreparedFrame, outlines: Sequence[Array], params: BlankPar
     places = np.concatenate([outline.reshape(-1, 2) for outline in outlines])
     around = Region.around(places, params.margin, picture.size)
     boxes = (whole,) if around.is_empty else (around, whole)
-    return all(_span(picture, box, params.cell) < params.span for box in boxes)
+    return all(_span(picture.plate, box, params.cell) < params.span / picture.contrast for box in boxes)
 
 
 def _span(picture: PreparedFrame, box: Region, cell: int) -> float:

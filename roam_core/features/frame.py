@@ -16,6 +16,8 @@ from roam_core.media.partial import PartialPicture
 
 DECODED_TOGETHER = 32
 """Pixels: parts of a picture are decoded in boxes of whole multiples."""
+BRIGHTEST = 4.0
+"""Mean from which floats are no picture in [0, 1], but one in [0, 255]."""
 AS_THEY_ARE = np.arange(256, dtype=np.uint8)
 """The table of values that nothing changes."""
 
@@ -109,6 +111,13 @@ class PreparedFrame:
     def table(self) -> UInt8:
         """What the plate's values become in it, `(256,)`; `(256, 3)` where its channels were multiplied apart."""
         return AS_THEY_ARE
+
+    @property
+    def contrast(self) -> float:
+        """By how much the plate's differences are stretched in the picture as it was given."""
+        values = self.given.table.astype(np.float64)
+        kept = np.flatnonzero((values > values.min()) & (values < values.max()))
+        return float(np.ptp(values[kept]) / np.ptp(kept)) if len(kept) > 1 else 1.0
 
     def multiplied(self, by: Array) -> PreparedFrame:
         """The picture as it was given, all values of its plate multiplied: rounded, and cut at white.
@@ -210,7 +219,7 @@ class _MappedFrame(PreparedFrame):
         given: PreparedFrame | None = None,
         pixels: NDArray[Any] | None = None,
     ) -> None:
-        super().__init__(np.empty((0, 0, 3), np.uint8) if pixels is None else pixels)
+        super().__init__(np.empty((1, 1, 3), np.uint8) if pixels is None else pixels)
         self.size = plate.size
         self._plate, self._table, self._given, self._is_known = plate, table, given, pixels is not None
 
@@ -246,14 +255,18 @@ def as_uint8(image: NDArray[Any]) -> UInt8:
     """The engine's form of an image (h, w, 3): uint8 passes through, float in [0, 1] is rounded to 256 levels."""
     if image.ndim == 2:
         image = np.repeat(image[:, :, None], 3, axis=2)
-    if image.ndim != 3 or image.shape[2] != 3:
+    if image.ndim != 3 or image.shape[2] != 3 or image.size == 0:
         raise ValueError(f"an image has shape {image.shape}, not (h, w, 3)")
     if image.dtype == np.uint8:
         return np.ascontiguousarray(image)
     if not np.issubdtype(image.dtype, np.floating):
         raise ValueError(f"an image has type {image.dtype}, neither uint8 nor float")
     levels = np.multiply(image, np.float32(255.0), dtype=np.float32)
-    if not np.isfinite(levels.sum()):
+    with np.errstate(invalid="ignore"):
+        mean = float(levels.mean()) / 255.0
+    if BRIGHTEST < mean < np.inf:
+        raise ValueError(f"an image of floats lies in [0, 1], the mean of this one is {mean:.0f}")
+    if not np.isfinite(mean):
         levels = np.nan_to_num(levels, nan=0.0, posinf=255.0, neginf=0.0)
     levels += np.float32(0.5)
     return np.asarray(np.clip(levels, 0.0, 255.0, out=levels), dtype=np.uint8)

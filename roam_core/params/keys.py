@@ -115,7 +115,8 @@ class KeyFitParams:
     window : places to both sides in which a sample's nearest place is looked for.
     slide : weight, against one sample of the outline, that holds an anchor to its matched place along the outline.
     smooth : weight of a smooth point's handles leaving their common line.
-    hold : weight of handles against those matched first.
+    hold : weight of handles against those matched first. stay : weight of all points against those.
+    astray : steps of the outline's samples by which an anchor may leave it.
     fine : places a segment at which a sample's nearest one is looked for.
     turn : price, in squared pixels, of a place whose outline runs at a right angle.
     straight : degrees by which the handles of a smooth point may miss their common line.
@@ -127,6 +128,8 @@ class KeyFitParams:
     slide: float = 0.05
     smooth: float = 1.0
     hold: float = 0.002
+    stay: float = 1e-6
+    astray: float = 4.0
     fine: int = 12
     turn: float = 9.0
     straight: float = 12.0

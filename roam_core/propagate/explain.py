@@ -17,9 +17,9 @@ from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again
 from roam_core.propagate.parts.edges import Edges, edges, edges_on_key
 from roam_core.propagate.shapes import provenance
-from roam_core.propagate.shapes.objects import stacked
+from roam_core.propagate.shapes.objects import cuts, stacked
 from roam_core.propagate.shapes.provenance import Stamp, Stamps
-from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
+from roam_core.roto import Clip, Keyframe, Origin, RotoShape
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,14 +145,14 @@ def _explained(
     step = standing.view.step(standing.engine, read(frame), stacked(together, frame), token)
     keys = [shape.key_at(frame) for shape in together]
     return {
-        k: _of_key(together[place], key, step, place, tracker.params)
-        for place, (k, key) in enumerate(zip(run.members, keys, strict=True))
+        k: _of_key(together[place], key, is_hole, step, place, tracker.params)
+        for place, (k, key, is_hole) in enumerate(zip(run.members, keys, cuts(together), strict=True))
         if k in asked and key is not None
     }
 
 
-def _of_key(shape: RotoShape, key: Keyframe, step: Step, place: int, params: RoamParams) -> Explanation:
+def _of_key(shape: RotoShape, key: Keyframe, is_hole: bool, step: Step, place: int, params: RoamParams) -> Explanation:
     """The key of the shape in this `place` among those that were solved together."""
-    account = step.account(place, key.points, shape.blend is BlendMode.SUBTRACT)
+    account = step.account(place, key.points, is_hole)
     apart = float(np.hypot(*(key.points - step.results[place].points).T).max())
     return Explanation(shape, key, params.config, account, apart)

@@ -20,8 +20,8 @@ from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes import provenance
-from roam_core.propagate.shapes.objects import near, stacked, units
-from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from roam_core.propagate.shapes.objects import cuts, near, stacked, units
+from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 
 
@@ -115,7 +115,8 @@ class GroupTracker:
         """Carry the shapes to `frame`. A shape that holds an artist's key there is taken as the artist made it.
 
         A frame that shows nothing, all black or white, is passed over like one whose picture is missing. Of a key that
-        the artist set some points of the others are solved; from there the run begins anew.
+        the artist set some points of the others are solved; from there the run begins anew. A shape that does not exist
+        on the frame gets no key there; the others still know it.
 
         Raises
         ------
@@ -143,7 +144,7 @@ class GroupTracker:
         step = standing.view.step(standing.engine, picture, stacked(standing.shapes, frame), token)
         solved = step.results
         shapes = tuple(
-            shape if key else self._keyed(shape, standing.frame, frame, each)
+            shape if key or not shape.exists_at(frame) else self._keyed(shape, standing.frame, frame, each)
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
         )
         by_hand = [key or part for key, part in zip(given, set_in_part, strict=True)]
@@ -156,7 +157,7 @@ class GroupTracker:
         seconds = (time.perf_counter() - began) / len(shapes)
         return tuple(
             _as_given(shape, frame, seconds, landmarks)
-            if key
+            if key or not shape.exists_at(frame)
             else _as_solved(shape, frame, seconds, landmarks, each, self.params, scale_for(picture.size))
             for shape, key, each, landmarks in zip(shapes, given, solved, self._landmarks(), strict=True)
         )
@@ -227,8 +228,8 @@ class GroupTracker:
 def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -> tuple[Part, ...]:
     """The shapes' outlines on a frame, as a run begins with them."""
     return tuple(
-        Part(provenance.outline_begun(shape, frame, forward), shape.blend is BlendMode.SUBTRACT, shape.attached)
-        for shape in shapes
+        Part(provenance.outline_begun(shape, frame, forward), is_hole, shape.attached)
+        for shape, is_hole in zip(shapes, cuts(shapes), strict=True)
     )
 
 
@@ -249,7 +250,7 @@ def _is_set_in_part(shape: RotoShape, frame: int) -> bool:
 
 
 def _as_given(shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks | None) -> TrackResult:
-    """What needs no solving: the artist's word, or a key of the engine's from which a run goes on."""
+    """What needs no solving: the artist's word, a key or a lifetime, or an engine key from which a run goes on."""
     key, sure, termination = shape.key_at(frame), 1.0, Termination.ARTIST_KEY
     if key is not None and key.origin is Origin.ENGINE and key.confidence is not None:
         sure, termination = key.confidence, Termination.of(key.confidence)

@@ -55,6 +55,7 @@ def track(
         as `read` raises them for the first frame, and where that is blank and holds no key; a gap later on, or a blank
         frame, is passed over and reported as MISSING_FRAME.
     """
+    shapes, frames = tuple(shapes), frames if isinstance(frames, range) else tuple(frames)
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:
         raise RoamError("There is no shape to track; draw one, or select one, first.")

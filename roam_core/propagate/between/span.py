@@ -27,7 +27,7 @@ from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.shapes import provenance
-from roam_core.propagate.shapes.objects import near, stacked, units
+from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
@@ -70,16 +70,21 @@ def fill_span(
     Raises
     ------
     RoamError
-        when no shape has artist keys on two frames of the range, or a shape to be filled is open.
+        when no shape that is wanted has artist keys on two frames of the range, or a shape to be filled is open.
     Cancelled
         at a safe point after `token` was cancelled.
     """
+    shapes = tuple(shapes)
     asked = [only is None or shape.id in only for shape in shapes]
     gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
+    if not gaps and any(
+        _is_keyed_twice(shape, start, stop) for shape, wanted in zip(shapes, asked, strict=True) if wanted
+    ):
+        return list(shapes)
     if not gaps:
         raise RoamError(
-            f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there with "
-            "frames between them. Set a key on both ends first."
+            f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. "
+            "Set a key on both ends first."
         )
     meter = _Meter(sum(2 * (last - first) for first, last, _ in gaps), progress)
     filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
@@ -102,6 +107,10 @@ def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int,
         if pair[1] - pair[0] > 1 and provenance.takes_part(shape, pair)
     }
     return [(*gap, [k for k, shape in enumerate(shapes) if provenance.takes_part(shape, gap)]) for gap in sorted(gaps)]
+
+
+def _is_keyed_twice(shape: RotoShape, start: int, stop: int) -> bool:
+    return sum(start <= frame <= stop for frame in shape.artist_frames) > 1
 
 
 class Reader:
@@ -194,8 +203,12 @@ class Filling:
             return {}
         between, strength = range(gap[0] + 1, gap[1]), region.span.steadiness
         alone = [
-            replace(shape, keys=(*(key for key in shape.keys if key.frame in gap), *made[k]))
-            for k, shape in shapes.items()
+            replace(
+                shape,
+                keys=(*(key for key in shape.keys if key.frame in gap), *made[k]),
+                blend=BlendMode.SUBTRACT if is_hole else BlendMode.ADD,
+            )
+            for (k, shape), is_hole in zip(shapes.items(), cuts(list(shapes.values())), strict=True)
         ]
         moved = steadied(self.read.image, alone, between, strength, STEADINESS, self.token)
         return {k: [key for key in each.keys if key.frame in between] for k, each in zip(shapes, moved, strict=True)}
@@ -291,16 +304,12 @@ def _require_closed(shape: RotoShape) -> None:
 
 def _key(shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Key:
     """What the artist drew on a frame, for the engine."""
-    keys = [shape.key_at(frame) for shape in shapes]
-    return Key(
-        frame,
-        tuple(
-            None
-            if key is None or key.origin is not Origin.ARTIST
-            else Part(view.points(key.points), shape.blend is BlendMode.SUBTRACT, shape.attached)
-            for shape, key in zip(shapes, keys, strict=True)
-        ),
-    )
+    drawn = {k: key for k, shape in enumerate(shapes) if (key := shape.key_at(frame)) and key.origin is Origin.ARTIST}
+    is_hole = dict(zip(drawn, cuts([shapes[k] for k in drawn]), strict=True))
+    parts: list[Part | None] = [None] * len(shapes)
+    for k, key in drawn.items():
+        parts[k] = Part(view.points(key.points), is_hole[k], shapes[k].attached)
+    return Key(frame, tuple(parts))
 
 
 def _engine_key(shape: RotoShape, frame: int, merged: Merged, inputs: str) -> Keyframe:

@@ -211,6 +211,11 @@ def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
                 shared -= _shared(*_met(shapes[hole], shapes[j if host == i else i]))
         return _meet(a, b, shared, gap)
 
+    def is_drawn_on(k: int, crowd: Sequence[tuple[int, ...]]) -> bool:
+        """Whether all that meets a shape lies within it, and before it: a window of a car, a print on a shirt."""
+        met = [j for thing in crowd for j in thing if j != k and meet(k, j)]
+        return all(j > k and _is_within(shapes[j], shapes[k]) for j in met)
+
     made = [Unit(Role.OCCLUDER, (k,)) for k in occluders]
     behind = [k for k in everything if k not in occluders]
     for group in objects([shapes[k] for k in behind], gap):
@@ -218,7 +223,7 @@ def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
         for crowd in _crowds(things, meet):
             for thing in crowd:
                 members = (*thing, *(hole for hole, host in hosts.items() if host in thing))
-                is_part = len(crowd) > 1 and len(thing) == 1
+                is_part = len(crowd) > 1 and len(thing) == 1 and not is_drawn_on(thing[0], crowd)
                 made.append(Unit(Role.PART, members) if is_part else Unit(Role.WHOLE, tuple(sorted(members))))
     return sorted(made, key=lambda unit: unit.members[0])
 
@@ -241,6 +246,12 @@ def _crowds(things: Sequence[tuple[int, ...]], meet: Callable[[int, int], bool])
     return [[things[number] for number in numbers] for numbers in _joined(len(things), belong)]
 
 
+def cuts(shapes: Sequence[RotoShape]) -> list[bool]:
+    """For each shape of an object whether it cuts a hole. Where there is nothing to cut, what subtracts is a thing."""
+    subtracts = [shape.blend is BlendMode.SUBTRACT for shape in shapes]
+    return [False] * len(subtracts) if all(subtracts) else subtracts
+
+
 def stacked(shapes: Sequence[RotoShape], frame: int) -> list[int]:
     """The indices of shapes that come bottom first as they lie on a frame, the farthest first."""
     return sorted(range(len(shapes)), key=lambda k: shapes[k].depth_at(frame))
@@ -249,13 +260,15 @@ def stacked(shapes: Sequence[RotoShape], frame: int) -> list[int]:
 def _host(k: int, solid: Sequence[int], shapes: Sequence[RotoShape]) -> int | None:
     """The solid shape whose hole a subtracting one is: the nearest of those below it, else of those above; or None."""
 
-    def surrounds(j: int) -> bool:
-        hole, outer = _met(shapes[k], shapes[j])
-        return _shared(hole, outer) >= OBJECTS.enclosed * hole.area
-
-    around = [j for j in solid if surrounds(j)]
+    around = [j for j in solid if _is_within(shapes[k], shapes[j])]
     below = [j for j in around if j < k]
     return below[-1] if below else around[0] if around else None
+
+
+def _is_within(a: RotoShape, b: RotoShape) -> bool:
+    """Whether `b` surrounds `a` where they met."""
+    inner, outer = _met(a, b)
+    return _shared(inner, outer) >= OBJECTS.enclosed * inner.area
 
 
 def _shared(a: Drawn, b: Drawn) -> float:

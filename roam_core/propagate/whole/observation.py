@@ -60,8 +60,12 @@ def observed(
 ) -> Observation | None:
     """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture.
 
+    So has one of which the key shows nothing: there is nothing to know it by.
+
     `surroundings (3, 3)`: the motion of the key's to `frame`, where it is known already.
     """
+    if not state.key.region.inside.any():
+        return None
     scale = scale_for(frame.size)
     spots = np.vstack([corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
     displacement = _displacement(state, frame, spots, params.fast_motion)
@@ -123,9 +127,7 @@ def _drawn_to(frame: PreparedFrame, key: KeyMemory, possible: Bools, grid: Grid,
         key = key.with_surroundings_moved(correction(*seen, grid, params.background.agreed))
     if params.exposure is None:
         return key
-    view = key.behind(grid)
-    plate = replace(view, picture=view.picture.plate)  # light multiplies its values, not those that levels shift
-    return replace(key, light=light_since(plate, frame.plate, possible, grid, key.light, params.exposure))
+    return replace(key, light=light_since(key.behind(grid), frame, possible, grid, key.light, params.exposure))
 
 
 def _displacement(state: RegionState, frame: PreparedFrame, spots: Array, params: FastMotionParams) -> Array | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import cv2
 import numpy as np
@@ -43,31 +43,36 @@ def light_since(
     A patch of the background is known again by its correlation with the key's, which light does not change. Exposure
     and tint are the same everywhere: where most patches do not agree on a factor, it is shadows, glitter, or something
     else. Told is the factor nearest to 1 from which the median differs by no more than two patches of one light do.
-    Shadows and glitter change all channels alike, so that patches agree more closely on the tint.
+    Shadows and glitter change all channels alike, so that patches agree more closely on the tint. Light multiplies the
+    values of the plate, not those that levels shift; but what is stretched then tells less of a change apart.
 
     Parameters
     ----------
-    view : the key, carried by the motion of its surroundings. frame : as its plate is, like the key's picture.
+    view : the key, carried by the motion of its surroundings. frame : as it was given.
     inside : (rows, columns) where the object may be.
     """
-    picture, luma = grid.colours_of(frame), grid.grey_of(frame)
-    seen, known = view.seen(grid)
+    plate, contrast = frame.plate, frame.contrast
+    picture, luma = grid.colours_of(plate), grid.grey_of(plate)
+    seen, known = replace(view, picture=view.picture.plate).seen(grid)
     known &= ~inside & (view.coverage < params.beside)
     seen_luma = np.asarray(cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), np.uint8)
-    usable = _known_again(seen_luma, luma, known, params)
+    usable = _known_again(seen_luma, luma, known, params.flat / contrast, params)
     before, now = _means(seen_luma, params.window), _means(luma, params.window)
     usable &= _is_exposed(before, now, params)
     brighter = np.log(now[usable].astype(np.float64) / before[usable])
-    exposure = _agreed(brighter, params.within, params)
+    exposure = _agreed(brighter, params.within, contrast, params)
     channels_before, channels = _means(seen, params.window), _means(picture, params.window)
     coloured = np.all(_is_exposed(channels_before, channels, params)[usable], axis=1)
     shifts = np.log(channels[usable][coloured].astype(np.float64) / channels_before[usable][coloured])
-    tint = _agreed(shifts - brighter[coloured, None], params.tint_within, params)
+    tint = _agreed(shifts - brighter[coloured, None], params.tint_within, contrast, params)
     return Light(last.exposure if exposure is None else float(exposure), last.tint if tint is None else tint)
 
 
-def _known_again(then: UInt8, now: UInt8, known: Bools, params: ExposureParams) -> Bools:
-    """The cells `(rows, columns)` around which both lumas show the same, and nothing but what is `known`."""
+def _known_again(then: UInt8, now: UInt8, known: Bools, flat: float, params: ExposureParams) -> Bools:
+    """The cells `(rows, columns)` around which both lumas show the same, and nothing but what is `known`.
+
+    Those of a deviation under `flat` count for less.
+    """
     window = (params.window, params.window)
     whole = cv2.erode(known.astype(np.uint8), np.ones(window, np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
     then32, now32 = np.asarray(then, np.float32), np.asarray(now, np.float32)
@@ -77,7 +82,7 @@ def _known_again(then: UInt8, now: UInt8, known: Bools, params: ExposureParams) 
         cv2.blur(now32 * now32, window) - mean**2,
     )
     covariance = cv2.blur(then32 * now32, window) - mean_then * mean
-    least = np.sqrt(np.maximum(variance_then * variance, np.float32(params.flat**4)))
+    least = np.sqrt(np.maximum(variance_then * variance, np.float32(flat**4)))
     return np.asarray((whole > 0) & (covariance > params.alike * least))
 
 
@@ -92,11 +97,16 @@ def _is_exposed(before: Float32, now: Float32, params: ExposureParams) -> Bools:
     return np.asarray((low > params.darkest) & (high < params.brightest))
 
 
-def _agreed(changes: Array, within: float, params: ExposureParams) -> Array | None:
-    """The factors `(...)` that cells tell by the logarithms of theirs `(N, ...)`; None where they do not agree."""
+def _agreed(changes: Array, within: float, contrast: float, params: ExposureParams) -> Array | None:
+    """The factors `(...)` that cells tell by the logarithms of theirs `(N, ...)`; None where they do not agree.
+
+    Two patches of one light may differ by `within`, and as much is left out of the factors, in a picture whose contrast
+    was not raised.
+    """
     if len(changes) < params.least:
         return None
     median = np.median(changes, axis=0)
     if np.any(np.mean(np.abs(changes - median) < within, axis=0) < params.agreed):
         return None
-    return np.asarray(np.exp(median - np.clip(median, -within, within)))
+    left = within / contrast
+    return np.asarray(np.exp(median - np.clip(median, -left, left)))

@@ -13,7 +13,7 @@ from roam_core.geometry.simple import crossing_segments
 from roam_core.params import KEY_FIT
 from roam_core.proposal.mask_keys.anchors import spread
 from roam_core.proposal.mask_keys.outline_match import matched
-from roam_core.proposal.outline.refine import bounded, places_between, tangents
+from roam_core.proposal.outline.refine import beside, bounded, places_between, tangents
 from roam_core.roto.edit import is_smooth
 
 
@@ -110,18 +110,25 @@ class _Fit:
         segment = np.minimum(places.astype(np.intp), self.count - 1)
         design = _design(self.count, segment, places - segment)
         both = _both(design)
-        rows = [both, self._slide(), self._common_lines(points), self._hold()]
+        rows = [both, self._slide(), self._common_lines(points), self._hold(), self._stay()]
         prior = self.prior.ravel()
-        wanted = [self.samples.ravel(), rows[1] @ prior, np.zeros(rows[2].shape[0]), rows[3] @ prior]
-        matrix = vstack(rows) @ self.tie
-        normal = (matrix.T @ matrix + 1e-6 * eye_array(matrix.shape[1])).tocsc()
-        solution = spsolve(normal, matrix.T @ np.concatenate(wanted))
-        return bounded(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), places, self.samples)
+        wanted = [
+            self.samples.ravel(), rows[1] @ prior, np.zeros(rows[2].shape[0]), rows[3] @ prior, rows[4] @ prior
+        ]  # fmt: skip
+        matrix = (vstack(rows) @ self.tie).tocsc()
+        solution = spsolve(matrix.T @ matrix, matrix.T @ np.concatenate(wanted))
+        found = beside(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), self.samples, KEY_FIT.astray)
+        return bounded(found, places, self.samples)
 
     def _slide(self) -> csr_array:
         rows = np.arange(self.count)
         weight = np.sqrt(KEY_FIT.slide * len(self.samples) / self.count)
         return _rows(self.count, [(rows, ANCHOR, weight * self.tangent)])
+
+    def _stay(self) -> csr_array:
+        """Where no sample lies beside an anchor nothing else says where it is."""
+        weight = np.sqrt(KEY_FIT.stay * len(self.samples) / self.count)
+        return csr_array(weight * eye_array(6 * self.count))
 
     def _hold(self) -> csr_array:
         rows = np.arange(self.count)

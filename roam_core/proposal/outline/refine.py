@@ -36,7 +36,7 @@ def refined(points: Array, samples: Array, at: Int64, smooth: Bools, rounds: int
             (params.stay * share, params.hold * share, params.line),
         )
         free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
-        result = bounded(_beside(free[owner].reshape(-1, 3, 2), samples, params.astray), places, samples)
+        result = bounded(beside(free[owner].reshape(-1, 3, 2), samples, params.astray), places, samples)
     return bezier.aligned(result, smooth)
 
 
@@ -94,7 +94,7 @@ def _nearest(points: Array, places: Array, samples: Array, normals: Array, param
     return result
 
 
-def _beside(points: Array, samples: Array, most: float) -> Array:
+def beside(points: Array, samples: Array, most: float) -> Array:
     """The spline with no anchor farther off the outline than `most` steps of its samples; handles go with theirs.
 
     Where an outline doubles back, as around a bridge, hardly anything else says where an anchor lies.

@@ -42,6 +42,15 @@ def test_one_with_a_single_spot_is_not(spot: tuple[int, int], channel: int, outl
     assert not blank(image, outline)
 
 
+def test_what_levels_cut_at_black_is_not_blank_and_what_they_stretch_counts_as_stretched() -> None:
+    image = flat(20, 20, 20)
+    image[:, 160:] = 26
+    dark, stretched = (np.uint8(np.clip(4 * (np.arange(256) - black), 0, 255)) for black in (200, 10))
+    assert blank(image)
+    for table in (dark, stretched):
+        assert not is_blank(PreparedFrame(image).levelled(table), [SQUARE + 40.0], PARAMS)
+
+
 def test_a_small_picture_is_looked_at_too() -> None:
     image = flat(40, 40, 40)[:6, :40]
     assert blank(image)

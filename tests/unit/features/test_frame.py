@@ -21,6 +21,19 @@ def test_every_level_survives_as_a_float(kind: type) -> None:
     np.testing.assert_array_equal(as_uint8((image / 255.0).astype(kind)), image)
 
 
+@pytest.mark.parametrize(
+    ("image", "words"),
+    [
+        (np.zeros((0, 8, 3), np.uint8), r"shape \(0, 8, 3\)"),
+        (np.full((4, 4, 3), 117.0), "mean of this one is 117"),
+    ],
+    ids=["no rows", "not in range"],
+)
+def test_what_is_no_picture_is_refused_in_a_sentence(image: np.ndarray, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        PreparedFrame(image)
+
+
 def test_floats_out_of_range_are_cut() -> None:
     image = np.array([[[-0.5, 0.5, 1.5], [np.nan, np.inf, -np.inf]]], dtype=np.float32)
     np.testing.assert_array_equal(as_uint8(image), [[[0, 128, 255], [0, 255, 0]]])

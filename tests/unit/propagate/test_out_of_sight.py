@@ -11,7 +11,7 @@ import pytest
 from roam_core.arrays import Array, UInt8
 from roam_core.matte import shape_matte
 from roam_core.params import params_for
-from roam_core.propagate.frame.result import TrackResult
+from roam_core.propagate.frame.result import Termination, TrackResult
 from roam_core.propagate.group import GroupTracker
 from roam_core.roto import Keyframe, RotoShape
 from tests.golden.shots import blob, texture
@@ -80,3 +80,14 @@ def test_an_object_out_of_sight_closes_and_is_found_again() -> None:
             assert body.confidence == 0.0
         elif frame not in (4, 5, 8):  # it goes, and comes, within a frame: the frame after decides
             assert (ours & true).sum() / (ours | true).sum() > 0.85
+
+
+@pytest.mark.parametrize("away", [5.0, 300.0])
+def test_an_outline_drawn_beside_the_picture_stays_and_says_that_it_is_not_in_it(away: float) -> None:
+    """Nothing of it was seen, so that there is nothing to know it by."""
+    drawn = HAND - np.array([HAND[..., 0].max() + away, 0.0])
+    tracker = GroupTracker(BEST)
+    tracker.start(picture(1), [RotoShape("hand", "Hand", (Keyframe(1, drawn),))], 1)
+    [result] = tracker.step(picture(2), 2)
+    assert result.termination is Termination.LEFT_FRAME
+    np.testing.assert_array_equal(result.shape.at(2).points, drawn)

@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -18,7 +19,7 @@ from roam_core.media import MissingFrame
 from roam_core.params import CONFIGS, OBJECTS
 from roam_core.propagate import FrameResult, Termination, TrackMemory, track, warm_up
 from roam_core.propagate.shapes.objects import objects
-from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit, file
+from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
 from tests.golden.shots import Shot, blob, gliding, outline_distance
 
@@ -120,6 +121,25 @@ def test_a_frame_that_shows_nothing_is_passed_over_like_a_gap(config: str, blob_
         next(track(read, [stopped], blob_shot.frames[2:], config))
     again = list(track(read, [stopped], blob_shot.frames[1:], config))
     assert last(again) == last(results)
+
+
+def test_a_shape_gets_no_keys_where_it_does_not_exist(config: str, blob_shot: Shot) -> None:
+    shape = replace(blob_shot.shape(), lifetime=(1001, 1004))
+    results = list(track(blob_shot.read, [shape], blob_shot.frames, config))
+    assert [result.frame for result in results] == list(blob_shot.frames[1:])
+    assert last(results).frames == (1001, 1002, 1003)
+    assert results[-1].results[0].confidence == 1.0
+
+
+def test_a_shape_that_subtracts_from_nothing_is_followed_like_one_that_adds(config: str, blob_shot: Shot) -> None:
+    """A holdout on a layer of its own, far from all that it cuts."""
+    shape = blob_shot.shape()
+    runs = [
+        last(list(track(blob_shot.read, iter([replace(shape, blend=blend)]), iter(blob_shot.frames), config)))
+        for blend in (BlendMode.ADD, BlendMode.SUBTRACT)
+    ]
+    for frame in blob_shot.frames:
+        assert runs[0].at(frame).points.tobytes() == runs[1].at(frame).points.tobytes()
 
 
 def test_an_artists_key_on_a_frame_that_shows_nothing_stays(config: str, blob_shot: Shot) -> None:

@@ -211,6 +211,21 @@ def test_what_cannot_be_filled_is_refused_with_a_sentence(shot: Shot, change: ob
         fill_span(pictures(shot), [change(keyed(shot, FIRST, LAST))], FIRST, LAST)
 
 
+def test_neighbouring_keys_leave_nothing_to_fill_and_come_back_as_they_are(shot: Shot) -> None:
+    shape = keyed(shot, FIRST, FIRST + 1)
+    assert fill_span(pictures(shot), [shape], FIRST, FIRST + 1) == [shape]
+
+
+def test_a_shape_that_subtracts_from_nothing_is_filled_as_one_that_adds(shot: Shot) -> None:
+    shape = keyed(shot, FIRST, LAST)
+    [adds], [subtracts] = (
+        fill_span(pictures(shot), (replace(each, blend=blend) for each in [shape]), FIRST, LAST)
+        for blend in (BlendMode.ADD, BlendMode.SUBTRACT)
+    )
+    for frame in range(FIRST, LAST + 1):
+        assert subtracts.at(frame).points.tobytes() == adds.at(frame).points.tobytes()
+
+
 def test_a_picture_that_is_not_there_is_named(shot: Shot) -> None:
     images: Mapping[int, UInt8] = {f: p for f, p in pictures(shot).items() if f != FIRST + 2}
     with pytest.raises(RoamError, match="1003"):

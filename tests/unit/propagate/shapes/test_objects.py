@@ -10,7 +10,7 @@ import pytest
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import OBJECTS
-from roam_core.propagate.shapes.objects import Role, Unit, near, objects, stacked, units
+from roam_core.propagate.shapes.objects import Role, Unit, cuts, near, objects, stacked, units
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
 
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -123,7 +123,7 @@ def test_near_goes_with_the_size_of_the_pictures() -> None:
         ([square(0, 0, 40, of="a"), square(20, 0, 40), square(70, 0, 40, of="a")], [part(0), part(1), whole(2)]),
         ([square(0, 0, 40, of="a"), square(30, 0, 9), square(55, 0, 40, of="a")], [whole(0, 2), part(1)]),
         ([square(0, 0, 40, of="a"), square(10, 10, 9, hole=True, of="a"), square(55, 0, 9)], [whole(0, 1), whole(2)]),
-        ([square(0, 0, 40), square(10, 10, 20)], [part(0), part(1)]),
+        ([square(0, 0, 40), square(10, 10, 20)], [whole(0), part(1)]),
         ([square(0, 0, 40), square(10, 10, 20, hole=True)], [whole(0, 1)]),
         ([square(0, 0, 40), square(30, 10, 20, hole=True)], [whole(0), occluder(1)]),
         ([square(0, 0, 40), square(60, 0, 20, hole=True)], [whole(0), occluder(1)]),
@@ -134,7 +134,7 @@ def test_near_goes_with_the_size_of_the_pictures() -> None:
             [square(0, 0, 90, of="a"), square(20, 20, 40, hole=True, of="a"), square(30, 30, 10, of="a")],
             [whole(0, 1, 2)],
         ),
-        ([square(0, 0, 90), square(20, 20, 40, hole=True), square(10, 30, 20)], [part(0, 1), part(2)]),
+        ([square(0, 0, 90), square(20, 20, 40, hole=True), square(10, 30, 20)], [whole(0, 1), part(2)]),
         ([square(0, 0, 9, hole=True), square(2, 2, 9, hole=True)], [whole(0, 1)]),
         ([square(0, 0, 40, link="a"), square(20, 0, 40, link="a")], [whole(0, 1)]),
         ([square(0, 0, 40, link="a"), square(30, 0, 40, hole=True, link="a")], [whole(0, 1)]),
@@ -155,6 +155,19 @@ def test_outlines_that_were_fitted_to_one_mask_touch_and_do_not_overlap() -> Non
     for beside in (square(159.4, 40, 12, of="a"), square(157.0, 40, 12, of="a")):
         assert units([large, beside], 20.0) == [whole(0, 1)]
         assert units([large, replace(beside, compound="b")], 20.0) == [part(0), part(1)]
+
+
+def test_what_is_drawn_on_a_shape_and_before_it_is_a_part_and_leaves_that_whole() -> None:
+    car, window, badge = square(0, 0, 200), square(50, 50, 40), square(120, 60, 20)
+    assert units([car, window, badge], 20.0) == [whole(0), part(1), part(2)]
+    assert units([window, car], 20.0) == [part(0), part(1)]  # it lies behind
+    assert units([car, window, square(190, 0, 40)], 20.0) == [part(0), part(1), part(2)]
+
+
+def test_what_subtracts_cuts_a_hole_where_there_is_something_to_cut() -> None:
+    hole = square(10, 10, 10, hole=True)
+    assert cuts([square(0, 0, 40), hole]) == [False, True]
+    assert cuts([hole, hole]) == [False, False]
 
 
 def test_a_hole_belongs_to_the_nearest_shape_below_it() -> None:

@@ -89,7 +89,7 @@ def test_where_the_light_stays_the_points_are_the_same_bit_by_bit() -> None:
 
 
 def test_light_that_comes_back_leaves_nothing_behind(dimmed: Shot) -> None:
-    """The gain is always that since the key: it does not add up from frame to frame."""
+    """The light is always that since the key: it does not add up from frame to frame."""
     pictures, masks = dimmed
     region = BEST.region
     assert region is not None
@@ -100,7 +100,7 @@ def test_light_that_comes_back_leaves_nothing_behind(dimmed: Shot) -> None:
     gains = []
     for frame in (*range(1, 8), *range(6, 0, -1)):
         state = step(state, enlarged[frame], region).state
-        gains.append(state.key.gain)
+        gains.append(state.key.light.exposure)
     fallen = 1.0 - BY * 7 / (COUNT - 1)
     assert gains[6] == pytest.approx(fallen * np.exp(region.exposure.within), rel=0.03)
     assert gains[-1] == 1.0

@@ -8,7 +8,8 @@ import pytest
 from roam_core.arrays import Array, Bools, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.params.evidence import ExposureParams
+from roam_core.features.levels import Levels
+from roam_core.params.evidence import ExposureParams, LevelsParams
 from roam_core.proposal.cues.exposure import UNCHANGED, Light, light_since
 from roam_core.proposal.cues.key_view import KeyView
 
@@ -75,6 +76,17 @@ def test_the_same_light_is_no_change_at_all() -> None:
 def test_there_is_no_leap_where_a_change_begins() -> None:
     lights = [told(lit(ground(), 1.0 + share * (0.9 * WARM - 1.0))).gains for share in np.linspace(0.0, 1.0, 21)]
     assert np.abs(np.diff(np.array(lights), axis=0)).max() < 0.03
+
+
+def test_of_a_picture_of_little_contrast_less_of_a_change_is_told_apart() -> None:
+    """Its plate is stretched: a change that is small for the plate is not for what is seen of it."""
+    key = np.uint8(np.round(80.0 + 0.25 * ground()))
+    levels = Levels.of(PreparedFrame(key), LevelsParams())
+    assert levels is not None
+    then, now = (PreparedFrame(each).levelled(levels.table) for each in (key, lit(key, 0.95)))
+    light = light_since(KeyView(then, np.eye(3), np.zeros((SIDE, SIDE), np.float32)), now, NOWHERE, GRID, LAST, PARAMS)
+    assert light.exposure == pytest.approx(0.95 * WITHIN ** (1.0 / levels.contrast), abs=0.01)
+    assert told(lit(key, 0.95), key=key).exposure == 1.0
 
 
 def test_it_is_told_where_the_camera_has_gone_on() -> None:

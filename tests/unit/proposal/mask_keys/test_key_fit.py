@@ -31,6 +31,17 @@ def test_points_go_where_the_outline_needs_them() -> None:
     assert polyline.is_simple(line)
 
 
+def test_points_that_no_sample_lies_beside_stay_near_the_outline() -> None:
+    """More points than the outline has samples: nothing but their prior says where most of them are."""
+    many = dense(POINTS, count=80)
+    points = np.stack([many, many, many], axis=1)
+    ring = dense(similarity.apply(np.array([[0.05, 0.0, 900.0], [0.0, 0.05, 700.0]]), POINTS), count=12)
+    line = bezier.flatten(fitted(points, ring, [similarity.IDENTITY]))
+    low, high = ring.min(axis=0), ring.max(axis=0)
+    assert (line > low - 3.0).all()
+    assert (line < high + 3.0).all()
+
+
 def test_a_sliver_and_a_triangle_are_fitted_without_a_loop() -> None:
     sliver = np.array([[10.0, 10.0], [90.0, 10.5], [90.0, 12.0], [10.0, 11.5]])
     for points in (POINTS, POINTS[:3], POINTS[:2]):
