@@ -15,8 +15,8 @@ from roam_core.params.evidence import BlankParams
 def is_blank(picture: PreparedFrame, outlines: Sequence[Array], params: BlankParams) -> bool:
     """Whether a picture shows nothing at all, but for grain.
 
-    Its plate tells: levels may have cut what it shows at black. Looked at is what lies around the `outlines (P, 3, 2)` first: the rest of a picture that shows something there need
-    not be decoded.
+    Its plate tells: levels may have cut what it shows at black. Looked at is what lies around the `outlines (P, 3, 2)`
+    first: the rest of a picture that shows something there need not be decoded.
     """
     height, width = picture.size
     whole = Region(0, 0, width, height)
