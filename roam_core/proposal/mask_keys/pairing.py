@@ -20,12 +20,14 @@ from roam_core.params import PAIRING
 class Pairing:
     """What became of the splines, `pose (2, 3)`: the similarity by which all of them together moved.
 
-    `rings` holds for each spline its outline or None; `owners[number]` is the spline that took the ring of that number.
+    `rings` holds for each spline its outline or None; `owners[number]` is the spline that took the ring of that number,
+    `sharing[number]` are all that divide it, the owner first.
     """
 
     pose: Array
     rings: list[Array | None]
     owners: dict[int, int]
+    sharing: dict[int, list[int]]
 
 
 def paired(
@@ -46,7 +48,7 @@ def paired(
     hidden : the splines that were out of sight: each takes a part of its own or none, and does not tell how all moved.
     """
     if not splines or not rings:
-        return Pairing(common if common is not None else similarity.IDENTITY, [None] * len(splines), {})
+        return Pairing(common if common is not None else similarity.IDENTITY, [None] * len(splines), {}, {})
     spots = [_spots(points) for points in splines]
     labels = _labels(rings, size)
     areas = [bezier.area(points) for points in splines]
@@ -60,13 +62,14 @@ def paired(
     partners = _assigned(moved, rings, seen, np.array(areas), np.array(wanted))
     found: list[Array | None] = [None if k is None else rings[k] for k in partners]
     owners = {k: i for i, k in enumerate(partners) if k is not None}
+    sharing = {}
     for k, owner in owners.items():
         others = (i for i in _sharing(k, owner, partners, moved, seen, areas) if i not in hidden)
-        sharing = [owner, *others]
-        if len(sharing) > 1:
-            for i, ring in zip(sharing, _divided(labels == k + 1, [moved[i] for i in sharing]), strict=True):
+        sharing[k] = [owner, *others]
+        if len(sharing[k]) > 1:
+            for i, ring in zip(sharing[k], _divided(labels == k + 1, [moved[i] for i in sharing[k]]), strict=True):
                 found[i] = ring
-    return Pairing(pose, found, owners)
+    return Pairing(pose, found, owners, sharing)
 
 
 def centre(rings: list[Array]) -> tuple[Array, float]:
@@ -90,6 +93,15 @@ def poses(splines: list[Array], rings: list[Array]) -> list[Array]:
     grown = float(np.sqrt(wanted / area)) if area > 0 and wanted > 0 else 1.0
     carried = [np.column_stack([factor * np.eye(2), there - factor * here]) for factor in (1.0, grown)]
     return [similarity.IDENTITY, *carried]
+
+
+def covered(ring: Array, points: Array) -> float:
+    """The share of what a closed polyline `(K, 2)` surrounds that a spline `(P, 3, 2)` covers."""
+    low = np.floor(ring.min(axis=0))
+    columns, rows = np.ceil(ring.max(axis=0) - low).astype(int) + 1
+    inside = coverage(ring - low, (int(rows), int(columns)))
+    cover = coverage(bezier.flatten(points) - low, inside.shape)
+    return float((inside * cover).sum() / max(inside.sum(), 1e-9))
 
 
 def _common_pose(known: list[tuple[Array, Array, float]], rings: list[Array], labels: Int32, wanted: float) -> Array:

@@ -42,6 +42,7 @@ def test_what_has_no_partner_has_no_ring() -> None:
 def test_neighbours_of_like_size_that_grew_together_divide_the_part() -> None:
     first, second = box(20, 20, 70, 60), box(74, 20, 120, 60)
     pairing = paired([first, second], [ring(20, 20, 120, 60)], SIZE)
+    assert sorted(pairing.sharing[0]) == [0, 1]
     left, right = pairing.rings
     assert left is not None
     assert right is not None
