@@ -198,7 +198,10 @@ def _sharing(
 
 
 def _divided(part: Bools, splines: list[Array]) -> list[Array | None]:
-    """Each pixel of a part goes to the spline that it lies deepest in, and to all that overlap there."""
+    """Each pixel of a part goes to the spline that it lies deepest in, and to all that overlap there.
+
+    What is cut off from the rest of a spline's share goes to the neighbour that it touches most.
+    """
     rows, columns = np.flatnonzero(part.any(axis=1)), np.flatnonzero(part.any(axis=0))
     low = np.array([columns[0], rows[0]], dtype=np.float64)
     inside = part[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
@@ -206,11 +209,25 @@ def _divided(part: Bools, splines: list[Array]) -> list[Array | None]:
     depths = np.stack([_depth(cover) for cover in covers])
     deepest = np.argmax(depths, axis=0)
     several = np.sum(covers, axis=0) > 1
-    found: list[Array | None] = []
-    for i, cover in enumerate(covers):
-        regions = outlines(inside & ((deepest == i) | (cover & several)))
-        found.append(regions[0][0] + low if regions else None)
-    return found
+    shares = [inside & ((deepest == i) | (cover & several)) for i, cover in enumerate(covers)]
+    regions = [outlines(share) for share in _in_one_piece(shares)]
+    return [each[0][0] + low if each else None for each in regions]
+
+
+def _in_one_piece(shares: list[Bools]) -> list[Bools]:
+    """The shares `(h, w)` of a part without what is cut off from the largest piece of each: that joins another one."""
+    whole, pieces = [], []
+    for share in shares:
+        count, numbers, stats, _ = cv2.connectedComponentsWithStats(share.astype(np.uint8), connectivity=4)
+        order = 1 + np.argsort(-stats[1:count, cv2.CC_STAT_AREA], kind="stable")
+        whole.append(np.isin(numbers, order[:1]))
+        pieces += [numbers == k for k in order[1:]]
+    for piece in sorted(pieces, key=np.count_nonzero, reverse=True):
+        around = cv2.dilate(piece.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+        touched = [np.count_nonzero(around & share) for share in whole]
+        if any(touched):
+            whole[int(np.argmax(touched))] |= piece
+    return whole
 
 
 def _depth(cover: Bools) -> Float32:

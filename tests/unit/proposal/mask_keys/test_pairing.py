@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import numpy.testing as npt
 
 from roam_core.arrays import Array
-from roam_core.geometry import bezier
+from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import polygon_points
 from roam_core.proposal.mask_keys.pairing import centre, paired
 from tests.golden.shots import blob
@@ -48,6 +49,19 @@ def test_neighbours_of_like_size_that_grew_together_divide_the_part() -> None:
     assert right is not None
     assert abs(left[:, 0].max() - 72.0) < 2.0
     assert abs(right[:, 0].min() - 72.0) < 2.0
+
+
+def test_what_the_division_cuts_off_goes_to_the_neighbour_that_it_touches() -> None:
+    """The toe of the left one's foot lies nearer to the right one, which it does not touch."""
+    foot = [(66.0, 60.0), (66.0, 90.0), (110.0, 90.0), (110.0, 110.0), (50.0, 110.0), (50.0, 60.0)]
+    part = np.array([(20.0, 20.0), (120.0, 20.0), (120.0, 60.0), *foot, (20.0, 60.0)])
+    left, right = paired([box(20, 20, 70, 60), box(74, 20, 120, 60)], [part], SIZE).rings
+    assert left is not None
+    assert right is not None
+    npt.assert_allclose(left.max(axis=0), (110.0, 110.0), atol=1.0)
+    npt.assert_allclose(right.max(axis=0), (120.0, 60.0), atol=1.0)
+    whole = abs(polyline.signed_area(part))
+    assert abs(polyline.signed_area(left)) + abs(polyline.signed_area(right)) > 0.99 * whole
 
 
 def test_a_crumb_inside_another_part_ends() -> None:
