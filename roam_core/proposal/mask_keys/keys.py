@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
-from roam_core.geometry import fit
+from roam_core.geometry import bezier, fit
 from roam_core.geometry.simple import simplified
 from roam_core.matte.vectorise import compound_of, outlines
 from roam_core.params import scale_for
@@ -33,9 +33,9 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     which they have grown together. A part without a partner begins on `frame` as a new shape, above the others (a hole
     just above the shapes that it is cut out of). It is of the compound of the shapes that take part where they share
     one, else of the mask's, and so is then a lone outline beside which it begins. A shape without a part ends before
-    `frame`; one with keys after `frame` too goes on behind it as a twin with those keys. So does a hole that another
-    shape of its part now covers: a new one takes its place above. No key of the artist's on another frame is changed
-    or deleted.
+    `frame`; one with keys after `frame` too goes on behind it as a twin with those keys. A hole that another shape of
+    its part now covers ends too, and a new one begins above; so may a shape that was a speck and has too few points
+    for what it would become. No key of the artist's on another frame is changed or deleted.
 
     Shapes that are open or invisible, do not exist on `frame`, or join by INTERSECT or DIFFERENCE take no part. Locked
     ones keep their part of the mask and stay as they are.
@@ -125,7 +125,8 @@ def _keyed(
         if drawn is not None and is_shut(expected[number], drawn):
             expected[number] = opened(expected[number], drawn)
             hidden.add(number)
-    pairing = paired(expected, [part.ring for part in parts], size, common, hidden)
+    smallest = [min(bezier.area(key.points) for key in shape.artist_keys or shape.keys) for shape in members]
+    pairing = paired(expected, [part.ring for part in parts], size, common, hidden, smallest)
     for number, owners in pairing.sharing.items():
         if any(_is_covered(result, members[i], parts[number], frame) for i in owners):
             for i in owners:

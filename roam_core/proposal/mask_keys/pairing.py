@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -10,10 +10,10 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from roam_core.arrays import Array, Bools, Float32, Int32
-from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry import bezier, fit, polyline, similarity
 from roam_core.kernels.coverage import coverage
 from roam_core.matte.vectorise import outlines
-from roam_core.params import PAIRING
+from roam_core.params import PAIRING, scale_for
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +36,7 @@ def paired(
     size: tuple[int, int],
     common: Array | None = None,
     hidden: Collection[int] = (),
+    smallest: Sequence[float] | None = None,
 ) -> Pairing:
     """Rings for splines `(P, 3, 2)` that are expected near them.
 
@@ -46,6 +47,7 @@ def paired(
     rings : closed polylines `(K, 2)`, the outlines of parts that do not overlap. size : (h, w) of the image.
     common : the similarity `(2, 3)` by which all moved where it is known (holes move with what they are cut out of).
     hidden : the splines that were out of sight: each takes a part of its own or none, and does not tell how all moved.
+    smallest : the area in square pixels that each spline had where it was smallest; None: none has outgrown its points.
     """
     if not splines or not rings:
         return Pairing(common if common is not None else similarity.IDENTITY, [None] * len(splines), {}, {})
@@ -59,7 +61,8 @@ def paired(
         pose = _common_pose(known, rings, labels, sum(wanted))
     moved = [similarity.apply(pose, points) for points in splines]
     seen = np.stack([_looked_up(labels, similarity.apply(pose, each), len(rings)) for each in spots])
-    partners = _assigned(moved, rings, seen, np.array(areas), np.array(wanted))
+    outgrown = 0.0 if smallest is None else _outgrown(moved, rings, np.array(smallest), scale_for(size))
+    partners = _assigned(moved, rings, seen, np.array(areas), np.array(wanted), outgrown)
     found: list[Array | None] = [None if k is None else rings[k] for k in partners]
     owners = {k: i for i, k in enumerate(partners) if k is not None}
     sharing = {}
@@ -159,7 +162,23 @@ def _looked_up(labels: Int32, positions: Array, count: int) -> Array:
     return share
 
 
-def _assigned(moved: list[Array], rings: list[Array], seen: Array, areas: Array, wanted: Array) -> list[int | None]:
+def _outgrown(splines: list[Array], rings: list[Array], smallest: Array, scale: float) -> Array:
+    """By which factor of area, as its logarithm `(N, M)`, each ring is too large for the few points of each spline.
+
+    A spline that was small at first has as few points as it needed then. One that was as coarse all along is meant so.
+    Points grow with the length of the outline, thus with the root of the area. `scale`: pixels that a fit may stray.
+    """
+    wanted = np.array([abs(polyline.signed_area(ring)) for ring in rings])
+    grown = np.log((wanted + 1.0) / (smallest[:, None] + 1.0))
+    need = np.array([len(fit.fit_closed(ring, scale)) for ring in rings], dtype=np.float64)
+    lacking = 2.0 * np.log(need / np.array([[len(points)] for points in splines]))
+    outgrown: Array = np.maximum(np.minimum(grown, lacking), 0.0)
+    return outgrown
+
+
+def _assigned(
+    moved: list[Array], rings: list[Array], seen: Array, areas: Array, wanted: Array, outgrown: Array | float
+) -> list[int | None]:
     """For each spline the ring that is its own, or None: the cheapest assignment of all."""
     n, m = len(moved), len(rings)
     here = np.stack([centre([bezier.flatten(points)])[0] for points in moved])
@@ -170,7 +189,7 @@ def _assigned(moved: list[Array], rings: list[Array], seen: Array, areas: Array,
     away = np.hypot(*np.moveaxis(here[:, None] - there[None], 2, 0)) / np.sqrt(grown[:, None] + wanted + 1e-9)
     size = np.abs(np.log((grown[:, None] + 1.0) / (wanted + 1.0)))
     cost = np.full((n + m, n + m), 0.5 * PAIRING.strange)
-    cost[:n, :m] = PAIRING.overlap * (1.0 - overlap) + PAIRING.away * away + PAIRING.grown * size
+    cost[:n, :m] = PAIRING.overlap * (1.0 - overlap) + PAIRING.away * away + PAIRING.grown * (size + outgrown)
     cost[n:, m:] = 0.0
     rows, columns = linear_sum_assignment(cost)
     partners = dict(zip(rows.tolist(), columns.tolist(), strict=True))

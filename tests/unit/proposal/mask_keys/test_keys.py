@@ -232,6 +232,21 @@ def test_a_shape_that_stays_out_of_sight_takes_nothing_from_another() -> None:
     require_matte(keyed, 9, solid(body))
 
 
+def test_what_was_a_speck_gives_way_to_a_shape_of_enough_points() -> None:
+    """A shape as coarse all along keeps its part."""
+    star, size = blob([60.0, 25.0] * 6) + np.array([150.0, 100.0]), (200, 300)
+    beside = polygon_points([(20, 20), (60, 20), (60, 60), (20, 60)])
+    mask = sum(render_matte([RotoShape("x", "x", (Keyframe(9, each),))], 9, size) for each in (star, beside)) > 0.5
+    coarse = polygon_points([(165, 80), (205, 80), (205, 120), (165, 120)])
+    drawn = [RotoShape(f"shape-{n}", "", (Keyframe(5, each),)) for n, each in enumerate((coarse, beside), start=1)]
+    assert keys_from_mask(drawn, mask, 9)[0].frames == (5, 9)
+    speck = drawn[0].with_key(Keyframe(1, 0.1 * coarse))
+    ended, kept, new = keys_from_mask([speck, drawn[1]], mask, 9)
+    assert (ended.frames, ended.exists_at(9)) == ((1, 5), False)
+    assert (kept.frames, new.frames) == ((5, 9), (9,))
+    require_matte([ended, kept, new], 9, mask)
+
+
 HERE, THERE = (20, 20, 60, 70), (90, 30, 130, 80)
 
 

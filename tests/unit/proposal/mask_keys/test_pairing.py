@@ -68,6 +68,16 @@ def test_a_crumb_inside_another_part_ends() -> None:
     assert paired([box(20, 20, 120, 60), box(124, 30, 130, 36)], [ring(20, 20, 134, 60)], SIZE).rings[1] is None
 
 
+def test_a_speck_that_outgrew_its_points_takes_no_large_part_that_needs_more() -> None:
+    star, beside = bezier.flatten(blob([60.0, 25.0] * 6) + np.array([150.0, 100.0])), box(20, 20, 60, 60)
+    speck, rings = box(165, 80, 205, 120), [star, bezier.flatten(beside)]
+    assert paired([speck, beside], rings, SIZE).rings[0] is star
+    assert paired([speck, beside], rings, SIZE, smallest=[1600.0, 1600.0]).rings[0] is star
+    assert paired([speck, beside], rings, SIZE, smallest=[12.0, 1600.0]).rings[0] is None
+    plain = ring(90, 48, 210, 152)
+    assert paired([speck, beside], [plain, rings[1]], SIZE, smallest=[12.0, 1600.0]).rings[0] is plain
+
+
 def test_the_centre_is_that_of_the_area() -> None:
     there, area = centre([ring(0, 0, 10, 10), ring(20, 0, 30, 20)[::-1]])
     npt.assert_allclose(there, (55.0 / 3.0, 25.0 / 3.0))
