@@ -13,7 +13,7 @@ class PairingParams:
     ----------
     strange : price of a part of the mask, or of a shape, that stays without a partner, half of it each.
     overlap, away, grown : price of a pair that does not overlap at all, lies its own size apart, or differs in size
-        by a factor of e.
+        by a factor of e (as much again where the shape has outgrown its points by that factor).
     spots : places inside a shape that are looked up in the mask.
     stays : how much better the shapes have to lie on the mask before they count as moved together.
     inside : share of a shape without a partner that has to lie in another one's part before they divide it, if ...

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
-from roam_core.geometry import fit
+from roam_core.geometry import bezier, fit
 from roam_core.geometry.simple import simplified
 from roam_core.matte.vectorise import compound_of, outlines
 from roam_core.params import scale_for
 from roam_core.proposal.mask_keys.key_fit import fitted
-from roam_core.proposal.mask_keys.pairing import paired, poses
+from roam_core.proposal.mask_keys.pairing import covered, paired, poses
 from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
 from roam_core.roto.control_points import settled
 from roam_core.roto.project import PALETTE
@@ -31,10 +31,11 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     and takes a part of its own or ends. Outer contours of the mask are paired with shapes that add, holes with shapes
     that subtract (`proposal.mask_keys.pairing`); shapes that overlapped, or that are of like size, divide a part into
     which they have grown together. A part without a partner begins on `frame` as a new shape, above the others (a hole
-    just above the shape that it is cut out of). It is of the compound of the shapes that take part where they share
+    just above the shapes that it is cut out of). It is of the compound of the shapes that take part where they share
     one, else of the mask's, and so is then a lone outline beside which it begins. A shape without a part ends before
-    `frame`; one with keys after `frame` too goes on behind it as a twin with those keys. No key of the artist's on
-    another frame is changed or deleted.
+    `frame`; one with keys after `frame` too goes on behind it as a twin with those keys. A hole that another shape of
+    its part now covers ends too, and a new one begins above; so may a shape that was a speck and has too few points
+    for what it would become. No key of the artist's on another frame is changed or deleted.
 
     Shapes that are open or invisible, do not exist on `frame`, or join by INTERSECT or DIFFERENCE take no part. Locked
     ones keep their part of the mask and stay as they are.
@@ -65,7 +66,7 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
         members = [shape for shape in taking_part if _subtracts(shape) == holes]
         wanted = [part for part in parts if part.is_hole == holes]
         pose = _keyed(result, members, wanted, mask.shape[:2], frame, pose)
-        for new in (part for part in wanted if part.owner == ""):
+        for new in (part for part in wanted if not part.owners):
             _begin(result, new, frame, compound)
             if len(taking_part) == 1:
                 place = _place(result, taking_part[0].id)
@@ -81,11 +82,11 @@ def _shared_compound(shapes: Sequence[RotoShape]) -> str:
 
 @dataclass(eq=False)
 class _Part:
-    """An outer contour of the mask, or a hole of `parent`; `owner` is the id of the shape that it became."""
+    """An outer contour of the mask, or a hole of `parent`; `owners` are the ids of the shapes that it became."""
 
     ring: Array
     parent: _Part | None = None
-    owner: str = ""
+    owners: tuple[str, ...] = ()
 
     @property
     def is_hole(self) -> bool:
@@ -124,9 +125,14 @@ def _keyed(
         if drawn is not None and is_shut(expected[number], drawn):
             expected[number] = opened(expected[number], drawn)
             hidden.add(number)
-    pairing = paired(expected, [part.ring for part in parts], size, common, hidden)
-    for number, owner in pairing.owners.items():
-        parts[number].owner = members[owner].id
+    smallest = [min(bezier.area(key.points) for key in shape.artist_keys or shape.keys) for shape in members]
+    pairing = paired(expected, [part.ring for part in parts], size, common, hidden, smallest)
+    for number, owners in pairing.sharing.items():
+        if any(_is_covered(result, members[i], parts[number], frame) for i in owners):
+            for i in owners:
+                pairing.rings[i] = None
+        else:
+            parts[number].owners = tuple(members[i].id for i in owners)
     for shape, points, ring in zip(members, expected, pairing.rings, strict=True):
         if shape.locked:
             continue
@@ -137,6 +143,15 @@ def _keyed(
             fresh = fitted(points, ring, [pairing.pose, *poses([points], [ring])], scale_for(size))
             result[place] = edit.set_key(shape, frame, settled(fresh, shape))
     return pairing.pose if pairing.owners else None
+
+
+def _is_covered(result: list[RotoShape], shape: RotoShape, part: _Part, frame: int) -> bool:
+    """Whether most of a hole of the mask is covered by a shape of its parent that lies above the hole's shape."""
+    if part.parent is None or shape.locked:
+        return False
+    above = result[_place(result, shape.id) + 1 :]
+    coverers = (each.at(frame).points for each in above if each.id in part.parent.owners)
+    return any(covered(part.ring, points) > 0.5 for points in coverers)
 
 
 def _drawn(shape: RotoShape, frame: int) -> Array | None:
@@ -164,10 +179,10 @@ def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
 def _begin(result: list[RotoShape], part: _Part, frame: int, compound: str) -> None:
     """Add a shape for a part of the mask that has none."""
     points = fit.fit_closed(part.ring)
-    part.owner = _free_id({shape.id for shape in result})
-    number = part.owner.rpartition("-")[2]
+    new_id = _free_id({shape.id for shape in result})
+    number = new_id.rpartition("-")[2]
     shape = RotoShape(
-        id=part.owner,
+        id=new_id,
         name=f"Shape {number} hole" if part.is_hole else f"Shape {number}",
         keys=(Keyframe(frame, simplified(points, points)),),
         colour=PALETTE[len(result) % len(PALETTE)],
@@ -175,8 +190,9 @@ def _begin(result: list[RotoShape], part: _Part, frame: int, compound: str) -> N
         lifetime=lifetime_of(frame, None),
         compound=compound,
     )
-    owner = part.parent.owner if part.parent is not None else ""
-    result.insert(_place(result, owner) + 1 if owner else len(result), shape)
+    below = part.parent.owners if part.parent is not None else ()
+    result.insert(max((_place(result, owner) + 1 for owner in below), default=len(result)), shape)
+    part.owners = (new_id,)
 
 
 def _free_id(taken: set[str]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -10,22 +10,24 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from roam_core.arrays import Array, Bools, Float32, Int32
-from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry import bezier, fit, polyline, similarity
 from roam_core.kernels.coverage import coverage
 from roam_core.matte.vectorise import outlines
-from roam_core.params import PAIRING
+from roam_core.params import PAIRING, scale_for
 
 
 @dataclass(frozen=True, eq=False)
 class Pairing:
     """What became of the splines, `pose (2, 3)`: the similarity by which all of them together moved.
 
-    `rings` holds for each spline its outline or None; `owners[number]` is the spline that took the ring of that number.
+    `rings` holds for each spline its outline or None; `owners[number]` is the spline that took the ring of that number,
+    `sharing[number]` are all that divide it, the owner first.
     """
 
     pose: Array
     rings: list[Array | None]
     owners: dict[int, int]
+    sharing: dict[int, list[int]]
 
 
 def paired(
@@ -34,6 +36,7 @@ def paired(
     size: tuple[int, int],
     common: Array | None = None,
     hidden: Collection[int] = (),
+    smallest: Sequence[float] | None = None,
 ) -> Pairing:
     """Rings for splines `(P, 3, 2)` that are expected near them.
 
@@ -44,9 +47,10 @@ def paired(
     rings : closed polylines `(K, 2)`, the outlines of parts that do not overlap. size : (h, w) of the image.
     common : the similarity `(2, 3)` by which all moved where it is known (holes move with what they are cut out of).
     hidden : the splines that were out of sight: each takes a part of its own or none, and does not tell how all moved.
+    smallest : the area in square pixels that each spline had where it was smallest; None: none has outgrown its points.
     """
     if not splines or not rings:
-        return Pairing(common if common is not None else similarity.IDENTITY, [None] * len(splines), {})
+        return Pairing(common if common is not None else similarity.IDENTITY, [None] * len(splines), {}, {})
     spots = [_spots(points) for points in splines]
     labels = _labels(rings, size)
     areas = [bezier.area(points) for points in splines]
@@ -57,16 +61,18 @@ def paired(
         pose = _common_pose(known, rings, labels, sum(wanted))
     moved = [similarity.apply(pose, points) for points in splines]
     seen = np.stack([_looked_up(labels, similarity.apply(pose, each), len(rings)) for each in spots])
-    partners = _assigned(moved, rings, seen, np.array(areas), np.array(wanted))
+    outgrown = 0.0 if smallest is None else _outgrown(moved, rings, np.array(smallest), scale_for(size))
+    partners = _assigned(moved, rings, seen, np.array(areas), np.array(wanted), outgrown)
     found: list[Array | None] = [None if k is None else rings[k] for k in partners]
     owners = {k: i for i, k in enumerate(partners) if k is not None}
+    sharing = {}
     for k, owner in owners.items():
         others = (i for i in _sharing(k, owner, partners, moved, seen, areas) if i not in hidden)
-        sharing = [owner, *others]
-        if len(sharing) > 1:
-            for i, ring in zip(sharing, _divided(labels == k + 1, [moved[i] for i in sharing]), strict=True):
+        sharing[k] = [owner, *others]
+        if len(sharing[k]) > 1:
+            for i, ring in zip(sharing[k], _divided(labels == k + 1, [moved[i] for i in sharing[k]]), strict=True):
                 found[i] = ring
-    return Pairing(pose, found, owners)
+    return Pairing(pose, found, owners, sharing)
 
 
 def centre(rings: list[Array]) -> tuple[Array, float]:
@@ -90,6 +96,15 @@ def poses(splines: list[Array], rings: list[Array]) -> list[Array]:
     grown = float(np.sqrt(wanted / area)) if area > 0 and wanted > 0 else 1.0
     carried = [np.column_stack([factor * np.eye(2), there - factor * here]) for factor in (1.0, grown)]
     return [similarity.IDENTITY, *carried]
+
+
+def covered(ring: Array, points: Array) -> float:
+    """The share of what a closed polyline `(K, 2)` surrounds that a spline `(P, 3, 2)` covers."""
+    low = np.floor(ring.min(axis=0))
+    columns, rows = np.ceil(ring.max(axis=0) - low).astype(int) + 1
+    inside = coverage(ring - low, (int(rows), int(columns)))
+    cover = coverage(bezier.flatten(points) - low, inside.shape)
+    return float((inside * cover).sum() / max(inside.sum(), 1e-9))
 
 
 def _common_pose(known: list[tuple[Array, Array, float]], rings: list[Array], labels: Int32, wanted: float) -> Array:
@@ -147,7 +162,23 @@ def _looked_up(labels: Int32, positions: Array, count: int) -> Array:
     return share
 
 
-def _assigned(moved: list[Array], rings: list[Array], seen: Array, areas: Array, wanted: Array) -> list[int | None]:
+def _outgrown(splines: list[Array], rings: list[Array], smallest: Array, scale: float) -> Array:
+    """By which factor of area, as its logarithm `(N, M)`, each ring is too large for the few points of each spline.
+
+    A spline that was small at first has as few points as it needed then. One that was as coarse all along is meant so.
+    Points grow with the length of the outline, thus with the root of the area. `scale`: pixels that a fit may stray.
+    """
+    wanted = np.array([abs(polyline.signed_area(ring)) for ring in rings])
+    grown = np.log((wanted + 1.0) / (smallest[:, None] + 1.0))
+    need = np.array([len(fit.fit_closed(ring, scale)) for ring in rings], dtype=np.float64)
+    lacking = 2.0 * np.log(need / np.array([[len(points)] for points in splines]))
+    outgrown: Array = np.maximum(np.minimum(grown, lacking), 0.0)
+    return outgrown
+
+
+def _assigned(
+    moved: list[Array], rings: list[Array], seen: Array, areas: Array, wanted: Array, outgrown: Array | float
+) -> list[int | None]:
     """For each spline the ring that is its own, or None: the cheapest assignment of all."""
     n, m = len(moved), len(rings)
     here = np.stack([centre([bezier.flatten(points)])[0] for points in moved])
@@ -158,7 +189,7 @@ def _assigned(moved: list[Array], rings: list[Array], seen: Array, areas: Array,
     away = np.hypot(*np.moveaxis(here[:, None] - there[None], 2, 0)) / np.sqrt(grown[:, None] + wanted + 1e-9)
     size = np.abs(np.log((grown[:, None] + 1.0) / (wanted + 1.0)))
     cost = np.full((n + m, n + m), 0.5 * PAIRING.strange)
-    cost[:n, :m] = PAIRING.overlap * (1.0 - overlap) + PAIRING.away * away + PAIRING.grown * size
+    cost[:n, :m] = PAIRING.overlap * (1.0 - overlap) + PAIRING.away * away + PAIRING.grown * (size + outgrown)
     cost[n:, m:] = 0.0
     rows, columns = linear_sum_assignment(cost)
     partners = dict(zip(rows.tolist(), columns.tolist(), strict=True))
@@ -186,7 +217,10 @@ def _sharing(
 
 
 def _divided(part: Bools, splines: list[Array]) -> list[Array | None]:
-    """Each pixel of a part goes to the spline that it lies deepest in, and to all that overlap there."""
+    """Each pixel of a part goes to the spline that it lies deepest in, and to all that overlap there.
+
+    What is cut off from the rest of a spline's share goes to the neighbour that it touches most.
+    """
     rows, columns = np.flatnonzero(part.any(axis=1)), np.flatnonzero(part.any(axis=0))
     low = np.array([columns[0], rows[0]], dtype=np.float64)
     inside = part[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
@@ -194,11 +228,25 @@ def _divided(part: Bools, splines: list[Array]) -> list[Array | None]:
     depths = np.stack([_depth(cover) for cover in covers])
     deepest = np.argmax(depths, axis=0)
     several = np.sum(covers, axis=0) > 1
-    found: list[Array | None] = []
-    for i, cover in enumerate(covers):
-        regions = outlines(inside & ((deepest == i) | (cover & several)))
-        found.append(regions[0][0] + low if regions else None)
-    return found
+    shares = [inside & ((deepest == i) | (cover & several)) for i, cover in enumerate(covers)]
+    regions = [outlines(share) for share in _in_one_piece(shares)]
+    return [each[0][0] + low if each else None for each in regions]
+
+
+def _in_one_piece(shares: list[Bools]) -> list[Bools]:
+    """The shares `(h, w)` of a part without what is cut off from the largest piece of each: that joins another one."""
+    whole, pieces = [], []
+    for share in shares:
+        count, numbers, stats, _ = cv2.connectedComponentsWithStats(share.astype(np.uint8), connectivity=4)
+        order = 1 + np.argsort(-stats[1:count, cv2.CC_STAT_AREA], kind="stable")
+        whole.append(np.isin(numbers, order[:1]))
+        pieces += [numbers == k for k in order[1:]]
+    for piece in sorted(pieces, key=np.count_nonzero, reverse=True):
+        around = cv2.dilate(piece.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+        touched = [np.count_nonzero(around & share) for share in whole]
+        if any(touched):
+            whole[int(np.argmax(touched))] |= piece
+    return whole
 
 
 def _depth(cover: Bools) -> Float32:

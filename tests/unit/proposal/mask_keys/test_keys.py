@@ -133,6 +133,40 @@ def test_shapes_that_overlap_divide_the_part_they_make() -> None:
     assert first.any()
 
 
+def discs(*drawn: tuple[int, int, int]) -> Bools:
+    """A mask of discs (x, y, radius)."""
+    rows, columns = np.mgrid[:160, :200]
+    return np.any([np.hypot(columns - x, rows - y) < radius for x, y, radius in drawn], axis=0)
+
+
+BOTH = discs((75, 80, 35), (127, 80, 25)) & ~discs((131, 80, 9))
+
+
+@pytest.mark.parametrize("hole", [(500, 80, 9), (145, 80, 9), (70, 80, 9)], ids=["new", "upper", "lower"])
+def test_a_hole_of_parts_that_have_grown_together_shows(hole: tuple[int, int, int]) -> None:
+    """It lies in the territory of the smaller part, the shape of which lies above the other."""
+    shapes = shapes_from_mask(discs((50, 80, 35), (145, 80, 25)) & ~discs(hole), 1)
+    keyed = keys_from_mask(shapes, BOTH, 10)
+    drawn = [shape for shape in shapes if shape.blend is BlendMode.ADD]
+    assert [shape.id for shape in keyed if shape.frames == (1, 10) and shape.blend is BlendMode.ADD] == [
+        shape.id for shape in drawn
+    ]
+    assert render_matte(keyed, 10, BOTH.shape)[80, 131] == 0.0
+    require_matte(keyed, 10, BOTH)
+    known = {shape.id for shape in shapes}
+    assert [shape.id for shape in keyed if shape.id in known] == [shape.id for shape in shapes]
+
+
+def test_a_hole_stays_where_another_shape_of_its_part_passes_beside_it() -> None:
+    body = shapes_from_mask(solid((10, 20, 90, 100)) & ~solid((30, 40, 50, 60)), 1)
+    arm = replace(shapes_from_mask(solid((80, 50, 140, 70)), 1)[0], id="arm")
+    mask = solid((10, 20, 90, 100), (70, 50, 130, 70)) & ~solid((30, 40, 50, 60))
+    keyed = keys_from_mask([*body, arm], mask, 5)
+    assert [shape.id for shape in keyed] == [*(shape.id for shape in body), "arm"]
+    assert all(shape.frames == (1, 5) for shape in keyed)
+    require_matte(keyed, 5, mask)
+
+
 def test_shapes_that_take_no_part_stay_as_they_are() -> None:
     mask = STAR.matte(1002)
     hidden, opened = replace(STAR.shape(), visible=False), replace(STAR.shape(), closed=False)
@@ -196,6 +230,21 @@ def test_a_shape_that_stays_out_of_sight_takes_nothing_from_another() -> None:
     assert not keyed[1].exists_at(9)
     assert np.hypot(*(keyed[0].at(9).points - whole.at(1).points)[:, 0].T).max() < 1.0
     require_matte(keyed, 9, solid(body))
+
+
+def test_what_was_a_speck_gives_way_to_a_shape_of_enough_points() -> None:
+    """A shape as coarse all along keeps its part."""
+    star, size = blob([60.0, 25.0] * 6) + np.array([150.0, 100.0]), (200, 300)
+    beside = polygon_points([(20, 20), (60, 20), (60, 60), (20, 60)])
+    mask = sum(render_matte([RotoShape("x", "x", (Keyframe(9, each),))], 9, size) for each in (star, beside)) > 0.5
+    coarse = polygon_points([(165, 80), (205, 80), (205, 120), (165, 120)])
+    drawn = [RotoShape(f"shape-{n}", "", (Keyframe(5, each),)) for n, each in enumerate((coarse, beside), start=1)]
+    assert keys_from_mask(drawn, mask, 9)[0].frames == (5, 9)
+    speck = drawn[0].with_key(Keyframe(1, 0.1 * coarse))
+    ended, kept, new = keys_from_mask([speck, drawn[1]], mask, 9)
+    assert (ended.frames, ended.exists_at(9)) == ((1, 5), False)
+    assert (kept.frames, new.frames) == ((5, 9), (9,))
+    require_matte([ended, kept, new], 9, mask)
 
 
 HERE, THERE = (20, 20, 60, 70), (90, 30, 130, 80)
