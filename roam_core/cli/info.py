@@ -17,7 +17,7 @@ from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
 from roam_core.roto import Clip, Origin, RotoShape, file
 from roam_core.roto.imported import is_import
-from roam_core.roto.relinking import relinked
+from roam_core.roto.relinking import other_content_now, relinked
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -74,7 +74,11 @@ def _clip_values(clip: Clip) -> dict[str, object]:
 def _project_values(path: Path) -> dict[str, object]:
     project = file.load(path)
     clip, stamps = project.clip, Stamps.of(project.shapes, project.clip)
-    there = None if clip is None else _clip_values(clip) | {"is_there": is_there(clip.path)}
+    there = (
+        None
+        if clip is None
+        else _clip_values(clip) | {"is_there": is_there(clip.path), "note": other_content_now(clip)}
+    )
     shapes = [_shape_values(shape, stamps) for shape in project.shapes]
     return {"project": str(path), "digest": file.digest(project), "clip": there, "shapes": shapes}
 
@@ -111,6 +115,8 @@ def _project_lines(path: Path) -> list[str]:
         if not is_there(project.clip.path):
             found = relinked(project, path.parent).require_clip().path
             lines.append(f"         is not there{'' if found == project.clip.path else f'; found again at {found}'}")
+        elif warning := other_content_now(project.clip):
+            lines.append(f"note     {warning}")
     lines.extend(f"note     {mark.frame}: {' '.join(mark.text.split())}" for mark in project.marks if mark.text)
     stamps = Stamps.of(project.shapes, project.clip)
     lines.extend(_shape_line(shape, stamps) for shape in project.shapes)

@@ -69,6 +69,11 @@ class FileSequence:
         return self.folder / (str(self.pattern) if self.pattern else self.names[1])
 
     @property
+    def first_file(self) -> Path:
+        """The file of the first frame."""
+        return self.folder / self.names[min(self.names)]
+
+    @property
     def label(self) -> str:
         """The sequence in a few words, for messages."""
         if self.pattern is None:
