@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.content import content_hash
-from roam_core.media.numbering import FileSequence, file_names, find_pattern, find_sequences, parse_pattern
+from roam_core.media.numbering import (
+    FileSequence,
+    file_names,
+    find_pattern,
+    find_sequences,
+    parse_pattern,
+    varying_pattern,
+)
 from roam_core.media.source import PlateSource
 
 if TYPE_CHECKING:
@@ -74,23 +81,17 @@ def open_clip(path: str | Path, layer: str = "", content: str = "") -> PlateSour
     return _open_pattern(place, layer)
 
 
-def first_file(path: Path, content: str = "") -> Path | None:
-    """The file of a plate's first frame, as `open_clip` finds it; None where there is none. Nothing is opened.
+def files_of(path: Path, content: str = "") -> FileSequence | None:
+    """The files of a plate that is a folder or a pattern, as `open_clip` finds them. Nothing is opened.
 
-    Raises
-    ------
-    RoamError
-        when a folder cannot be read, or has no single longest sequence.
+    None of a movie or one picture, and where there is nothing. Raises `RoamError` when a folder cannot be read, or has
+    no single longest sequence.
     """
-    if path.is_file():
-        return path
     if path.is_dir():
         found = find_sequences(path, _image_extensions())
-        sequence = _chosen(path, found, content) if found else None
-    else:
-        pattern = parse_pattern(path.name)
-        sequence = find_pattern(path.parent, pattern) if pattern and path.parent.is_dir() else None
-    return sequence.first_file if sequence else None
+        return _chosen(path, found, content) if found else None
+    pattern = None if path.is_file() else parse_pattern(path.name)
+    return find_pattern(path.parent, pattern) if pattern and path.parent.is_dir() else None
 
 
 def _open_folder(folder: Path, layer: str, content: str) -> PlateSource:
@@ -116,8 +117,16 @@ def _chosen(folder: Path, found: list[FileSequence], content: str) -> FileSequen
         f"{_listed(found)}. Leave the plate alone in its folder, or relink the clip."
         if content
         else f"{folder} holds several sequences, none longer than the others: {_listed(found)}. "
-        f"Give a pattern, such as {found[0].path.name}."
+        f"Give a pattern, such as {_advised(found)}."
     )
+
+
+def _advised(found: list[FileSequence]) -> str:
+    """The pattern that takes in most files; what varies may be another group of digits than the last."""
+    names = [name for sequence in found for name in sequence.names.values()]
+    pattern = varying_pattern(names)
+    most = sum(pattern.number_of(name) is not None for name in names) if pattern else 0
+    return str(pattern) if most > len(found[0].names) else found[0].path.name
 
 
 def _holds(sequence: FileSequence, content: str) -> bool:

@@ -9,7 +9,7 @@ from pathlib import Path
 from roam_core.errors import RoamError
 from roam_core.media.content import content_hash
 from roam_core.media.finding import is_there, places_near
-from roam_core.media.opening import first_file, open_clip
+from roam_core.media.opening import files_of, open_clip
 from roam_core.media.source import PlateSource
 from roam_core.roto.project import Clip, Project
 from roam_core.translatable import sentence
@@ -71,10 +71,19 @@ def other_content_now(clip: Clip) -> str:
     A folder of which it cannot be told which sequence is the plate is told as `open_clip` tells it.
     """
     try:
-        file = first_file(clip.path, clip.content)
+        sequence = files_of(clip.path, clip.content)
     except RoamError as error:
         return str(error)
-    return "" if file is None else _other_content(clip, clip.path, content_hash(file))
+    return _other_content(clip, clip.path, content_hash(sequence.first_file if sequence else clip.path))
+
+
+def missing_now(clip: Clip) -> frozenset[int]:
+    """The clip's frames of which no file lies at its path; none of a movie, nor where the files cannot be told."""
+    try:
+        sequence = files_of(clip.path, clip.content)
+    except RoamError:
+        return frozenset()
+    return frozenset(clip.frame_range) - sequence.names.keys() if sequence else frozenset()
 
 
 def _other_content(clip: Clip, path: Path, content: str) -> str:

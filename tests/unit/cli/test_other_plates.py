@@ -128,6 +128,13 @@ def test_where_no_sequence_of_the_folder_is_the_plate_it_is_told(
     assert words in done.err
 
 
+def test_a_frame_that_the_plate_lacks_is_none_that_is_not_filled(roam: Roam, plate: Plate, keyed: Path) -> None:
+    assert "1 frame(s) between its artist keys are not filled" in roam("info", keyed).out
+    (plate.folder / "plate.1002.png").unlink()
+    assert "not filled" not in roam("info", keyed).out
+    assert json.loads(roam("info", keyed, "--json").out)["shapes"][0]["not_filled"] == []
+
+
 def test_info_tells_of_a_plate_that_moved_or_is_gone(roam: Roam, plate: Plate, keyed: Path) -> None:
     assert "is not there" not in roam("info", keyed).out
     (plate.folder.parent / "media").mkdir()
