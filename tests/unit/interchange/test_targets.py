@@ -50,6 +50,8 @@ def test_every_matte_is_known_again(tmp_path: Path, kind: MatteFile, depth: Dept
 def test_a_project_is_known_again_and_what_others_made_is_not(tmp_path: Path) -> None:
     file.save(PROJECT, tmp_path / "p")
     assert written_by_us(tmp_path / "p") is Kind.PROJECT
+    (tmp_path / "marked").write_bytes(b"\xef\xbb\xbf" + (tmp_path / "p").read_bytes())
+    assert written_by_us(tmp_path / "marked") is Kind.PROJECT
     for k, text in enumerate(
         (
             "",
