@@ -15,6 +15,7 @@ from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
 from roam_core.cli.picking import add_only, with_only
 from roam_core.cli.plate import loaded, tell
+from roam_core.cli.spans import asked_frames
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -46,12 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     project = with_only(loaded(arguments.project), arguments.shape)
     clip, style = project.require_clip(), matte_style(arguments)
-    first = clip.first if arguments.start is None else arguments.start
-    last = clip.last if arguments.end is None else arguments.end
-    if last < first:
-        raise RoamError(f"--end {last} comes before --start {first}.")
-    if last < clip.first or first > clip.last:
-        raise RoamError(f"The clip has the frames {clip.first} to {clip.last}, none of {first} to {last}.")
+    asked = asked_frames(clip, arguments.start, arguments.end)
     pattern = arguments.name
     if pattern and Path(pattern).suffix.lower() in SUFFIXES:
         style = style_for(Path(pattern), style)
@@ -60,7 +56,7 @@ def run(arguments: argparse.Namespace) -> int:
     tell(other_content_now(clip))
     names = frame_names(project)
     width, height = clip.size
-    frames = [frame for frame in range(first, last + 1) if frame in names]
+    frames = [frame for frame in asked if frame in names]
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__
     require_free(
