@@ -207,17 +207,13 @@ def test_where_there_is_no_room_for_pictures_no_frame_is_damaged(tmp_path: Path,
     assert done.stdout.startswith("NoRoom There is no room for decoded pictures")
 
 
-def test_where_no_shared_file_can_be_made_it_is_said(
-    tmp_path: Path, apart: Callable[[], None], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def refuse(*_: object) -> int:
+def test_where_no_shared_file_can_be_made_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object, **__: object) -> int:
         raise OSError(errno.EMFILE, "Too many open files")
 
-    plate = open_clip(written(tmp_path, "p"))
-    apart()
     monkeypatch.setattr(os, "memfd_create", refuse, raising=False)
     with pytest.raises(NoRoom, match=r"no room for decoded pictures in memory \(Too many open files\)"):
-        plate.read(1)
+        processes_of.DecoderProcess()
 
 
 def test_a_picture_that_is_missing_is_refused(tmp_path: Path, mortal: Pool) -> None:
