@@ -17,7 +17,7 @@ def require_regular(path: Path) -> None:
     Raises
     ------
     RoamError
-        when the path is missing, a folder, a pipe, a socket or a device, or cannot be looked at.
+        when the path is missing, a folder, a pipe, a socket or a device, cannot be looked at, or may not be read.
     """
     try:
         mode = path.stat().st_mode
@@ -29,6 +29,8 @@ def require_regular(path: Path) -> None:
         raise RoamError(f"{path} is a folder, not a file.")
     if not stat.S_ISREG(mode):
         raise RoamError(f"{path} is a pipe, a socket or a device, not a file; give a regular file.")
+    if not os.access(path, os.R_OK):
+        raise RoamError(f"{path} may not be read; give yourself the permission, or ask its owner for it.")
 
 
 def bounded_bytes(path: Path, most: int, remedy: str = "split it into several files") -> bytes:

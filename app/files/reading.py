@@ -12,7 +12,7 @@ from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import BlendMode, Clip, Project, edit, file
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
-from roam_core.roto.relinking import other_content, other_size, relinked
+from roam_core.roto.relinking import open_plate, other_content, other_size, relinked
 
 from ..jobs.runner import Report
 from ..translation import N_, tr, translated
@@ -119,14 +119,14 @@ def _older(project: Project, version: int) -> str:
 
 def plate_of(project: Project) -> tuple[Any, str]:
     """The plate of a project, or None and why it could not be opened; or the plate and what differs from before."""
-    from roam_core.media import declared, open_clip
+    from roam_core.media import declared
     from roam_core.media.colour_spaces import definition_of
 
     if (clip := project.clip) is None:
         return None, ""
     definition_of(clip.colour_space)
     try:
-        source = declared(open_clip(clip.path, clip.layer), clip.colour_space, clip.fps, clip.pixel_aspect)
+        source = declared(open_plate(clip), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:
         return None, tr("The plate could not be opened; choose it again in the File menu. {error}", error=error)
     return source, differences(project, source)

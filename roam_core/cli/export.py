@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
@@ -13,7 +14,9 @@ from roam_core.cli.picking import add_only, with_only
 from roam_core.cli.plate import loaded
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
-from roam_core.interchange.protocol import LossyExport
+from roam_core.interchange.matte_style import SUFFIXES
+from roam_core.interchange.mattes.exporter import MatteExporter
+from roam_core.interchange.protocol import Exporter, LossyExport
 from roam_core.interchange.targets import Sources, exported, require_free
 
 
@@ -60,6 +63,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     exporter = exporter_for(arguments.to)
+    require_suffix(exporter, arguments.out)
     project = with_only(loaded(arguments.project), arguments.shape)
     options = ExportOptions(
         frame_offset=arguments.frame_offset,
@@ -91,3 +95,14 @@ def run(arguments: argparse.Namespace) -> int:
     for note in notes:
         print(note, file=sys.stderr)
     return 0
+
+
+def require_suffix(exporter: Exporter, path: Path) -> None:
+    """Refuse a name that ends as another format of shapes does; an unknown suffix, or none, is the user's own."""
+    suffix, is_mattes = path.suffix.lower(), exporter.name == MatteExporter.name
+    others = {other.suffix for other in EXPORTERS.values() if other.name != MatteExporter.name}
+    if suffix in others and suffix != exporter.suffix and not path.is_dir():
+        fitting = " or ".join(sorted(SUFFIXES)) if is_mattes else exporter.suffix
+        raise RoamError(
+            f"{path.name} is the name of another format's files; those of {exporter.name} end in {fitting}."
+        )

@@ -10,7 +10,7 @@ from roam_core.atomic_write import write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_of
 from roam_core.cli.plate import loaded
-from roam_core.cli.spans import gaps_of
+from roam_core.cli.spans import asked_frames, gaps_of
 from roam_core.errors import RoamError
 from roam_core.roto import Project
 from roam_core.studio.jobs import Job, require_name, steps_named
@@ -44,10 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
     project = loaded(path)
     clip, name = project.require_clip(), path.stem
     require_name(name, f"The name of {path}")
-    first = clip.first if arguments.start is None else arguments.start
-    last = clip.last if arguments.end is None else arguments.end
-    if last < first or last < clip.first or first > clip.last:
-        raise RoamError(f"There are no frames from {first} to {last}; the clip has {clip.first} to {clip.last}.")
+    frames = asked_frames(clip, arguments.start, arguments.end)
     if arguments.chunk < 1:
         raise RoamError("--chunk has to be 1 or more.")
     gaps = found_gaps(project, path)
@@ -57,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
     out = (arguments.out or path.with_name(f"{name}-farm")).absolute()
     target = arguments.job or path.with_name(f"{name}.openjd.json")
     job = Job(name, steps, str(clip.path), path, clip.layer)
-    shares = Shares(gaps, range(first, last + 1), arguments.chunk)
+    shares = Shares(gaps, frames, arguments.chunk)
     template = template_of(job, out, shares, target.absolute().parent, arguments.roam)
     content = written(checked(template), target)
     try:

@@ -68,6 +68,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     params = configured(arguments.config)
+    if arguments.workers < 1:
+        raise RoamError("--workers has to be 1 or more.")
     target = arguments.project if arguments.save is None else arguments.save
     write = project_writer(target, arguments.project)
     project = loaded(arguments.project)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Set
 from itertools import pairwise
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
 from roam_core.roto import Clip, Origin, RotoShape, file
 from roam_core.roto.imported import is_import
-from roam_core.roto.relinking import relinked
+from roam_core.roto.relinking import missing_now, other_content_now, relinked
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -74,12 +75,17 @@ def _clip_values(clip: Clip) -> dict[str, object]:
 def _project_values(path: Path) -> dict[str, object]:
     project = file.load(path)
     clip, stamps = project.clip, Stamps.of(project.shapes, project.clip)
-    there = None if clip is None else _clip_values(clip) | {"is_there": is_there(clip.path)}
-    shapes = [_shape_values(shape, stamps) for shape in project.shapes]
+    there = (
+        None
+        if clip is None
+        else _clip_values(clip) | {"is_there": is_there(clip.path), "note": other_content_now(clip)}
+    )
+    missing = frozenset[int]() if clip is None else missing_now(clip)
+    shapes = [_shape_values(shape, stamps, missing) for shape in project.shapes]
     return {"project": str(path), "digest": file.digest(project), "clip": there, "shapes": shapes}
 
 
-def _shape_values(shape: RotoShape, stamps: Stamps) -> dict[str, object]:
+def _shape_values(shape: RotoShape, stamps: Stamps, missing: Set[int]) -> dict[str, object]:
     engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
     return {
         "id": shape.id,
@@ -90,7 +96,7 @@ def _shape_values(shape: RotoShape, stamps: Stamps) -> dict[str, object]:
         "artist_keys": list(shape.artist_frames),
         "engine_keys": [key.frame for key in engine],
         "stale": [key.frame for key in engine if stamps.is_stale(shape, key)],
-        "not_filled": _interpolated(shape),
+        "not_filled": _interpolated(shape, missing),
         "confidence": {str(key.frame): key.confidence for key in engine if key.confidence is not None},
         "worth_fixing": suggest_keyframe(shape),
     }
@@ -111,15 +117,18 @@ def _project_lines(path: Path) -> list[str]:
         if not is_there(project.clip.path):
             found = relinked(project, path.parent).require_clip().path
             lines.append(f"         is not there{'' if found == project.clip.path else f'; found again at {found}'}")
+        elif warning := other_content_now(project.clip):
+            lines.append(f"note     {warning}")
     lines.extend(f"note     {mark.frame}: {' '.join(mark.text.split())}" for mark in project.marks if mark.text)
     stamps = Stamps.of(project.shapes, project.clip)
-    lines.extend(_shape_line(shape, stamps) for shape in project.shapes)
+    missing = frozenset[int]() if project.clip is None else missing_now(project.clip)
+    lines.extend(_shape_line(shape, stamps, missing) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):
         lines.append(f"note     {sentence}")
     return lines
 
 
-def _shape_line(shape: RotoShape, stamps: Stamps) -> str:
+def _shape_line(shape: RotoShape, stamps: Stamps, missing: Set[int]) -> str:
     engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
     stale = sum(stamps.is_stale(shape, key) for key in engine)
     rated = [(key.confidence, key.frame) for key in engine if key.confidence is not None]
@@ -130,7 +139,7 @@ def _shape_line(shape: RotoShape, stamps: Stamps) -> str:
     )
     if stale:
         line += f" ({stale} stale)"
-    if interpolated := _interpolated(shape):
+    if interpolated := _interpolated(shape, missing):
         line += f"; {len(interpolated)} frame(s) between its artist keys are not filled, the first is {interpolated[0]}"
     if rated:
         confidence, frame = min(rated)
@@ -140,10 +149,11 @@ def _shape_line(shape: RotoShape, stamps: Stamps) -> str:
     return line
 
 
-def _interpolated(shape: RotoShape) -> list[int]:
+def _interpolated(shape: RotoShape, missing: Set[int]) -> list[int]:
     """The frames between a closed shape's artist keys on which it exists without a key: `roam fill` makes them.
 
-    Not where an import put keys between two of the file's, as few as show its motion.
+    Not those that the plate lacks, which `roam fill` passes over; and not where an import put keys between two of the
+    file's, as few as show its motion.
     """
     if not shape.closed:
         return []
@@ -155,5 +165,5 @@ def _interpolated(shape: RotoShape) -> list[int]:
         for gap in gaps
         if imported.isdisjoint(gap)
         for frame in gap
-        if frame not in keyed and shape.exists_at(frame)
+        if frame not in keyed and frame not in missing and shape.exists_at(frame)
     ]

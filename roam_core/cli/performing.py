@@ -56,7 +56,7 @@ def perform(batch: str, plain: dict[str, Any], pictures: str = "", tell: Tell | 
     try:
         Path(task.record).parent.mkdir(parents=True, exist_ok=True)
         before = Record.read(Path(task.record))
-        inputs = inputs_of(task.reads, task.plate, task.layer, before)
+        inputs = inputs_of(task.reads, task.plate, task.layer, before, task.content)
         if before is not None and before.holds(task.settings, inputs, Path(task.folder)):
             return {**told, **before.outcome, "status": "kept", "outputs": sorted(before.outputs)}
         if task.can_split and len(pieces := _pieces(task)) > 1:

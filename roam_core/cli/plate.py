@@ -118,7 +118,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so.
     """
-    source = open_clip(path, layer or (clip.layer if clip else ""))
+    source = open_clip(path, layer or (clip.layer if clip else ""), clip.content if clip else "")
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
@@ -135,5 +135,10 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
 def _compare(clip: Clip, found: Clip) -> None:
     if refusal := other_size(clip, found):
         raise RoamError(refusal)
-    if warning := other_content(clip, found):
+    tell(other_content(clip, found))
+
+
+def tell(warning: str) -> None:
+    """Say on stderr what is not as the project has it; "" says nothing."""
+    if warning:
         print(f"roam: {warning}", file=sys.stderr)

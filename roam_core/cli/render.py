@@ -14,7 +14,8 @@ from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
 from roam_core.cli.picking import add_only, with_only
-from roam_core.cli.plate import loaded
+from roam_core.cli.plate import loaded, tell
+from roam_core.cli.spans import asked_frames
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -24,6 +25,7 @@ from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
 from roam_core.roto import Project
+from roam_core.roto.relinking import other_content_now
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -45,20 +47,16 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     project = with_only(loaded(arguments.project), arguments.shape)
     clip, style = project.require_clip(), matte_style(arguments)
-    first = clip.first if arguments.start is None else arguments.start
-    last = clip.last if arguments.end is None else arguments.end
-    if last < first:
-        raise RoamError(f"--end {last} comes before --start {first}.")
-    if last < clip.first or first > clip.last:
-        raise RoamError(f"The clip has the frames {clip.first} to {clip.last}, none of {first} to {last}.")
+    asked = asked_frames(clip, arguments.start, arguments.end)
     pattern = arguments.name
     if pattern and Path(pattern).suffix.lower() in SUFFIXES:
         style = style_for(Path(pattern), style)
     elif pattern:
         pattern += style.suffix
+    tell(other_content_now(clip))
     names = frame_names(project)
     width, height = clip.size
-    frames = [frame for frame in range(first, last + 1) if frame in names]
+    frames = [frame for frame in asked if frame in names]
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__
     require_free(
@@ -98,7 +96,7 @@ def frame_names(project: Project) -> dict[int, str]:
     """Names for mattes by frame: those of the plate's files, or padded numbers where the plate is not at hand."""
     clip = project.require_clip()
     try:
-        source = open_clip(clip.path)
+        source = open_clip(clip.path, content=clip.content)
     except RoamError:
         return {frame: f"{frame:04d}" for frame in clip.frame_range}
     return {frame: source.frame_name(frame) for frame in source.frames}

@@ -11,7 +11,7 @@ from roam_core.cli.plate import Plate
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
-from roam_core.roto import Keyframe, Project
+from roam_core.roto import Clip, Keyframe, Project
 
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""
@@ -47,6 +47,17 @@ def within(gaps: Sequence[Gap], span: Sequence[int] | None) -> list[Gap]:
         known = ", ".join(f"{gap[0]}-{gap[1]}" for gap in gaps[:8])
         raise RoamError(f"--span {first} {last} holds no gap between artist keys; there are {known}.")
     return inside
+
+
+def asked_frames(clip: Clip, start: int | None, end: int | None) -> range:
+    """The frames of a clip from `--start` to `--end`, both inclusive; all for None, and a sentence for others."""
+    first, last = clip.first if start is None else start, clip.last if end is None else end
+    for name, frame in (("start", first), ("end", last)):
+        if not clip.first <= frame <= clip.last:
+            raise RoamError(f"--{name} {frame} lies outside the clip's frames {clip.first}-{clip.last}.")
+    if last < first:
+        raise RoamError(f"--end {last} comes before --start {first}.")
+    return range(first, last + 1)
 
 
 def part_files(given: Sequence[Path] | None) -> list[Path]:

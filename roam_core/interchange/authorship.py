@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 import stat
 from enum import StrEnum
@@ -47,7 +48,7 @@ def written_by_us(path: Path) -> Kind | None:
         if not stat.S_ISREG(path.stat().st_mode):
             return None
         with path.open("rb") as file:
-            head = file.read(HEAD_BYTES)
+            head = file.read(HEAD_BYTES).removeprefix(codecs.BOM_UTF8)
             file.seek(max(path.stat().st_size - len(MARK), 0))
             tail = file.read(len(MARK))
     except OSError:

@@ -209,7 +209,8 @@ class ShapeWriter:
 
 
 def readied(project: Project, options: ExportOptions) -> Project:
-    """What all writers begin with: layers that stand still, and opacities and feathers on the chosen frames only.
+    """What all writers begin with: layers that stand still, and opacities and feathers on the chosen frames only; where
+    there is motion blur, feathers as far beyond them as the shutter reaches.
 
     The keys of outlines are chosen as each shape is begun. Where the engine's are among them, the opacity tells which
     shapes are out of sight.
@@ -224,16 +225,27 @@ def _values_within(layer: Layer, frames: range) -> Layer:
     children = (
         _values_within(child, frames)
         if isinstance(child, Layer)
-        else replace(child, opacity=value_within(child.opacity, frames), feather=value_within(child.feather, frames))
+        else replace(
+            child,
+            opacity=value_within(child.opacity, frames),
+            feather=value_within(child.feather, _seen_from(child, frames)),
+        )
         for child in layer.children
     )
     return replace(layer, children=tuple(children), opacity=value_within(layer.opacity, frames))
 
 
 def exported_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> RotoShape:
-    """The shape with the keys that are to be exported: those that were chosen, on the chosen frames."""
+    """The shape with the keys that are to be exported: those that were chosen, on the chosen frames.
+
+    Where it has motion blur, as far beyond them as the shutter reaches.
+    """
     chosen = chosen_keys(shape, options, notes)
-    return chosen if options.frames is None else within(chosen, options.frames)
+    return chosen if options.frames is None else within(chosen, _seen_from(shape, options.frames))
+
+
+def _seen_from(shape: RotoShape, frames: range) -> range:
+    return frames if shape.motion_blur is None else shape.motion_blur.seen_from(frames)
 
 
 def with_chosen_keys(layer: Layer, options: ExportOptions, notes: list[str]) -> Layer:

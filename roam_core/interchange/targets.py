@@ -14,6 +14,8 @@ from roam_core.interchange.authorship import Kind, is_project, written_by_us
 from roam_core.interchange.mattes.exporter import MatteExporter
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, WritesSeveral
 from roam_core.media import PlateSource, open_clip
+from roam_core.media.decoding import image_extensions
+from roam_core.media.numbering import parse_pattern
 from roam_core.roto import Clip, Project
 from roam_core.roto.backups import rotate
 
@@ -27,9 +29,10 @@ Identity = tuple[int, int] | str
 
 @dataclass(frozen=True)
 class Sources:
-    """What a command reads: files, and the folder of a plate that is opened by its folder.
+    """What a command reads: files, and the folder of a plate that is opened by its folder or by a pattern.
 
-    A picture more in such a folder could be taken for a frame, or keep the folder from being opened again.
+    A picture more in such a folder could be taken for a frame, or keep the folder from being opened again; one that is
+    there may be a frame of another plate.
     """
 
     files: tuple[Path, ...]
@@ -41,7 +44,7 @@ class Sources:
         if plate is None:
             return cls(files)
         frames = dict.fromkeys(plate.file_of(frame) for frame in plate.frames)
-        return cls((*frames, *files), plate.path if plate.path.is_dir() else None)
+        return cls((*frames, *files), _plate_folder(plate.path))
 
     @classmethod
     def of_clip(cls, clip: Clip | None, *files: Path) -> Sources:
@@ -49,10 +52,10 @@ class Sources:
         if clip is None:
             return cls(files)
         try:
-            return cls.of(open_clip(clip.path), *files)
+            return cls.of(open_clip(clip.path, content=clip.content), *files)
         except RoamError:
             # What cannot be opened now may be a plate all the same: none of its folder is touched.
-            folder = clip.path if clip.path.is_dir() else None
+            folder = _plate_folder(clip.path)
             return cls((*(folder.iterdir() if folder else [clip.path]), *files), folder)
 
 
@@ -119,7 +122,11 @@ def obstacles(targets: Iterable[tuple[Path, Kind]], sources: Sources, rewritten:
     return Obstacles(
         too_long=too_long,
         read=tuple(path for path, kind in there if _identity(path) in read),
-        in_plate=tuple(path for path, kind in rest if kind is Kind.PICTURE and _identity(path.parent) == folder),
+        in_plate=tuple(
+            path
+            for path, kind in rest
+            if _identity(path.parent) == folder and (kind is Kind.PICTURE or _is_picture(path))
+        ),
         odd=tuple(path for path, _ in there if not path.is_file() and not path.is_dir()),
         twice=tuple(dict.fromkeys(path for path, _ in wanted if places[os.path.realpath(path)] > 1)),
         foreign=tuple(path for path, kind in there if path.is_file() and not _is_free(path, kind)),
@@ -149,6 +156,18 @@ def kept_aside(path: Path) -> Path | None:
     when it cannot be kept.
     """
     return rotate(path, BACKUPS, is_project) if is_project(path) else None
+
+
+def _plate_folder(path: Path) -> Path | None:
+    """The folder of a plate that is opened by its folder or by a pattern; of a movie and a lone image there is none."""
+    if path.is_dir():
+        return path
+    by_pattern = parse_pattern(path.name) is not None and not path.is_file()
+    return path.parent if by_pattern and path.parent.is_dir() else None
+
+
+def _is_picture(path: Path) -> bool:
+    return path.is_file() and path.suffix.lower() in image_extensions()
 
 
 def _is_free(path: Path, kind: Kind) -> bool:

@@ -185,7 +185,7 @@ def _swept(borders: list[Outline], size: tuple[int, int]) -> Matte:
 def _moments(shape: RotoShape, frame: float) -> list[float]:
     """The frame alone; or borders and middles of equal parts of the open shutter in turn, the borders at both ends."""
     blur = shape.motion_blur
-    if blur is None or blur.shutter == 0.0 or blur.samples < 2:
+    if blur is None or not blur.is_seen:
         return [frame]
     halves = 2 * blur.samples
     return [frame + blur.phase + blur.shutter * half / halves for half in range(halves + 1)]

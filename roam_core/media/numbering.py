@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 
 from roam_core.errors import RoamError
@@ -20,6 +21,7 @@ _LAST_NUMBER = re.compile(
 )
 _PERCENT = re.compile(r"%0?(?P<width>[0-9]*)d")
 _DIGITS = re.compile(r"#+|@+")
+_GROUP = re.compile(r"(?<![0-9])[0-9]{1,9}(?![0-9])")
 _INTEGER = re.compile(r"-?[0-9]{1,9}")
 
 
@@ -67,6 +69,11 @@ class FileSequence:
     def path(self) -> Path:
         """The pattern, or the one file, as a path that opens this sequence again."""
         return self.folder / (str(self.pattern) if self.pattern else self.names[1])
+
+    @property
+    def first_file(self) -> Path:
+        """The file of the first frame."""
+        return self.folder / self.names[min(self.names)]
 
     @property
     def label(self) -> str:
@@ -121,8 +128,20 @@ def parse_pattern(name: str) -> NamePattern | None:
 
 
 def find_pattern(folder: Path, pattern: NamePattern) -> FileSequence | None:
-    """The files in `folder` that follow `pattern`, or None."""
-    numbered = [(number, name) for name in file_names(folder) if (number := pattern.number_of(name)) is not None]
+    """The files in `folder` that follow `pattern`, or None.
+
+    A file whose extension is in other letters (`.PNG` for `.png`) follows it, too, where it is the only one of its
+    number.
+    """
+    names = file_names(folder)
+    numbered = [(number, name) for name in names if (number := pattern.number_of(name)) is not None]
+    taken, ending = {number for number, _ in numbered}, Path(pattern.suffix).suffix or pattern.suffix
+    for name in names if ending.startswith(".") else ():
+        there = name[len(name) - len(ending) :]
+        if there != ending and there.lower() == ending.lower():
+            number = pattern.number_of(name[: len(name) - len(ending)] + ending)
+            if number is not None and number not in taken:
+                numbered.append((number, name))
     return _sequence(folder, numbered, pattern) if numbered else None
 
 
@@ -130,8 +149,9 @@ def find_sequences(folder: Path, extensions: Collection[str]) -> list[FileSequen
     """All sequences and lone images in `folder`, longest first.
 
     Hidden files are passed over, and so are files whose extension (lower case, with its dot) is none of `extensions`.
+    Extensions in other letters, `.PNG` for `.png`, are one, unless there are files of the same number.
     """
-    groups: dict[tuple[str, str], list[str]] = defaultdict(list)
+    groups: dict[tuple[str, str], dict[str, list[str]]] = defaultdict(lambda: defaultdict(list))
     sequences = []
     for name in file_names(folder):
         path = Path(name)
@@ -139,13 +159,39 @@ def find_sequences(folder: Path, extensions: Collection[str]) -> list[FileSequen
             continue
         parts = split_number(path.stem)
         if parts:
-            groups[parts[0], parts[2] + path.suffix].append(parts[1])
+            groups[parts[0], parts[2] + path.suffix.lower()][parts[2] + path.suffix].append(parts[1])
         else:
             sequences.append(FileSequence(folder, {1: name}, None))
-    for (prefix, suffix), numbers in groups.items():
-        pattern = NamePattern(prefix, _common_width(numbers), suffix)
-        sequences.append(_sequence(folder, [(int(text), f"{prefix}{text}{suffix}") for text in numbers], pattern))
+    for (prefix, _), spellings in groups.items():
+        for numbers in _joined(spellings):
+            pattern = NamePattern(prefix, _common_width(text for text, _ in numbers), numbers[0][1])
+            found = [(int(text), f"{prefix}{text}{suffix}") for text, suffix in numbers]
+            sequences.append(_sequence(folder, found, pattern))
     return sorted(sequences, key=lambda sequence: (-len(sequence.names), sequence.path.name))
+
+
+def _joined(spellings: Mapping[str, Sequence[str]]) -> list[list[tuple[str, str]]]:
+    """The numbers of each suffix as (number, suffix), joined where no two are the same; the most frequent first."""
+    ordered = sorted(spellings.items(), key=lambda item: -len(item[1]))
+    groups = [[(text, suffix) for text in texts] for suffix, texts in ordered]
+    every = [int(text) for group in groups for text, _ in group]
+    return [list(chain(*groups))] if len(set(every)) == len(every) else groups
+
+
+def varying_pattern(names: Iterable[str]) -> NamePattern | None:
+    """The pattern that most of the names follow, whichever group of digits it varies; None where no two follow one.
+
+    Of `shot_0001_v002.png` and `shot_0002_v002.png` that is `shot_%04d_v002.png`.
+    """
+    groups: dict[tuple[str, str], list[str]] = defaultdict(list)
+    for name in names:
+        for match in _GROUP.finditer(Path(name).stem):
+            groups[name[: match.start()], name[match.end() :]].append(match[0])
+    most = max(groups.items(), key=lambda item: len(item[1]), default=None)
+    if most is None or len(most[1]) < 2:
+        return None
+    (prefix, suffix), numbers = most
+    return NamePattern(prefix, _common_width(numbers), suffix)
 
 
 def file_names(folder: Path) -> list[str]:

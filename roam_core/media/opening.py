@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
-from roam_core.media.numbering import FileSequence, file_names, find_pattern, find_sequences, parse_pattern
+from roam_core.media.content import content_hash
+from roam_core.media.numbering import (
+    FileSequence,
+    file_names,
+    find_pattern,
+    find_sequences,
+    parse_pattern,
+    varying_pattern,
+)
 from roam_core.media.source import PlateSource
 
 if TYPE_CHECKING:
@@ -40,7 +48,7 @@ MOST_LISTED = 8
 """How many of the sequences found a message names."""
 
 
-def open_clip(path: str | Path, layer: str = "") -> PlateSource:
+def open_clip(path: str | Path, layer: str = "", content: str = "") -> PlateSource:
     """Open a plate.
 
     Parameters
@@ -49,6 +57,8 @@ def open_clip(path: str | Path, layer: str = "") -> PlateSource:
         sequence (which opens all of it), a lone image (frame 1) or a movie. In a folder with several sequences the
         longest wins. Only headers are read. `####` and `@@@@` stand for digits too.
     layer : which layer of the images is the plate, by its name (`PlateSource.layers`); the picture itself if "".
+    content : hash of the plate that is meant (`roam_core.media.content`), "" where it is not known: in a folder with
+        several sequences that one is taken, whatever its length, and the folder stays its path.
 
     Raises
     ------
@@ -63,7 +73,7 @@ def open_clip(path: str | Path, layer: str = "") -> PlateSource:
     except (OSError, RuntimeError, ValueError) as error:
         raise RoamError(f"{str(path)!r} is no path that can be opened: {error}.") from error
     if is_folder:
-        return _open_folder(place, layer)
+        return _open_folder(place, layer, content)
     if is_file:
         return _open_file(place, layer)
     if is_there:
@@ -71,19 +81,56 @@ def open_clip(path: str | Path, layer: str = "") -> PlateSource:
     return _open_pattern(place, layer)
 
 
-def _open_folder(folder: Path, layer: str) -> PlateSource:
+def files_of(path: Path, content: str = "") -> FileSequence | None:
+    """The files of a plate that is a folder or a pattern, as `open_clip` finds them. Nothing is opened.
+
+    None of a movie or one picture, and where there is nothing. Raises `RoamError` when a folder cannot be read, or has
+    no single longest sequence.
+    """
+    if path.is_dir():
+        found = find_sequences(path, _image_extensions())
+        return _chosen(path, found, content) if found else None
+    pattern = None if path.is_file() else parse_pattern(path.name)
+    return find_pattern(path.parent, pattern) if pattern and path.parent.is_dir() else None
+
+
+def _open_folder(folder: Path, layer: str, content: str) -> PlateSource:
     found = find_sequences(folder, _image_extensions())
     if not found:
         return _open_movie_in(folder, layer)
+    sequence = _chosen(folder, found, content)
+    # The artist's own word for the plate is the folder, where it leads there; a pattern tells the same less readably.
+    leads_there = len(found) == 1 or (content and _holds(sequence, content))
+    return _images(sequence, layer, folder if leads_there else None)
+
+
+def _chosen(folder: Path, found: list[FileSequence], content: str) -> FileSequence:
+    """Of the sequences of a folder, longest first, the plate: the one of that content, else the longest."""
     if len(found) == 1:
-        # The artist's own word for the plate is the folder; a pattern would only tell the same less readably.
-        return _images(found[0], layer, folder)
-    if len(found[0].names) == len(found[1].names):
-        raise RoamError(
-            f"{folder} holds several sequences, none longer than the others: {_listed(found)}. "
-            f"Give a pattern, such as {found[0].path.name}."
-        )
-    return _images(found[0], layer)
+        return found[0]
+    if content and (known := next((sequence for sequence in found if _holds(sequence, content)), None)):
+        return known
+    if len(found[0].names) > len(found[1].names):
+        return found[0]
+    raise RoamError(
+        f"{folder} holds several sequences, none longer than the others, and none begins as the project's plate: "
+        f"{_listed(found)}. Leave the plate alone in its folder, or relink the clip."
+        if content
+        else f"{folder} holds several sequences, none longer than the others: {_listed(found)}. "
+        f"Give a pattern, such as {_advised(found)}."
+    )
+
+
+def _advised(found: list[FileSequence]) -> str:
+    """The pattern that takes in most files; what varies may be another group of digits than the last."""
+    names = [name for sequence in found for name in sequence.names.values()]
+    pattern = varying_pattern(names)
+    most = sum(pattern.number_of(name) is not None for name in names) if pattern else 0
+    return str(pattern) if most > len(found[0].names) else found[0].path.name
+
+
+def _holds(sequence: FileSequence, content: str) -> bool:
+    return content_hash(sequence.first_file) == content
 
 
 def _open_movie_in(folder: Path, layer: str) -> PlateSource:

@@ -9,6 +9,7 @@ from roam_core.arrays import Image
 from roam_core.errors import RoamError
 from roam_core.media.area import Area
 from roam_core.media.decoding import read_header, read_image, size_in_areas
+from roam_core.media.decoding.answers import NoRoom
 from roam_core.media.numbering import FileSequence
 from roam_core.media.source import DamagedFrame, ImageHeader, MissingFrame
 
@@ -118,5 +119,7 @@ class FileAreas:
 def _read(file: Path, layer: str, area: Area | None) -> Image:
     try:
         return read_image(file, layer, area)
+    except NoRoom:
+        raise  # no frame could be read: nothing is bridged
     except RoamError as error:
         raise DamagedFrame(str(error)) from None

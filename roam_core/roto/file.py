@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import codecs
 import hashlib
 import json
 import math
+import re
 import stat
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -12,12 +14,13 @@ from typing import Any
 
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
+from roam_core.roto.backups import backup_path
 from roam_core.roto.from_json import read_project
 from roam_core.roto.migrate import VERSION, migrate
 from roam_core.roto.project import Project
 from roam_core.roto.to_json import pieces
 
-__all__ = ["MAX_BYTES", "digest", "dumps", "load", "load_versioned", "loads", "save"]
+__all__ = ["MAX_BYTES", "DamagedProject", "digest", "dumps", "load", "load_versioned", "loads", "save"]
 
 MAX_BYTES = 448 << 20
 """Larger files are neither read nor written: with what is made of it, it fits into a gigabyte of memory."""
@@ -28,6 +31,12 @@ MAX_NAMES = 2_000_000
 MAX_MEMORY = 920 << 20
 """Bytes that reading may take: two for each of the file's, and `VALUE_COST` for each value in it."""
 VALUE_COST = 64
+_EMPTY = re.compile(rb"[\0\s]*")
+_BEGINNING = re.compile(rb'\s*\{\s*"type"\s*:\s*"roam\.Project"')
+
+
+class DamagedProject(RoamError):
+    """A file that was a project, and of which something is missing or wrong."""
 
 
 def save(project: Project, path: str | Path) -> None:
@@ -51,15 +60,21 @@ def load(path: str | Path) -> Project:
     Raises
     ------
     RoamError
-        when it is missing, not a project, damaged, too large, or of a newer version.
+        when it is missing, not a project, too large, or of a newer version.
+    DamagedProject
+        when it is empty, cut short or damaged; its newest backup is named, where there is one.
     """
     return load_versioned(Path(path))[0]
 
 
 def load_versioned(path: Path) -> tuple[Project, int]:
     """Read a project file as `load` does; gives the version of the file, too."""
-    document = _parsed(_content(path), str(path))
-    project = _read(document, path.parent, str(path))
+    try:
+        document = _parsed(_content(path), str(path))
+        project = _read(document, path.parent, str(path))
+    except DamagedProject as error:
+        backup = backup_path(path, 1)
+        raise DamagedProject(f"{error} Its newest backup is {backup}." if backup.is_file() else str(error)) from None
     return project, document["version"]
 
 
@@ -128,17 +143,22 @@ def _content(path: Path) -> bytes:
 
 def _parsed(content: bytes, name: str) -> Any:
     """The plain data of a file; what would take more memory than a project may is refused before it is parsed."""
+    content = content.removeprefix(codecs.BOM_UTF8)
     values, names = _counts(content)
     if _is_too_much(len(content), values, names):
         raise RoamError(f"{name} holds more values ({values}) than can be opened; it is damaged, or no ROAM project.")
+    if _EMPTY.fullmatch(content):
+        raise DamagedProject(f"{name} is empty: it was cut short while it was written or copied.")
+    begins_as_ours = _BEGINNING.match(content) is not None
     try:
         text = content.decode("utf-8", "surrogatepass")
         del content
         return json.loads(text, parse_float=_finite, parse_constant=_finite)
-    except UnicodeDecodeError:
-        raise RoamError(f"{name} is not a ROAM project (it is no text file).") from None
-    except (ValueError, RecursionError):
-        raise RoamError(f"{name} is not a ROAM project (it is not valid JSON).") from None
+    except (ValueError, RecursionError) as error:
+        reason = "it is no text file" if isinstance(error, UnicodeDecodeError) else "it is not valid JSON"
+        if begins_as_ours:
+            raise DamagedProject(f"{name} is damaged or cut short ({reason}).") from None
+        raise RoamError(f"{name} is not a ROAM project ({reason}).") from None
 
 
 def _finite(text: str) -> float:
@@ -154,7 +174,7 @@ def _read(document: Any, folder: Path, name: str) -> Project:
         raise RoamError(f"{name} is not a ROAM project.")
     version = document.get("version")
     if type(version) is not int or version < 1:  # `true` is an int to Python
-        raise RoamError(f"{name} says no valid version; it may be damaged.")
+        raise DamagedProject(f"{name} says no valid version; it may be damaged.")
     if version > VERSION:
         raise RoamError(
             f"{name} was written by a newer ROAM (file version {version}, this program reads up to {VERSION}); "
@@ -163,7 +183,7 @@ def _read(document: Any, folder: Path, name: str) -> Project:
     try:
         return read_project(migrate(document, version), folder)
     except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
-        raise RoamError(f"{name} is damaged: {_reason(error)}.") from None
+        raise DamagedProject(f"{name} is damaged: {_reason(error)}.") from None
 
 
 def _reason(error: BaseException) -> str:

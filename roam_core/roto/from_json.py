@@ -55,6 +55,8 @@ def _read_clip(document: Document, folder: Path) -> Clip:
     width, height = document["size"]
     first, last = whole(document["first"], "the clip's first frame"), whole(document["last"], "the clip's last frame")
     require(last - first + 1, MAX_SPAN + 1, "frames in its clip")
+    if last < first:
+        raise ValueError(f"its clip ends, on frame {last}, before it begins, on frame {first}")
     return Clip(
         path=_read_path(document, folder),
         first=first,

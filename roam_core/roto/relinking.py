@@ -7,8 +7,10 @@ from itertools import islice
 from pathlib import Path
 
 from roam_core.errors import RoamError
+from roam_core.media.content import content_hash
 from roam_core.media.finding import is_there, places_near
-from roam_core.media.opening import open_clip
+from roam_core.media.opening import files_of, open_clip
+from roam_core.media.source import PlateSource
 from roam_core.roto.project import Clip, Project
 from roam_core.translatable import sentence
 
@@ -26,12 +28,23 @@ def relinked(project: Project, folder: Path) -> Project:
         return project
     for place in islice(places_near(folder.absolute(), project.clip.path), MOST_OPENED):
         try:
-            found = Clip.of(open_clip(place, project.clip.layer))
+            found = Clip.of(open_clip(place, project.clip.layer, project.clip.content))
         except RoamError:
             continue
         if _is_same(project.clip, found):
             return replace(project, clip=replace(project.clip, path=found.path))
     return project
+
+
+def open_plate(clip: Clip) -> PlateSource:
+    """The plate of a project: of several sequences in its folder the one that the project was made on.
+
+    Raises
+    ------
+    RoamError
+        as `open_clip` does.
+    """
+    return open_clip(clip.path, clip.layer, clip.content)
 
 
 def other_size(clip: Clip, found: Clip) -> str:
@@ -49,12 +62,37 @@ def other_size(clip: Clip, found: Clip) -> str:
 
 def other_content(clip: Clip, found: Clip) -> str:
     """A sentence where the plate `found` shows something else than the one of the project, `clip`; else ""."""
-    if not clip.content or not found.content or found.content == clip.content:
+    return _other_content(clip, found.path, found.content)
+
+
+def other_content_now(clip: Clip) -> str:
+    """As `other_content`, of what lies at the clip's path now; of pictures and movies none is opened for it.
+
+    A folder of which it cannot be told which sequence is the plate is told as `open_clip` tells it.
+    """
+    try:
+        sequence = files_of(clip.path, clip.content)
+    except RoamError as error:
+        return str(error)
+    return _other_content(clip, clip.path, content_hash(sequence.first_file if sequence else clip.path))
+
+
+def missing_now(clip: Clip) -> frozenset[int]:
+    """The clip's frames of which no file lies at its path; none of a movie, nor where the files cannot be told."""
+    try:
+        sequence = files_of(clip.path, clip.content)
+    except RoamError:
+        return frozenset()
+    return frozenset(clip.frame_range) - sequence.names.keys() if sequence else frozenset()
+
+
+def _other_content(clip: Clip, path: Path, content: str) -> str:
+    if not clip.content or not content or content == clip.content:
         return ""
     return sentence(
         "The first frame of {path} is not that of the plate that the project was made on ({before}); "
         "check that the shapes fit the picture.",
-        path=found.path,
+        path=path,
         before=clip.path,
     )
 

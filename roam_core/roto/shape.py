@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bisect
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
@@ -166,6 +167,18 @@ class MotionBlur:
     phase: float = -0.25
     samples: int = 16
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
+
+    @property
+    def is_seen(self) -> bool:
+        """Whether the shutter is open for a time, and that is sampled."""
+        return self.shutter != 0.0 and self.samples >= 2
+
+    def seen_from(self, frames: range) -> range:
+        """The whole frames between which a shape moves while the shutter is open on `frames`."""
+        if not self.is_seen:
+            return frames
+        opens, closes = sorted((self.phase, self.phase + self.shutter))
+        return range(frames.start + min(math.floor(opens), 0), frames.stop + max(math.ceil(closes), 0))
 
 
 @dataclass(frozen=True)

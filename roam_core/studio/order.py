@@ -28,7 +28,7 @@ def _length(tasks: Sequence[Task]) -> tuple[int, int]:
 
 
 def _pixels(task: Task) -> int:
-    frames, pixels = _sequence(task.plate, task.layer)
+    frames, pixels = _sequence(task.plate, task.layer, task.content)
     options = task.settings["options"]
     first, last = (options.get(name) for name in ("start", "end"))
     asked = [frame for frame in frames if (first is None or frame >= first) and (last is None or frame <= last)]
@@ -36,12 +36,12 @@ def _pixels(task: Task) -> int:
 
 
 @lru_cache(1024)
-def _sequence(plate: str, layer: str) -> tuple[Sequence[int], int]:
+def _sequence(plate: str, layer: str, content: str) -> tuple[Sequence[int], int]:
     """The frames of a sequence of pictures, and the pixels of each; none of what cannot be opened: its step says so."""
     if Path(plate).is_file():
         return (), 0
     try:
-        source = open_clip(plate, layer)
+        source = open_clip(plate, layer, content)
     except RoamError:
         return (), 0
     width, height = source.size

@@ -13,10 +13,9 @@ from roam_core.arrays import UInt8
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
-from roam_core.media import open_clip
 from roam_core.media.colour import to_display
 from roam_core.roto import Project, file
-from roam_core.roto.relinking import relinked
+from roam_core.roto.relinking import open_plate, relinked
 
 MOST = 3
 """Pictures of a step."""
@@ -45,8 +44,7 @@ def write_doubtful(project: str, frames: Mapping[str, Sequence[Any]], folder: Pa
         return made
     try:
         shown = relinked(file.load(project), Path(project).parent)
-        clip = shown.require_clip()
-        plate = open_clip(clip.path, clip.layer)
+        plate = open_plate(shown.require_clip())
         folder.mkdir(parents=True, exist_ok=True)
         for frame in wanted:
             if frame in plate.frames:

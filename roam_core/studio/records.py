@@ -103,7 +103,7 @@ def is_as_written(path: Path, digest: str) -> bool:
         return False
 
 
-def inputs_of(reads: Sequence[str], plate: str, layer: str, before: Record | None) -> list[Seen]:
+def inputs_of(reads: Sequence[str], plate: str, layer: str, before: Record | None, content: str = "") -> list[Seen]:
     """All files that a step reads, in order: its own, those of folders, the pictures of the plate, and `$OCIO`.
 
     Raises `RoamError` where one is missing.
@@ -112,7 +112,7 @@ def inputs_of(reads: Sequence[str], plate: str, layer: str, before: Record | Non
     for path in map(Path, reads):
         files += sorted(each for each in path.iterdir() if each.is_file()) if path.is_dir() else [path]
     if plate:
-        source = open_clip(plate, layer)
+        source = open_clip(plate, layer, content)
         files += dict.fromkeys(source.file_of(frame) for frame in source.frames)
         if (colours := Path(os.environ.get("OCIO") or "none")).is_file():
             files.append(colours)

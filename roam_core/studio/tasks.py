@@ -34,6 +34,7 @@ class Task:
     settings : all else that decides the result.
     made : the project that it makes; "". result : where a copy of that goes; "" if a later step makes another.
     can_split : a fill that may be divided among workers first. record : the file that says what was done.
+    content : by which the plate is known among other sequences of its folder; "" where no project tells it.
     """
 
     job: str
@@ -49,6 +50,7 @@ class Task:
     result: str = ""
     can_split: bool = False
     record: str = ""
+    content: str = ""
 
     @property
     def verb(self) -> str:
@@ -108,7 +110,7 @@ def pieces(task: Task, parts: Sequence[tuple[tuple[int, int], Sequence[str]]]) -
 
 
 def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
-    clip = job.clip or str(_clip_of(job.init))
+    clip, content = (job.clip, "") if job.clip else _clip_of(job.init)
     project = job.init if job.init is not None and job.init.suffix.lower() == ".roam" else None
     makers = [k for k, step in enumerate(job.steps) if step.verb in ("track", "fill", "steady", "soften", "import")]
     tasks: list[Task] = []
@@ -142,6 +144,7 @@ def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
                 str(folder / f"{job.name}.roam") if makers and k == makers[-1] else "",
                 step.verb == "fill",
                 str(folder / RECORDS / f"{name}.json"),
+                content,
             )
         )
         project = made or project
@@ -204,6 +207,8 @@ def _part_of(made: Path) -> Path:
     return made.with_name(f"{made.stem}.part.roam")
 
 
-def _clip_of(init: Path | None) -> Path:
+def _clip_of(init: Path | None) -> tuple[str, str]:
+    """The plate of a project, and the hash by which it is known among others of its folder."""
     assert init is not None  # a job without a clip was refused
-    return Path(relinked(file.load(init), init.parent).require_clip().path)
+    clip = relinked(file.load(init), init.parent).require_clip()
+    return str(clip.path), clip.content

@@ -33,6 +33,14 @@ def test_a_hole_of_a_terabyte_is_refused_before_it_is_read(tmp_path: Path) -> No
         bounded_bytes(path, 48 << 20, "leave it")
 
 
+def test_a_file_without_the_permission_to_read_is_told_as_that(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "file"
+    path.touch()
+    monkeypatch.setattr(os, "access", lambda place, mode: False)  # the administrator may read all files
+    with pytest.raises(RoamError, match=r"file may not be read; give yourself the permission"):
+        require_regular(path)
+
+
 @pytest.mark.parametrize("kind", ["pipe", "socket", "device", "link to a device", "link to a pipe"])
 def test_what_is_no_regular_file_is_refused_without_waiting(tmp_path: Path, kind: str) -> None:
     path = tmp_path / "file"

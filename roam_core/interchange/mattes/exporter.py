@@ -12,7 +12,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.matte_style import SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.interchange.mattes.files import JOINT, encode_png, write_picture
 from roam_core.interchange.mattes.timecode import Moment
-from roam_core.interchange.naming import file_words, numbering
+from roam_core.interchange.naming import file_words, is_numbered, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.matte import Patch, render_matte, shape_patch
 from roam_core.roto import Layer, Project, RotoShape
@@ -52,10 +52,11 @@ class MatteExporter:
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write the pictures of every frame in the style of the options.
 
-        A `path` without the suffix of a picture is a folder, made when missing, for `matte.1001.png` and so on. With
-        it, the suffix says what kind of file is written, and the frame's number goes in place of `####` or `%04d` in
-        the file's name, or before the suffix where there is neither; the name of a layer or shape goes in place of
-        `{name}`, or makes a folder of its own.
+        A `path` without the suffix of a picture is a folder, made when missing, for `matte.1001.png` and so on; one
+        that says where a frame's number goes, and is no folder yet, gets the suffix of the style. With a suffix, that
+        says what kind of file is written, and the frame's number goes in place of `####` or `%04d` in the file's name,
+        or before the suffix where there is neither; the name of a layer or shape goes in place of `{name}`, or makes a
+        folder of its own.
         """
         clip = project.require_clip()
         folder, name_for, style = self._place(path, options)
@@ -86,6 +87,8 @@ class MatteExporter:
         style = options.mattes
         if path.suffix.lower() in OTHER_SUFFIXES and not path.is_dir():
             raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {path.name} would be none of these.")
+        if is_numbered(path.name) and path.suffix.lower() not in SUFFIXES and not path.is_dir():
+            path = path.with_name(f"{path.name}{style.suffix}")
         if path.suffix.lower() in SUFFIXES:
             folder, pattern = path.parent, path.name
             style = style_for(path, style)

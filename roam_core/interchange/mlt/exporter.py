@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from roam_core.atomic_write import write_atomically
+from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.flatten import has_feather_curve
 from roam_core.interchange.labels.polygons import length_of_number
@@ -52,8 +53,10 @@ class MltExporter:
         return told
 
     def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
-        """The files that `export` writes: one for each closed shape."""
+        """The files that `export` writes: one for each closed shape. Raises `RoamError` where there is none."""
         names = [shape.name for shape in project.shapes if shape.closed]
+        if not names:
+            raise RoamError("The project holds no closed shape, and MLT's splines are closed; nothing was written.")
         if len(names) == 1:
             return (path,)
         return tuple(path.with_name(f"{path.stem}.{word}{path.suffix}") for word in file_words(names))

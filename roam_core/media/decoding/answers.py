@@ -28,6 +28,10 @@ MOST_BYTES = 1 << 30
 TYPES = frozenset({"bool", "uint8", "uint16", "uint32", "int8", "int16", "int32", "float16", "float32", "float64"})
 
 
+class NoRoom(RoamError):
+    """The pixels of no file can pass between the processes: that is none of the file's fault."""
+
+
 class Garbled(Exception):
     """An answer that no decoder of ours gives."""
 
@@ -85,17 +89,25 @@ class SharedFile:
     Attributes
     ----------
     name : by which the other process opens it. handle : what it inherits for that; -1 where nothing is needed.
+
+    Raises
+    ------
+    NoRoom
+        when it cannot be made.
     """
 
     def __init__(self) -> None:
         self.handle = -1
-        if hasattr(os, "memfd_create"):
-            self.handle = os.memfd_create("roam-picture")
-            self.name = f"/proc/self/fd/{self.handle}"
-            self._file: BinaryIO = os.fdopen(self.handle, "r+b", buffering=0)
-        else:
-            handle, self.name = tempfile.mkstemp(prefix="roam-picture-")
-            self._file = os.fdopen(handle, "r+b", buffering=0)
+        try:
+            if hasattr(os, "memfd_create"):
+                self.handle = os.memfd_create("roam-picture")
+                self.name = f"/proc/self/fd/{self.handle}"
+                self._file: BinaryIO = os.fdopen(self.handle, "r+b", buffering=0)
+            else:
+                handle, self.name = tempfile.mkstemp(prefix="roam-picture-")
+                self._file = os.fdopen(handle, "r+b", buffering=0)
+        except OSError as error:
+            raise _no_room(error) from None
 
     def read(self, shape: tuple[int, ...], kind: str) -> Image:
         """A copy of the pixels at its beginning."""
@@ -119,13 +131,30 @@ class SharedFile:
 
 
 def write_pixels(file: BinaryIO, picture: Image) -> dict[str, Any]:
-    """Leave pixels in the shared file; what the other side has to know of them."""
+    """Leave pixels in the shared file; what the other side has to know of them.
+
+    Raises
+    ------
+    NoRoom
+        when they cannot be written.
+    """
     pixels = np.ascontiguousarray(picture)
     view = pixels.reshape(-1).view(np.uint8).data
-    file.seek(0)
-    while len(view):
-        view = view[file.write(view) :]
+    try:
+        file.seek(0)
+        while len(view):
+            view = view[file.write(view) :]
+    except OSError as error:
+        raise _no_room(error) from None
     return {"shape": list(pixels.shape), "type": pixels.dtype.name}
+
+
+def _no_room(error: OSError) -> NoRoom:
+    place = "in memory" if hasattr(os, "memfd_create") else f"in {tempfile.gettempdir()}"
+    return NoRoom(
+        f"There is no room for decoded pictures {place} ({error.strerror or error}); make room there, raise the limit "
+        "of a file's size, or set ROAM_DECODER=inside to do without."
+    )
 
 
 def taken(line: bytes, shared: SharedFile) -> Answer:

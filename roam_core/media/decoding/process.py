@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from roam_core.errors import RoamError
-from roam_core.media.decoding.answers import MOST_LINE, Answer, Garbled, SharedFile, taken
+from roam_core.media.decoding.answers import MOST_LINE, Answer, Garbled, NoRoom, SharedFile, taken
 from roam_core.media.source import DamagedFrame, MissingFrame
 
 WORKER = "roam_core.media.decoding.worker"
@@ -25,7 +25,7 @@ LEAVE_SECONDS = 2.0
 OF_THE_HEAP, KEPT = 8 << 20, 32 << 20
 """Bytes up to which glibc takes memory from its heap, and of the heap that it keeps though they are free: the pages of
 what is decoded of a frame are those of the frame before. Whole pictures of 4K are larger and go back to the system."""
-_REFUSALS = {kind.__name__: kind for kind in (RoamError, MissingFrame, DamagedFrame)}
+_REFUSALS = {kind.__name__: kind for kind in (RoamError, MissingFrame, DamagedFrame, NoRoom)}
 
 
 class Died(Exception):
@@ -42,7 +42,13 @@ class NotStarted(RoamError):
 
 
 class DecoderProcess:
-    """A process that decodes for this one. It ends with it, and by `close`. One thread asks at a time."""
+    """A process that decodes for this one. It ends with it, and by `close`. One thread asks at a time.
+
+    Raises
+    ------
+    NotStarted, NoRoom
+        where there can be none.
+    """
 
     def __init__(self) -> None:
         self._shared = SharedFile()
@@ -76,6 +82,8 @@ class DecoderProcess:
         ------
         RoamError, MissingFrame, DamagedFrame
             what the task raises; and where no process can be started.
+        NoRoom
+            where the picture does not fit into the file that both share.
         Died
             when the process did not answer; it is of no more use.
         """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -65,6 +66,16 @@ def test_a_plate_of_another_size_or_content_is_told(
         picture = cv2.imread(str(image))
         cv2.imwrite(str(image), picture[::2, ::2] if half else 255 - picture)
     assert words in said_on_opening(qtbot, window, tmp_path / "a.roam")
+
+
+def test_another_sequence_in_the_folder_is_not_taken_for_the_plate(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    for frame in range(FIRST, FIRST + 3):
+        shutil.copyfile(tmp_path / "plate" / f"plate.{FIRST + 1}.png", tmp_path / "plate" / f"matte.{frame}.png")
+    assert said_on_opening(qtbot, window, tmp_path / "a.roam") == "Opened a.roam."
+    assert window.reader.source.path == tmp_path / "plate"
+    assert window.reader.source.frame_name(FIRST) == f"plate.{FIRST}"
 
 
 def test_a_clip_is_relinked_to_another_version_below_the_same_shapes(

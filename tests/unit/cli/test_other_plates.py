@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -79,6 +80,59 @@ def test_mattes_of_a_moved_plate_have_its_names_and_stay_out_of_it(roam: Roam, p
     assert roam("render", keyed, "--out", plate.folder.parent / "mattes").status == 0
     assert sorted(path.name for path in (plate.folder.parent / "mattes").iterdir()) == names
     assert sorted(path.name for path in moved.iterdir()) == names
+
+
+def sibling(plate: Plate, count: int) -> None:
+    """Another sequence of so many pictures in the folder of the plate, of its size."""
+    for frame in range(1001, 1001 + count):
+        cv2.imwrite(str(plate.folder / f"matte.{frame}.png"), np.full((110, 130, 3), 200, np.uint8))
+
+
+@pytest.mark.parametrize("count", [len(SHOT.frames), 9], ids=["equal length", "longer"])
+def test_another_sequence_in_the_folder_is_not_taken_for_the_plate(
+    roam: Roam, plate: Plate, keyed: Path, tmp_path: Path, count: int
+) -> None:
+    names = sorted(path.name for path in plate.folder.iterdir())
+    sibling(plate, count)
+    assert roam("info", keyed).out.count("note ") == 0
+    done = roam("track", plate.folder, "--init", keyed, "--end", 1002, *CONFIG, "--save", keyed)
+    assert (done.status, done.err) == (0, "Tracked 1 shape(s) from frame 1001 to 1002.\n")
+    assert file.load(keyed).require_clip().path == plate.folder
+    assert "stale" not in roam("info", keyed).out
+    for command in ("soften", "steady", "fill"):
+        assert roam(command, keyed).status == 0
+    assert roam("render", keyed, "--out", tmp_path / "r").status == 0
+    assert sorted(path.name for path in (tmp_path / "r").iterdir()) == names
+    for name in ("plate.####.png", "matte.####.png"):
+        refused = roam("render", keyed, "--out", plate.folder, "--name", name, "--overwrite")
+        require_refusal(refused, str(plate.folder))
+    shapes = roam("export", keyed, plate.folder / "matte.1001.png", "--to", "json", "--overwrite")
+    require_refusal(shapes, "among the frames of the plate")
+
+
+@pytest.mark.parametrize(
+    ("count", "words"),
+    [(9, "The first frame of {folder} is not that of the plate"), (6, "none begins as the project's plate")],
+)
+def test_where_no_sequence_of_the_folder_is_the_plate_it_is_told(
+    roam: Roam, plate: Plate, keyed: Path, tmp_path: Path, count: int, words: str
+) -> None:
+    first = plate.folder / "plate.1001.png"
+    cv2.imwrite(str(first), np.maximum(cv2.imread(str(first)), 3))
+    sibling(plate, count)
+    words = words.format(folder=plate.folder)
+    assert words in roam("info", keyed).out
+    assert words in json.loads(roam("info", keyed, "--json").out)["clip"]["note"]
+    done = roam("render", keyed, "--out", tmp_path / "r")
+    assert done.status == 0
+    assert words in done.err
+
+
+def test_a_frame_that_the_plate_lacks_is_none_that_is_not_filled(roam: Roam, plate: Plate, keyed: Path) -> None:
+    assert "1 frame(s) between its artist keys are not filled" in roam("info", keyed).out
+    (plate.folder / "plate.1002.png").unlink()
+    assert "not filled" not in roam("info", keyed).out
+    assert json.loads(roam("info", keyed, "--json").out)["shapes"][0]["not_filled"] == []
 
 
 def test_info_tells_of_a_plate_that_moved_or_is_gone(roam: Roam, plate: Plate, keyed: Path) -> None:

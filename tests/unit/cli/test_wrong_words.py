@@ -1,4 +1,4 @@
-"""Forty-four ways to ask `export`, `render`, `import` for what cannot be: one sentence each, nothing is written."""
+"""Some fifty ways to ask `export`, `render`, `import` for what cannot be: one sentence each, nothing is written."""
 
 from __future__ import annotations
 
@@ -55,6 +55,9 @@ EXPORTS: list[tuple[str, str]] = [
     ("{f}/p.roam --to silhouette {f}/x.fxs --frame-offset 99999999999999999999", "number frames beyond 16777216"),
     ("{f}/p.roam --to svg {f}/x.svg --frame 500", "Frame 500 lies outside of the clip's, which are 7 to 9"),
     ("{f}/p.roam --to mattes {f}/x.jpg", "PNG, EXR or TIFF"),
+    ("{f}/p.roam --to silhouette {f}/x.nk", "another format's files; those of silhouette end in .fxs"),
+    ("{f}/p.roam --to nuke {f}/x.PY", "those of nuke end in .nk"),
+    ("{f}/p.roam --to mattes {f}/x.svg", "those of mattes end in .exr or .png or .tif or .tiff"),
     ("{f}/p.roam --to mattes {f}/x.png --file exr", "the name of PNG files, but EXR is asked for"),
     ("{f}/p.roam --to mattes {f}/x.png --depth float", "8 or 16 deep, not float"),
     ("{f}/p.roam --to mattes {f}/out --file png --channels", "no channels with names"),
@@ -64,7 +67,8 @@ EXPORTS: list[tuple[str, str]] = [
 RENDERS = [
     ("{f}/p.roam --out {f}/noise.nk", "is a file; name a folder"),
     ("{f}/p.roam --out {f}/out --start 9 --end 7", "--end 7 comes before --start 9"),
-    ("{f}/p.roam --out {f}/out --start 100 --end 200", "frames 7 to 9, none of 100 to 200"),
+    ("{f}/p.roam --out {f}/out --start 100 --end 200", "--start 100 lies outside the clip's frames 7-9"),
+    ("{f}/p.roam --out {f}/out --end 12", "--end 12 lies outside the clip's frames 7-9"),
     ("{f}/p.roam --out {f}/out --name a/b.####.png", "is no file name"),
     ("{f}/p.roam --out {f}/out --name x.exr --file tiff", "the name of EXR files, but TIFF is asked for"),
     ("{f}/p.roam --out {f}/out --file png --tight", "hold all pixels"),
@@ -109,6 +113,27 @@ def test_it_is_refused_in_one_sentence(roam: Roam, folder: Path, command: str, w
     assert len(done.err) < 400 + 2 * len(str(folder))
     assert reason in done.err
     assert tree(folder) == before
+
+
+def test_what_mlt_cannot_hold_and_workers_that_are_none_are_refused(roam: Roam, folder: Path) -> None:
+    file.save(Project(file.load(folder / "p.roam").clip), folder / "bare.roam")
+    for words, reason in (
+        (("export", folder / "bare.roam", folder / "x.json", "--to", "mlt"), "holds no closed shape"),
+        (("fill", folder / "p.roam", "--workers", "0"), "--workers has to be 1 or more"),
+        (("fill", folder / "p.roam", "--workers", "-2"), "--workers has to be 1 or more"),
+    ):
+        done = roam(*words)
+        assert (done.status, done.out) == (1, "")
+        assert reason in done.err
+
+
+def test_a_pattern_of_mattes_without_a_suffix_gets_that_of_the_style(roam: Roam, folder: Path) -> None:
+    for words, names in (((), ["go.0007.png"]), (("--file", "exr"), ["go.0007.exr", "go.0007.png"])):
+        export = roam(
+            "export", folder / "p.roam", folder / "out" / "go.####", "--to", "mattes", "--frames", 7, 7, *words
+        )
+        assert export.status == 0
+        assert sorted(path.name for path in (folder / "out").iterdir()) == names
 
 
 def test_a_pattern_says_what_kind_of_file_is_rendered(roam: Roam, folder: Path) -> None:

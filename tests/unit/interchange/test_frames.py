@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ from roam_core.interchange.protocol import exported_keys, readied, within
 from roam_core.interchange.timing import value_within
 from roam_core.matte import render_matte, shapes_from_mask
 from roam_core.proposal.mask_keys.keys import keys_from_mask
-from roam_core.roto import Animated, Clip, Interpolation, Layer, Origin, Project, ValueKey
+from roam_core.roto import Animated, Clip, Interpolation, Layer, MotionBlur, Origin, Project, ValueKey
 from roam_core.roto.animated import frames_of
 from tests.judges.coverage import overlap
 from tests.judges.programs import JUDGES
@@ -65,12 +66,34 @@ def test_every_format_writes_them(project: Project, tmp_path: Path, name: str, c
     assert texts[0] != texts[1]
 
 
-def test_json_holds_no_key_beyond_them(project: Project, tmp_path: Path) -> None:
+@pytest.mark.parametrize("interpolation", [Interpolation.LINEAR, Interpolation.HOLD])
+@pytest.mark.parametrize("blur", [MotionBlur(), MotionBlur(2.5, -1.5), MotionBlur(1.0, 0.5), MotionBlur(0.5, 0.0)])
+def test_motion_blur_at_both_ends_is_as_it_was(blur: MotionBlur, interpolation: Interpolation) -> None:
+    feather = Animated((ValueKey(1001, 0.0), ValueKey(1040, 9.0)))
+    shape = replace(animated("Arm", interpolation), motion_blur=blur, feather=feather)
+    whole = Project(Clip(Path("/plates/shot"), 1001, 1040, (200, 150)), Layer("root", "Root", (shape,)))
+    frames = range(1005, 1013)
+    options = ExportOptions(frames=frames)
+    (part,) = readied(whole, options).shapes
+    part = exported_keys(part, options, [])
+    assert set(part.frames) | set(frames_of(part.feather)) <= set(blur.seen_from(frames))
+    for frame in (1005, 1012):
+        cut = replace(whole, root=replace(whole.root, children=(part,)))
+        npt.assert_allclose(render_matte(cut, frame, (150, 200)), render_matte(whole, frame, (150, 200)), atol=1e-5)
+
+
+@pytest.mark.parametrize("blur", [MotionBlur(0.0), MotionBlur(samples=1)])
+def test_a_shutter_that_shows_no_motion_reaches_no_further(blur: MotionBlur) -> None:
+    assert blur.seen_from(range(5, 8)) == range(5, 8)
+    assert MotionBlur(1.0, -3.0).seen_from(range(5, 8)) == range(2, 8)
+
+
+def test_json_holds_no_key_beyond_them_and_what_the_shutter_reaches(project: Project, tmp_path: Path) -> None:
     EXPORTERS["json"].export(project, tmp_path / "p.json", ExportOptions(frames=range(1005, 1013)))
     text = (tmp_path / "p.json").read_text()
     frames = {int(word.split(":")[1].strip(" ,")) for word in text.splitlines() if '"frame":' in word}
     assert frames
-    assert frames <= set(range(1005, 1013))
+    assert frames <= set(MotionBlur().seen_from(range(1005, 1013))) == set(range(1004, 1014))
     assert json.loads(text)["first_frame"] == 1001
 
 

@@ -50,6 +50,8 @@ def test_every_matte_is_known_again(tmp_path: Path, kind: MatteFile, depth: Dept
 def test_a_project_is_known_again_and_what_others_made_is_not(tmp_path: Path) -> None:
     file.save(PROJECT, tmp_path / "p")
     assert written_by_us(tmp_path / "p") is Kind.PROJECT
+    (tmp_path / "marked").write_bytes(b"\xef\xbb\xbf" + (tmp_path / "p").read_bytes())
+    assert written_by_us(tmp_path / "marked") is Kind.PROJECT
     for k, text in enumerate(
         (
             "",
@@ -107,6 +109,20 @@ def test_a_plate_that_cannot_be_opened_is_not_written_over_either(tmp_path: Path
     (plate / "plate.1001.png").write_bytes(b"damaged")
     sources = Sources.of_clip(Clip(plate, 1001, 1001, (64, 48)))
     assert obstacles([(plate / "plate.1001.png", Kind.PICTURE)], sources).read == (plate / "plate.1001.png",)
+
+
+@pytest.mark.parametrize("is_there", [True, False], ids=["opened", "damaged"])
+def test_no_picture_goes_among_the_frames_of_a_plate_that_is_opened_by_a_pattern(
+    tmp_path: Path, is_there: bool
+) -> None:
+    content = cv2.imencode(".png", np.zeros((48, 64, 3), np.uint8))[1].tobytes() if is_there else b"damaged"
+    for name in ("a.1001.png", "b.1001.png"):
+        (tmp_path / name).write_bytes(content)
+    sources = Sources.of_clip(Clip(tmp_path / "a.%04d.png", 1001, 1001, (64, 48)))
+    new, other = tmp_path / "m.1001.png", tmp_path / "b.1001.png"
+    assert obstacles([(new, Kind.PICTURE), (other, Kind.PICTURE)], sources).in_plate == (new, other)
+    assert obstacles([(other, Kind.SHAPES), (tmp_path / "m.nk", Kind.SHAPES)], sources).in_plate == (other,)
+    assert obstacles([(tmp_path / "mattes" / "m.1001.png", Kind.PICTURE)], sources).in_plate == ()
 
 
 # ---- kept aside ------------------------------------------------------------------------------------------------------

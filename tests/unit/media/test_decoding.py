@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import subprocess
@@ -22,6 +23,7 @@ from roam_core.media import DamagedFrame, MissingFrame, decoding, open_clip
 from roam_core.media.area import Area
 from roam_core.media.decoding import pool as pools
 from roam_core.media.decoding import process as processes_of
+from roam_core.media.decoding.answers import NoRoom
 from roam_core.media.decoding.pool import Pool
 from tests.conftest import ROOT
 from tests.unit.media.conftest import picture, write_image, write_movie, write_parts
@@ -190,6 +192,28 @@ def test_a_defect_is_told_as_one(tmp_path: Path, mortal: Pool) -> None:
     with pytest.raises(RuntimeError, match="a defect of ours"):
         open_clip(written(tmp_path, "defect")).read(1)
     assert len(mortal.process_ids()) == 1
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the size of files is bounded on Linux")
+def test_where_there_is_no_room_for_pictures_no_frame_is_damaged(tmp_path: Path, apart: Callable[[], None]) -> None:
+    path = write_image(tmp_path / "large.0001.png", np.zeros((200, 200, 3)), "uint8")
+    script = (
+        "import resource, sys; from roam_core.media import decoding, open_clip\n"
+        "decoding.isolate(); resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))\n"
+        "try:\n    open_clip(sys.argv[1]).read(1)\n"
+        "except Exception as error:\n    print(type(error).__name__, error)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script, path], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout.startswith("NoRoom There is no room for decoded pictures")
+
+
+def test_where_no_shared_file_can_be_made_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object, **__: object) -> int:
+        raise OSError(errno.EMFILE, "Too many open files")
+
+    monkeypatch.setattr(os, "memfd_create", refuse, raising=False)
+    with pytest.raises(NoRoom, match=r"no room for decoded pictures in memory \(Too many open files\)"):
+        processes_of.DecoderProcess()
 
 
 def test_a_picture_that_is_missing_is_refused(tmp_path: Path, mortal: Pool) -> None:

@@ -12,7 +12,7 @@ import pytest
 from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
-from roam_core.media.interlacing import is_combed
+from roam_core.media.interlacing import PROBED, is_combed, require_progressive, thinned
 
 WIDTH, HEIGHT, COUNT = 96, 64, 12
 TEXTURE = cv2.resize(np.random.default_rng(0).integers(30, 120, (8, 12, 3), dtype=np.uint8), (WIDTH, HEIGHT))
@@ -81,7 +81,14 @@ def grainy(frame: int) -> UInt8:
     return np.random.default_rng(frame).integers(0, 255, (HEIGHT, WIDTH, 3), dtype=np.uint8)
 
 
-@pytest.mark.parametrize("drawn", [progressive, striped, still, grainy])
+def dithered(frame: int) -> UInt8:
+    """Four levels of each colour and an ordered pattern of them for those between, as in a GIF."""
+    pattern = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]]) / 16
+    levels = progressive(frame) / 255 * 3 + np.tile(pattern, (HEIGHT // 4, WIDTH // 4))[..., None]
+    return np.asarray(np.floor(levels).clip(0, 3) * 85, np.uint8)
+
+
+@pytest.mark.parametrize("drawn", [progressive, striped, still, grainy, dithered])
 def test_pictures_of_one_moment_are_not_combed(drawn: Callable[[int], UInt8]) -> None:
     assert not is_combed([drawn(frame) for frame in range(COUNT)])
 
@@ -89,6 +96,13 @@ def test_pictures_of_one_moment_are_not_combed(drawn: Callable[[int], UInt8]) ->
 @pytest.mark.parametrize("first", [0, 1])
 def test_pictures_of_two_moments_are_combed(first: int) -> None:
     assert is_combed([interlaced(frame)[first:] for frame in range(COUNT)])
+
+
+def test_wide_pictures_of_two_moments_are_combed() -> None:
+    """They are looked at in pieces of columns that lie side by side."""
+    wide = [thinned(np.repeat(interlaced(frame), 20, 1)) for frame in range(COUNT)]
+    assert wide[0].shape == (HEIGHT, 18 * 16, 3)
+    assert is_combed(wide)
 
 
 def test_nothing_is_combed_that_is_no_picture_yet() -> None:
@@ -103,7 +117,14 @@ def test_a_combed_movie_is_refused_though_nothing_marks_it(tmp_path: Path) -> No
         open_clip(path)
 
 
-@pytest.mark.parametrize("drawn", [progressive, striped, still])
+def test_a_gif_is_never_interlaced() -> None:
+    pictures = [interlaced(frame) for frame in range(PROBED)]
+    require_progressive(Path("shot.GIF"), pictures)
+    with pytest.raises(RoamError, match="is interlaced"):
+        require_progressive(Path("shot.mkv"), pictures)
+
+
+@pytest.mark.parametrize("drawn", [progressive, striped, still, dithered])
 def test_a_movie_of_one_moment_a_frame_is_opened(tmp_path: Path, drawn: Callable[[int], UInt8]) -> None:
     plate = open_clip(write(tmp_path / "shot.mkv", "FFV1", drawn))
     assert len(plate.frames) == COUNT

@@ -7,7 +7,15 @@ from pathlib import Path
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.media.numbering import NamePattern, file_names, find_pattern, find_sequences, parse_pattern, split_number
+from roam_core.media.numbering import (
+    NamePattern,
+    file_names,
+    find_pattern,
+    find_sequences,
+    parse_pattern,
+    split_number,
+    varying_pattern,
+)
 
 
 @pytest.mark.parametrize(
@@ -118,6 +126,33 @@ def test_two_files_with_one_number_are_refused_until_the_width_tells_them_apart(
     two_digits = find_pattern(tmp_path, NamePattern("a.", 2, ".png"))
     assert two_digits is not None
     assert two_digits.checked().names == {1: "a.01.png"}
+
+
+def test_extensions_in_other_letters_are_one_sequence(tmp_path: Path) -> None:
+    for name in ("a.1.png", "a.2.PNG", "a.3.png", "a.4.Png"):
+        (tmp_path / name).touch()
+    (sequence,) = find_sequences(tmp_path, {".png"})
+    assert sequence.names == {1: "a.1.png", 2: "a.2.PNG", 3: "a.3.png", 4: "a.4.Png"}
+    assert sequence.pattern is not None
+    assert find_pattern(tmp_path, sequence.pattern) == sequence
+    (tmp_path / "a.2.png").touch()
+    assert [other.path.name for other in find_sequences(tmp_path, {".png"})] == ["a.%d.png", "a.%d.PNG", "a.%d.Png"]
+    beside = find_pattern(tmp_path, NamePattern("a.", 0, ".png"))
+    assert beside is not None
+    assert beside.checked().names[2] == "a.2.png"
+
+
+@pytest.mark.parametrize(
+    ("names", "pattern"),
+    [
+        (("shot_0001_v002.png", "shot_0002_v002.png", "shot_0003_v002.png"), "shot_%04d_v002.png"),
+        (("a1_9.png", "a1_10.png", "b2_10.png"), "a1_%d.png"),
+        (("a.1.png", "b.1.png", "IMG_20231105123456.png"), "None"),
+        ((), "None"),
+    ],
+)
+def test_the_pattern_of_what_varies(names: tuple[str, ...], pattern: str) -> None:
+    assert str(varying_pattern(names)) == pattern
 
 
 def test_numbers_far_apart_are_no_frames(tmp_path: Path) -> None:

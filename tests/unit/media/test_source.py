@@ -101,6 +101,13 @@ def test_equal_sequences_are_listed_and_a_pattern_asked_for(write_frames: WriteF
         assert words in message
 
 
+def test_the_pattern_that_is_advised_varies_what_differs(write_frames: WriteFrames) -> None:
+    folder = write_frames([f"shot_{frame:04d}_v002.png" for frame in range(1, 4)])
+    with pytest.raises(RoamError, match=r"Give a pattern, such as shot_%04d_v002\.png"):
+        open_clip(folder)
+    assert open_clip(folder / "shot_%04d_v002.png").frames == (1, 2, 3)
+
+
 def test_a_long_list_is_cut(write_frames: WriteFrames) -> None:
     folder = write_frames([f"{letter}.png" for letter in "abcdefghijkl"])
     with pytest.raises(RoamError, match="and 4 more"):

@@ -173,7 +173,8 @@ def refused(path: Path) -> str:
 @pytest.mark.parametrize(
     ("content", "word"),
     [
-        (b"", "not valid JSON"),
+        (b"", "a.roam is empty: it was cut short"),
+        (b"\0" * 4096, "is empty"),
         (b"not a project", "not valid JSON"),
         (b"\x89PNG\r\n\x1a\n\xff\xfe", "no text file"),
         (b"[1, 2]", "not a ROAM project"),
@@ -185,11 +186,35 @@ def refused(path: Path) -> str:
         (b'{"type": "roam.Project", "version": 1}', "damaged"),
         (b"[" * 100_000, "not valid JSON"),
         (b'{"type": "roam.Project", "version": ' + b"1" * 5000 + b"}", "not valid JSON"),
+        (b'{"type": "roam.Project", "ver', "damaged or cut short"),
     ],
 )
 def test_what_is_no_project_is_refused(tmp_path: Path, content: bytes, word: str) -> None:
     (tmp_path / "a.roam").write_bytes(content)
     assert word in refused(tmp_path / "a.roam")
+
+
+def test_of_a_project_that_is_cut_short_the_newest_backup_is_named(project: Project, tmp_path: Path) -> None:
+    path, backup = tmp_path / "a.roam", tmp_path / "a.roam.1"
+    file.save(project, path)
+    content = path.read_bytes()
+    path.write_bytes(content[: len(content) // 2])
+    assert "backup" not in refused(path)
+    backup.write_bytes(content)
+    for rest in (content[: len(content) // 2], b"", content.replace(b'"root"', b'"boot"')):
+        path.write_bytes(rest)
+        assert refused(path).endswith(f" Its newest backup is {backup}.")
+    path.write_bytes(content[:40] + b"\xe2")
+    assert "is damaged or cut short (it is no text file)." in refused(path)
+    path.write_bytes(b"notes")
+    assert "backup" not in refused(path)
+
+
+def test_a_byte_order_mark_is_passed_over(project: Project, tmp_path: Path) -> None:
+    file.save(project, tmp_path / "a.roam")
+    content = (tmp_path / "a.roam").read_bytes()
+    (tmp_path / "b.roam").write_bytes(b"\xef\xbb\xbf" + content)
+    assert file.load(tmp_path / "b.roam") == file.load(tmp_path / "a.roam")
 
 
 def test_a_newer_version_is_refused_with_advice(project: Project, tmp_path: Path) -> None:

@@ -8,7 +8,11 @@ from pathlib import Path
 import pytest
 
 from roam_core.errors import RoamError
+from roam_core.media.content import content_hash
+from roam_core.roto import Clip, Project, file
+from roam_core.studio.jobs import Job, Jobs, Step
 from roam_core.studio.records import Record, Seen, digest_of, inputs_of
+from roam_core.studio.tasks import Task, tasks_of
 from tests.unit.media.conftest import write_bytes_png
 
 
@@ -65,6 +69,24 @@ def test_a_damaged_record_is_none(tmp_path: Path, text: str) -> None:
 def test_input_that_is_missing_is_told(tmp_path: Path) -> None:
     with pytest.raises(RoamError, match=r"in\.txt cannot be read"):
         inputs_of([str(tmp_path / "in.txt")], "", "", None)
+
+
+def test_the_plate_is_known_by_its_content_among_others_of_its_folder(tmp_path: Path) -> None:
+    for name in ("a.1.png", "b.1.png", "b.2.png"):
+        write_bytes_png(tmp_path / name)
+    (tmp_path / "a.1.png").write_bytes((tmp_path / "a.1.png").read_bytes() + b"more")
+    content = content_hash(tmp_path / "a.1.png")
+    assert [seen.name for seen in inputs_of([], str(tmp_path), "", None)] == ["b.1.png", "b.2.png"]
+    assert [seen.name for seen in inputs_of([], str(tmp_path), "", None, content)] == ["a.1.png"]
+
+
+def test_a_job_of_a_project_knows_its_plate_by_content(tmp_path: Path) -> None:
+    clip = Clip(tmp_path / "plate", 1, 2, (64, 48), content="0" * 32)
+    file.save(Project(clip), tmp_path / "p.roam")
+    jobs = Jobs((Job("p", (Step("fill"),), init=tmp_path / "p.roam"),), tmp_path / "out")
+    ((task,),) = tasks_of(jobs)
+    assert (task.plate, task.content) == (str(tmp_path / "plate"), "0" * 32)
+    assert Task.of(task.plain()) == task
 
 
 def test_the_configuration_of_colours_is_read_with_a_plate(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
