@@ -149,8 +149,8 @@ class ExposureParams:
     beside : share of the key's object in a cell up to which it is background.
     darkest, brightest : mean luma between which a patch tells anything.
     least : cells that must be known again.
-    within : difference of the logarithm of brightness that two patches of one light may show. tint_within : the same
-        of a channel's, besides. agreed : share of the cells that must agree on a change within that.
+    within : difference of the logarithm of brightness that two patches of one light may show, and of a channel's
+        besides. agreed : share of the cells that must agree on a change within that.
     """
 
     window: int = 7
@@ -162,7 +162,6 @@ class ExposureParams:
     least: int = 200
     within: float = 0.06
     agreed: float = 0.5
-    tint_within: float = later(0.03)
 
 
 @dataclass(frozen=True)

@@ -60,11 +60,11 @@ def light_since(
     before, now = _means(seen_luma, params.window), _means(luma, params.window)
     usable &= _is_exposed(before, now, params)
     brighter = np.log(now[usable].astype(np.float64) / before[usable])
-    exposure = _agreed(brighter, params.within, contrast, params)
+    exposure = _agreed(brighter, contrast, params)
     channels_before, channels = _means(seen, params.window), _means(picture, params.window)
     coloured = np.all(_is_exposed(channels_before, channels, params)[usable], axis=1)
     shifts = np.log(channels[usable][coloured].astype(np.float64) / channels_before[usable][coloured])
-    tint = _agreed(shifts - brighter[coloured, None], params.tint_within, contrast, params)
+    tint = _agreed(shifts - brighter[coloured, None], contrast, params)
     return Light(last.exposure if exposure is None else float(exposure), last.tint if tint is None else tint)
 
 
@@ -97,16 +97,15 @@ def _is_exposed(before: Float32, now: Float32, params: ExposureParams) -> Bools:
     return np.asarray((low > params.darkest) & (high < params.brightest))
 
 
-def _agreed(changes: Array, within: float, contrast: float, params: ExposureParams) -> Array | None:
+def _agreed(changes: Array, contrast: float, params: ExposureParams) -> Array | None:
     """The factors `(...)` that cells tell by the logarithms of theirs `(N, ...)`; None where they do not agree.
 
-    Two patches of one light may differ by `within`, and as much is left out of the factors, in a picture whose contrast
-    was not raised.
+    Left out of the factors is what two patches of one light may differ by, in a picture whose contrast was not raised.
     """
     if len(changes) < params.least:
         return None
     median = np.median(changes, axis=0)
-    if np.any(np.mean(np.abs(changes - median) < within, axis=0) < params.agreed):
+    if np.any(np.mean(np.abs(changes - median) < params.within, axis=0) < params.agreed):
         return None
-    left = within / contrast
+    left = params.within / contrast
     return np.asarray(np.exp(median - np.clip(median, -left, left)))

@@ -17,7 +17,7 @@ SIDE = 120
 GRID = Grid(Region(0, 0, SIDE, SIDE), SIDE, SIDE)
 PARAMS = ExposureParams()
 NOWHERE = np.zeros((SIDE, SIDE), bool)
-WITHIN, TINT_WITHIN = float(np.exp(PARAMS.within)), float(np.exp(PARAMS.tint_within))
+WITHIN = float(np.exp(PARAMS.within))
 LAST = Light(0.9, np.array([1.1, 1.0, 0.9]))
 WARM = np.array([1.15, 1.0, 0.8])
 
@@ -62,7 +62,7 @@ def test_a_change_of_colour_temperature_is_told_beside_that_of_exposure(exposure
     luma = np.array([0.299, 0.587, 0.114])
     tint = WARM * (luma @ ground().mean((0, 1))) / ((luma * WARM) @ ground().mean((0, 1)))
     light = told(lit(ground(), exposure * WARM))
-    np.testing.assert_allclose(light.tint, nearer(tint, TINT_WITHIN), rtol=0.02)
+    np.testing.assert_allclose(light.tint, nearer(tint, WITHIN), rtol=0.02)
     assert light.exposure == pytest.approx(float(nearer(exposure * WARM[0] / tint[0], WITHIN)), rel=0.02)
     np.testing.assert_array_equal(light.gains, light.exposure * light.tint)
 
