@@ -135,8 +135,6 @@ class Keyframe:
         points = frozen_array(self.points)
         if points.ndim != 3 or points.shape[1:] != (3, 2):
             raise ValueError(f"a key's points have shape {points.shape}, not (P, 3, 2)")
-        if not np.isfinite(points).all():
-            raise ValueError(f"a key's points on frame {self.frame} are not all finite numbers")
         object.__setattr__(self, "points", points)
         if self.feather is not None:
             feather = frozen_array(self.feather)

@@ -42,7 +42,7 @@ NO_CHOICE = {
     # Rounding, and bounds that change the time or keep a loop from going on for ever.
     "kernels/alignment.py": {"BEAM", "ROUNDING"},
     "kernels/oblivious_trees.py": {"BLOCK"},
-    "features/frame.py": {"DECODED_TOGETHER", "AS_THEY_ARE"},
+    "features/frame.py": {"BRIGHTEST", "DECODED_TOGETHER", "AS_THEY_ARE"},
     "motion/planar.py": {"BESIDE"},
     "kernels/flattening.py": {"MOST"},
     # How closely an error is measured, which is then compared with a tolerance that somebody chose.

@@ -26,14 +26,6 @@ def shift_at(shape: RotoShape, frame: float) -> float:
     return float(shape.at(frame).anchors[0, 0])
 
 
-@pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_a_key_of_points_that_are_nowhere_is_refused(value: float) -> None:
-    points = np.zeros((3, 3, 2))
-    points[1, 0, 0] = value
-    with pytest.raises(ValueError, match="frame 7 are not all finite"):
-        Keyframe(7, points)
-
-
 def test_what_is_drawn_are_the_artists_keys_or_all_where_there_are_none() -> None:
     shape = moving()
     tracked = replace(shape, keys=tuple(replace(key, origin=Origin.ENGINE) for key in shape.keys))
