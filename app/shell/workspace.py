@@ -62,6 +62,7 @@ class Part(QObject):
         if self.floats:
             self._float(number)
         elif self.window is not None:
+            self._gap.take_out()
             self.window.deleteLater()
             self.window = None
 
@@ -222,9 +223,17 @@ class _Gap(QWidget):
             column = home.layout()
             assert column is not None
             column.replaceWidget(there, by)
-        there.setParent(self._store)
-        there.hide()
+        self._put_away(there)
         by.setVisible(not (away and isinstance(home, QSplitter)))
+
+    def take_out(self) -> None:
+        """Take the part out of the window in which it floats, unless it is in its place: that window may go."""
+        if self._is_filled:
+            self._put_away(self._part)
+
+    def _put_away(self, widget: QWidget) -> None:
+        widget.setParent(self._store)
+        widget.hide()
 
     def _exchange(self, home: QSplitter, there: QWidget, by: QWidget) -> None:
         """In a splitter, where a part that comes back is as large as it was."""

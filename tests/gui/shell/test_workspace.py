@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QRect, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from app.shell.main_window import MainWindow
 from app.shell.workspace import Part
@@ -51,6 +52,21 @@ def test_every_part_floats_is_closed_and_comes_back(qtbot: QtBot, window: MainWi
     part.show_action.trigger()
     assert is_in(part, window)
     assert name in ("history", "log", "second_viewer") or part.widget.parentWidget() is home
+
+
+@pytest.mark.parametrize("back", ["float", "reset"])
+@pytest.mark.parametrize("name", PARTS)
+def test_what_was_closed_while_it_floated_outlives_its_window(window: MainWindow, name: str, back: str) -> None:
+    part = window.workspace.parts[name]
+    part.float_action.trigger()
+    floating = part.widget.window()
+    floating.close()
+    (part.float_action if back == "float" else window.actions_by_id["window.reset_layout"]).trigger()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert not isValid(floating)
+    assert isValid(part.widget)
+    part.show_action.setChecked(True)
+    assert is_in(part, window)
 
 
 def test_the_button_in_its_title_floats_a_panel(window: MainWindow) -> None:
