@@ -77,7 +77,8 @@ class ExportDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
-        self._is_ours, self._written = False, Path()
+        self._number, self._written = 0, Path()
+        """The number of the export that was started here, 0 where none is under way; and where it is written to."""
         self._ending = ""
         """What the format that was proposed for last puts after the name."""
         self._losses: tuple[str, ...] = ()
@@ -384,9 +385,18 @@ class ExportDialog(QDialog):
         self.notes.clear()
         self._written = self.path
         options = replace(self.options, lossy=bool(self._losses))
-        self._export.start(self.exporter.name, self._written, options, self.shapes)
-        self._is_ours = True
+        self._number = self._export.start(self.exporter.name, self._written, options, self.shapes)
         self._pull_running()
+
+    @property
+    def _is_ours(self) -> bool:
+        """Whether an export is under way that was started here."""
+        return bool(self._number)
+
+    @property
+    def _is_told(self) -> bool:
+        """Whether it is this one that the export tells of now."""
+        return self._is_ours and self._export.current == self._number
 
     def _pull_running(self) -> None:
         self.stop.setEnabled(self._is_ours)
@@ -394,19 +404,19 @@ class ExportDialog(QDialog):
         self._pull_hint()
 
     def _show_progress(self, fraction: float, _text: str) -> None:
-        if self._is_ours:
+        if self._is_told:
             self.bar.setValue(round(1000 * fraction))
 
     def _show_notes(self, notes: tuple[str, ...]) -> None:
-        if self._is_ours:
+        if self._is_told:
             self.notes.setPlainText("\n".join([tr("Exported to {path}.", path=self._written), *map(translated, notes)]))
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
-        if not self._is_ours:
+        if not self._is_told:
             return
         if ending is not Ending.DONE:
             self.notes.setPlainText(sentence)
-        self._is_ours = False
+        self._number = 0
         self._pull_running()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -140,13 +140,16 @@ class FileActions(QObject):
         """Open a project or clip that was chosen among those of before."""
         self._open(path)
 
-    def open_dropped(self, path: Path, *, at_once: bool = False) -> None:
-        """Open what was dropped on the window; shapes of another program join the project's.
+    def open_dropped(self, paths: Sequence[Path], *, at_once: bool = False) -> None:
+        """Open the first of what was dropped on the window; files of shapes of other programs join the project's, all.
 
         A clip is shown first, with what was found out about it, unless it is to be opened `at_once`.
         """
+        path = paths[0]
         if path.suffix.lower() in SHAPE_SUFFIXES:
-            self._import.start(path)
+            for each in paths:
+                if each.suffix.lower() in SHAPE_SUFFIXES:
+                    self._import.start(each)
         elif at_once:
             self._open(path)
         else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -14,14 +15,19 @@ from roam_core.roto.layers import only
 
 from ..model.document import Document
 from ..translation import tr, translated
-from .runner import Ending, Report, Runner
+from .runner import Ending, Job, Report, Runner
 
 if TYPE_CHECKING:
     from roam_core.interchange import ExportOptions
 
 
+_numbers = itertools.count(1)
+
+
 class Export(QObject):
-    """Writes shapes and mattes in the formats of `roam_core.interchange`.
+    """Writes shapes and mattes in the formats of `roam_core.interchange`, one export after the other.
+
+    `current` is the number, as `start` gave it, of the export that a signal tells of.
 
     Signals
     -------
@@ -50,6 +56,9 @@ class Export(QObject):
         super().__init__(parent)
         self._document, self._runner = document, runner
         self._may_overwrite, self._may_lose = may_overwrite, may_lose
+        self._jobs: list[Job] = []
+        """What is being written, and what waits for that."""
+        self.current = 0
 
     @property
     def runner(self) -> Runner:
@@ -62,13 +71,14 @@ class Export(QObject):
         path: Path,
         options: ExportOptions | None = None,
         shapes: Collection[str] | None = None,
-    ) -> None:
+    ) -> int:
         """Write the project as it is now to `path` (a file, or for mattes a folder) in the format of that name.
 
-        Of the shapes only those of the ids `shapes`, all for None.
+        Of the shapes only those of the ids `shapes`, all for None. Waits for the exports before it. Gives its number.
         """
-        project, file = self._document.project, self._document.path
-        self._start(_Request(only(project, shapes), file, format_name, path, options))
+        project, file, number = self._document.project, self._document.path, next(_numbers)
+        self._start(_Request(number, only(project, shapes), file, format_name, path, options))
+        return number
 
     def _start(self, request: _Request) -> None:
         foreign: list[Path] = []
@@ -87,29 +97,42 @@ class Export(QObject):
                 return ""
 
         def end(ending: Ending, sentence: str) -> None:
-            if ending is not Ending.DONE or not (foreign or losses):
+            self._jobs.remove(job)
+            is_asked = ending is Ending.DONE and bool(foreign or losses)
+            if is_asked and foreign and self._may_overwrite(foreign):
+                self._start(replace(request, overwrites=True))
+            elif is_asked and losses and self._may_lose(losses):
+                self._start(replace(request, loses=True))
+            else:
+                self.current = request.number  # others may have been told of while the artist was asked
+                if is_asked:
+                    ending, sentence = Ending.CANCELLED, tr("Nothing was exported; the files that are there stay.")
                 self._end(ending, sentence)
                 if ending is Ending.DONE:
                     self.written.emit(request.path)
-            elif foreign and self._may_overwrite(foreign):
-                self._start(replace(request, overwrites=True))
-            elif losses and self._may_lose(losses):
-                self._start(replace(request, loses=True))
-            else:
-                self._end(Ending.CANCELLED, tr("Nothing was exported; the files that are there stay."))
 
-        job = self._runner.start("export", work)
-        job.progress.connect(self.progress)
-        job.partial.connect(self.noted)
+        def tell(fraction: float, text: str) -> None:
+            self.current = request.number
+            self.progress.emit(fraction, text)
+
+        def note(losses: object) -> None:
+            self.current = request.number
+            self.noted.emit(losses)
+
+        # A kind of its own: what is being written goes on, and this one waits for it.
+        job = self._runner.start(f"export {next(_numbers)}", work)
+        self._jobs.append(job)
+        job.progress.connect(tell)
+        job.partial.connect(note)
         job.ended.connect(end)
 
     @property
     def is_running(self) -> bool:
-        return self._runner.running("export") is not None
+        return bool(self._jobs)
 
     def stop(self) -> None:
-        """Stop the export; files that are written whole stay."""
-        if (job := self._runner.running("export")) is not None:
+        """Stop all exports; files that are written whole stay."""
+        for job in self._jobs:
             job.cancel()
 
     def _end(self, ending: Ending, sentence: str) -> None:
@@ -121,6 +144,7 @@ class Export(QObject):
 class _Request:
     """A snapshot of everything that is asked for; `file` is the project's own."""
 
+    number: int
     project: Project
     file: Path | None
     format_name: str

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -13,14 +14,17 @@ from roam_core.roto import Clip, edit
 
 from ..model.document import Document
 from ..translation import tr, translated
-from .runner import Ending, Report, Runner
+from .runner import Ending, Job, Report, Runner
 
 if TYPE_CHECKING:
     from roam_core.interchange import Imported, ImportOptions, MaskOptions
 
 
+_numbers = itertools.count(1)
+
+
 class Import(QObject):
-    """Reads shapes in the formats of `roam_core.interchange`.
+    """Reads shapes in the formats of `roam_core.interchange`, one file or text after the other.
 
     Signals
     -------
@@ -35,6 +39,8 @@ class Import(QObject):
     def __init__(self, document: Document, runner: Runner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
+        self._jobs: list[Job] = []
+        """What is being read, and what waits for that."""
         document.replaced.connect(self.stop)
 
     def start(self, path: Path, masks: MaskOptions | None = None) -> None:
@@ -75,14 +81,20 @@ class Import(QObject):
                 ]
             )
 
-        job = self._runner.start("import", work)
+        def end(ending: Ending, sentence: str) -> None:
+            self._jobs.remove(job)
+            self.finished.emit(ending, tr("Import stopped.") if ending is Ending.CANCELLED else sentence)
+
+        # A kind of its own: what is being read comes in, and this one waits for it.
+        job = self._runner.start(f"import {next(_numbers)}", work)
+        self._jobs.append(job)
         job.progress.connect(self.progress)
         job.partial.connect(lambda imported: self._put_in(step, imported))
-        job.ended.connect(self._end)
+        job.ended.connect(end)
 
     def stop(self) -> None:
-        """Stop reading; nothing of the file is taken."""
-        if (job := self._runner.running("import")) is not None:
+        """Stop reading; nothing is taken of what has not come in."""
+        for job in list(self._jobs):
             job.drop()
 
     def _put_in(self, step: str, imported: Imported) -> None:
@@ -90,6 +102,3 @@ class Import(QObject):
         project, ids = edit.add_items(self._document.project, imported.layer.children)
         self._document.apply(step, project)
         self.came_in.emit(frozenset(ids))
-
-    def _end(self, ending: Ending, sentence: str) -> None:
-        self.finished.emit(ending, tr("Import stopped.") if ending is Ending.CANCELLED else sentence)

@@ -412,7 +412,7 @@ class MainWindow(QMainWindow):
         if paths:
             event.acceptProposedAction()
             alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
-            self.file_actions.open_dropped(paths[0], at_once=alt)
+            self.file_actions.open_dropped(paths, at_once=alt)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc that nothing else had a use for leaves the full screen."""

@@ -122,7 +122,7 @@ def test_a_first_frame_that_cannot_be_read_is_told_and_the_rest_opens(tmp_path: 
 
 def test_no_clip_is_one_sentence(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     with qtbot.waitSignal(window.files.finished, timeout=WAIT):
-        window.file_actions.open_dropped(tmp_path / "nothing.mov")
+        window.file_actions.open_dropped([tmp_path / "nothing.mov"])
     assert "nothing.mov" in window.status.sentence.text()
     assert window.findChildren(ClipDialog) == []
     with pytest.raises(RoamError):

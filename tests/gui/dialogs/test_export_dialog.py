@@ -181,6 +181,19 @@ def test_an_export_can_be_stopped_and_the_window_lives_meanwhile(
     assert not dialog.stop.isEnabled()
 
 
+def test_the_end_of_another_export_is_not_taken_for_its_own(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
+    dialog.choose("silhouette")
+    dialog._export.start("nuke", tmp_path / "other.nk")
+    qtbot.mouseClick(dialog.start, LEFT)
+    with qtbot.waitSignal(dialog._export.finished, timeout=WAIT):
+        pass
+    assert not dialog.start.isEnabled()
+    with qtbot.waitSignal(dialog._export.finished, timeout=WAIT):
+        pass
+    assert "shot.fxs" in dialog.notes.toPlainText()
+    assert dialog.start.isEnabled()
+
+
 def test_what_cannot_be_written_is_one_sentence(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("no folder")
     dialog.choose("nuke")

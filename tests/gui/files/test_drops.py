@@ -66,6 +66,17 @@ def test_shapes_of_another_program_join_the_project(qtbot: QtBot, window: MainWi
     assert len(window.document.project.shapes) == 2
 
 
+def test_of_several_files_of_shapes_all_come_in(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    with qtbot.waitSignal(window.export.finished, timeout=WAIT):
+        window.export.start("silhouette", tmp_path / "a.fxs")
+    with qtbot.waitSignal(window.export.finished, timeout=WAIT):
+        window.export.start("nuke", tmp_path / "b.nk")
+    data = files(tmp_path / "a.fxs", tmp_path / "b.nk")
+    window.dropEvent(dropped(data))
+    qtbot.waitUntil(lambda: len(window.document.project.shapes) == 3, timeout=WAIT)
+    qtbot.waitUntil(lambda: window.writer.is_idle, timeout=WAIT)
+
+
 @pytest.mark.parametrize("kind", ["text", "page"])
 def test_what_is_no_file_is_not_taken(window: MainWindow, kind: str) -> None:
     data = QMimeData()

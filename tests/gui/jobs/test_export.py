@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -100,3 +101,30 @@ def test_the_artist_is_asked_about_what_roam_did_not_make(
         assert finished.args[0] is (Ending.DONE if answer else Ending.CANCELLED)
     assert asked == ([theirs] if answer else [theirs, theirs])
     assert [path.read_bytes()[:4] == b"\x89PNG" for path in theirs] == [answer] * 2
+
+
+def test_an_export_goes_on_while_another_is_asked_for(
+    qtbot: QtBot, drawn: Document, runner: Runner, tmp_path: Path
+) -> None:
+    export, told = Export(drawn, runner), list[tuple[int, Ending]]()
+    export.finished.connect(lambda ending, _: told.append((export.current, ending)))
+    mattes = export.start("mattes", tmp_path / "mattes")
+    script = export.start("nuke", tmp_path / "a.nk")
+    assert export.is_running
+    qtbot.waitUntil(lambda: not export.is_running, timeout=WAIT)
+    assert told == [(mattes, Ending.DONE), (script, Ending.DONE)]
+    assert len(list((tmp_path / "mattes").iterdir())) == 3
+    assert (tmp_path / "a.nk").exists()
+
+
+def test_stopping_stops_what_waits_too(qtbot: QtBot, drawn: Document, runner: Runner, tmp_path: Path) -> None:
+    export, told = Export(drawn, runner), list[tuple[int, Ending]]()
+    export.finished.connect(lambda ending, _: told.append((export.current, ending)))
+    gate = threading.Event()
+    runner.start("other", lambda report: str(gate.wait()))
+    numbers = [export.start("mattes", tmp_path / "mattes"), export.start("nuke", tmp_path / "a.nk")]
+    export.stop()
+    gate.set()
+    qtbot.waitUntil(lambda: not export.is_running, timeout=WAIT)
+    assert told == [(number, Ending.CANCELLED) for number in numbers]
+    assert list(tmp_path.iterdir()) == []

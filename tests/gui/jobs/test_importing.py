@@ -59,3 +59,16 @@ def test_a_project_that_is_replaced_gets_nothing_of_it(
     assert finished.args[0] is Ending.CANCELLED
     qtbot.waitUntil(lambda: runner.is_idle, timeout=WAIT)
     assert document.project.shapes == ()
+
+
+def test_what_is_read_comes_in_though_another_file_is_asked_for(
+    qtbot: QtBot, document: Document, runner: Runner, script: Path
+) -> None:
+    document.open(Project(CLIP), None)
+    importing, endings = Import(document, runner), list[Ending]()
+    importing.finished.connect(lambda ending, _: endings.append(ending))
+    importing.start(script)
+    importing.start(script)
+    qtbot.waitUntil(lambda: len(endings) == 2, timeout=WAIT)
+    assert endings == [Ending.DONE, Ending.DONE]
+    assert len(document.project.shapes) == 2

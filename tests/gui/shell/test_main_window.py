@@ -17,6 +17,7 @@ from app.dialogs import questions
 from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.questions import Unsaved
+from app.jobs import export
 from app.jobs.runner import Ending, Report
 from app.model.viewing import BackgroundKind
 from app.shell.main_window import MainWindow
@@ -136,7 +137,7 @@ def test_saving_happens_on_the_worker_while_edits_go_on(
 @pytest.mark.parametrize("kind", ["export", "review"])
 @pytest.mark.parametrize("answer", ["Keep it running", "Stop it and close"])
 def test_closing_asks_about_what_is_being_written(
-    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch, kind: str, answer: str
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, kind: str, answer: str
 ) -> None:
     asked: list[tuple[str, str]] = []
 
@@ -153,11 +154,16 @@ def test_closing_asks_about_what_is_being_written(
             report.token.check()
         return "Written."
 
-    job = window.writer.start(kind, write)
+    if kind == "export":
+        monkeypatch.setattr(export, "_export", lambda report, _: write(report))
+        ended_by = window.export.finished
+        window.export.start("nuke", tmp_path / "a.nk")
+    else:
+        ended_by = window.writer.start(kind, write).ended
     window.close()
     assert asked == [("Stop the export and close?", "Keep it running")]
     if answer == "Keep it running":
-        with qtbot.waitSignal(job.ended, timeout=WAIT) as ended:
+        with qtbot.waitSignal(ended_by, timeout=WAIT) as ended:
             done.set()
         assert ended.args == [Ending.DONE, "Written."]
         assert window.isVisible()
@@ -212,7 +218,7 @@ def test_shapes_dropped_on_the_window_join_the_project_as_one_step(
     with qtbot.waitSignal(window.export.finished, timeout=WAIT):
         window.export.start("nuke", tmp_path / "a.nk")
     with qtbot.waitSignal(window.importing.finished, timeout=WAIT):
-        window.file_actions.open_dropped(tmp_path / "a.nk")
+        window.file_actions.open_dropped([tmp_path / "a.nk"])
     assert len(window.document.project.shapes) == 2
     assert "Read 1 shape from a.nk" in window.status.sentence.text()
     assert window.view_state.selection.shapes == {window.document.project.shapes[-1].id}
