@@ -79,8 +79,6 @@ class Files(QObject):
         self.backups = Preferences().backups
         """How many older versions of a project are kept beside it."""
         self._written: Fingerprint | None = None
-        self._sitting = 0
-        document.replaced.connect(self._begin_sitting)
 
     def new(self) -> None:
         """Begin an empty project; what was being opened is wanted no more."""
@@ -141,7 +139,7 @@ class Files(QObject):
         Its shapes stay, those drawn meanwhile, too, and so do frame and selection, the layer, where the files have it,
         and what the artist declared of the plate before. The project is to be saved.
         """
-        project, before, sitting = self._document.project, self._reader.source, self._sitting
+        project, before, sitting = self._document.project, self._reader.source, self._document.sitting
 
         def read() -> Found:
             source = version_of(project.require_clip(), before, path)
@@ -209,7 +207,7 @@ class Files(QObject):
 
         Where the file was changed, or is open elsewhere, nothing is written unless `anyway`: `doubted` tells.
         """
-        document, kept, sitting = self._document, self.backups, self._sitting
+        document, kept, sitting = self._document, self.backups, self._document.sitting
         project, known = document.project, document.fingerprint if path == document.path else None
         told: list[str | Fingerprint | None] = []
 
@@ -230,7 +228,7 @@ class Files(QObject):
             if isinstance(last, str):
                 self.finished.emit(Ending.CANCELLED, tr("{name} is not saved yet.", name=path.name))
                 self.doubted.emit(path, last)
-            elif ending is Ending.DONE and sitting == self._sitting:
+            elif ending is Ending.DONE and sitting == document.sitting:
                 self._document.mark_saved(project, path, last)
                 self.saved.emit()
             elif ending is Ending.FAILED:
@@ -319,7 +317,7 @@ class Files(QObject):
 
     def _relink(self, found: Found, sitting: int) -> None:
         """Give the project, as it is now, the clip that was found; not another one that was opened since."""
-        if sitting != self._sitting:
+        if sitting != self._document.sitting:
             return
         view, clip = self._view, found.project.require_clip()
         frame, selection, layers = view.frame, view.selection, view.layers
@@ -340,10 +338,6 @@ class Files(QObject):
         shapes = found.project.shapes
         self._view.select(frozenset(shape.id for shape in shapes) if len(shapes) == 1 else frozenset())
         self._reader.open(found.source)
-
-    def _begin_sitting(self) -> None:
-        """Another project is shown: a save of the one before says nothing about it."""
-        self._sitting += 1
 
 
 def _reading(text: str, read: Callable[[], Found | Holder]) -> Work:

@@ -46,6 +46,8 @@ class Document(QObject):
         super().__init__(parent)
         self._project = self._saved = Project()
         self.path: Path | None = None
+        self.sitting = 0
+        """How often another project was shown: what was begun before is not about this one."""
         self.fingerprint: Fingerprint | None = None
         """Of the file when it was read or saved last; None where there is none."""
         self.undo_stack = QUndoStack(self)
@@ -143,6 +145,7 @@ class Document(QObject):
     ) -> None:
         """Show a project from which `steps` lead to others, the first `done` of them done."""
         fate = "discarded" if self.is_modified else "saved"
+        self.sitting += 1
         self._project, self._saved = project, saved
         self.path, self.fingerprint = beginning.original, beginning.fingerprint
         self._keep_steps(steps, done)

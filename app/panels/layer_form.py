@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from roam_core.roto import Layer
 from roam_core.roto.animated import Animated, set_at
@@ -19,7 +19,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import tr
 from ..widgets.controls import dense_form, form_label
-from ..widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
+from ..widgets.fields import BlendBox, NameField, NumberField, ScrubLabel, SwitchBox, shared
 from .value_key import ValueKeyButton, ValueVerb, keyed_row
 
 FREE_OF_LOCKS = {"visible", "locked"}
@@ -35,9 +35,8 @@ class LayerForm(QWidget):
         form = dense_form()
         form.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
         self.setLayout(form)
-        self.name = QLineEdit()
-        self.name.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.name.editingFinished.connect(self._push_name)
+        self.name = NameField()
+        self.name.named.connect(self._push_name)
         form.addRow(form_label(tr("Layer")), self.name)
         self.blend = BlendBox(tr("How the joint matte of the layer joins what lies under it"))
         self.blend.picked.connect(lambda mode: self.push(tr("Layer blend"), blend=mode))
@@ -60,6 +59,9 @@ class LayerForm(QWidget):
         row.addWidget(self._motion, 1)
         row.addWidget(self.clear_motion)
         form.addRow(form_label(tr("Motion")), row)
+        for signal in (document.replaced, view_state.selection_changed):
+            for field in (self.name, self.opacity):
+                signal.connect(field.forget_typing)
         for signal in (document.changed, document.replaced, view_state.selection_changed):
             signal.connect(self._pull)
         view_state.frame_changed.connect(self._follow)
@@ -121,8 +123,7 @@ class LayerForm(QWidget):
                 project = still(project, layer.id)
         self._document.apply(tr("Remove motion"), project)
 
-    def _push_name(self) -> None:
-        name = self.name.text().strip()
+    def _push_name(self, name: str) -> None:
         if name and len(self.layers) == 1:
             self.push(tr("Rename"), name=name)
         self._pull()
@@ -137,8 +138,7 @@ class LayerForm(QWidget):
         if not layers:
             return
         is_free, is_one = any(not layer.locked for layer in layers), len(layers) == 1
-        self.name.setText(layers[0].name if is_one else "")
-        self.name.setPlaceholderText("" if is_one else tr("{count} layers", count=len(layers)))
+        self.name.show_name(*((layers[0].name,) if is_one else ("", tr("{count} layers", count=len(layers)))))
         self.name.setEnabled(is_one and is_free)
         self.blend.show_mode(shared(layer.blend for layer in layers))
         self.opacity.show_value(shared(layer.opacity_at(self._view.frame) * 100 for layer in layers))

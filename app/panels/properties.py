@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
     QStackedLayout,
     QToolButton,
     QWidget,
@@ -30,7 +29,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
 from ..translation import N_, tr
 from ..widgets.controls import FRAME_LIMIT, dense_form, form_label
-from ..widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
+from ..widgets.fields import BlendBox, NameField, NumberField, ScrubLabel, SwitchBox, shared
 from .colour_row import ColourRow
 from .layer_form import LayerForm
 from .object_form import ObjectForm
@@ -88,6 +87,8 @@ class PropertiesPanel(QWidget):
         self._form.addRow(self.object_form)
         self._build_motion_blur()
         self._build_lifetime()
+        for signal in (document.replaced, view_state.selection_changed):
+            signal.connect(self._forget_typing)
         for signal in (document.changed, document.replaced, view_state.selection_changed):
             signal.connect(self._pull)
         view_state.frame_changed.connect(self._follow)
@@ -96,10 +97,9 @@ class PropertiesPanel(QWidget):
     # ---- the controls, two lines each: model to widget, widget to model
 
     def _build_looks(self) -> None:
-        self.name = name = QLineEdit()
-        name.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.name = name = NameField()
         self._add_row(form_label(tr("Name")), name, lambda shapes: self._show_name(shapes))
-        name.editingFinished.connect(lambda: self._push_name(name.text().strip()))
+        name.named.connect(self._push_name)
 
         self.colours = colours = ColourRow()
         self._add_row(
@@ -274,6 +274,12 @@ class PropertiesPanel(QWidget):
     def _selected(self) -> list[RotoShape]:
         return selected_shapes(self._document.project, self._view.selection)
 
+    def _forget_typing(self) -> None:
+        """Something else is shown: what is being typed did not mean it."""
+        self.name.forget_typing()
+        for field in self._form_page.findChildren(NumberField):
+            field.forget_typing()
+
     def _pull(self, _ids: object = None) -> None:
         selected = self._selected()
         form = self.layer_form if self.layer_form.layers else self._form_page if selected else self._hint
@@ -306,9 +312,10 @@ class PropertiesPanel(QWidget):
 
     def _show_name(self, shapes: Shapes) -> None:
         """A name belongs to one shape."""
-        is_one = len(shapes) == 1
-        self.name.setText(shapes[0].name if is_one else "")
-        self.name.setPlaceholderText("" if is_one else tr("{count} shapes", count=len(shapes)))
+        if len(shapes) == 1:
+            self.name.show_name(shapes[0].name)
+        else:
+            self.name.show_name("", tr("{count} shapes", count=len(shapes)))
 
 
 def _here(tip: str) -> QToolButton:

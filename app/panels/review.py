@@ -73,7 +73,7 @@ class ReviewPanel(QWidget):
         super().__init__(parent)
         self._document, self._view, self._boil = document, view_state, boil_of_document(document)
         self._entries: list[Entry] = []
-        self._is_due = False
+        self._is_due, self._sitting = False, document.sitting
         self.note = NoteField()
         self.kinds = ChoiceBox(tr("What the list shows"))
         for name, (title, _) in CHOICES.items():
@@ -187,6 +187,9 @@ class ReviewPanel(QWidget):
             self.list.clearSelection()
 
     def _pull_note(self) -> None:
+        if self._sitting != self._document.sitting:
+            self._sitting = self._document.sitting
+            self.note.forget()
         mark = timing.mark_at(self._document.project, self._view.frame)
         self.note.show_note(self._view.frame, mark.text if mark is not None else "")
 
@@ -218,6 +221,10 @@ class NoteField(QPlainTextEdit):
             self._frame, self._before = frame, text
             self.setPlainText(text)
         self.setPlaceholderText(tr("Note on frame {frame}; Ctrl+Return keeps it", frame=frame))
+
+    def forget(self) -> None:
+        """What is being typed is about another project."""
+        self.setPlainText(self._before)
 
     def keep(self) -> None:
         """Take what is typed."""

@@ -121,15 +121,16 @@ class ShapeTree(QTreeWidget):
         """
         if self.state() is QAbstractItemView.State.EditingState:
             return
-        root = self._document.project.root
-        if (shown := _summary(root)) == self._shown:
-            return
-        self._shown = shown
+        if (shown := _summary(self._document.project.root)) != self._shown:
+            self._shown = shown
+            self._build()
+
+    def _build(self) -> None:
         self.updateGeometry()
         closed = {row.data(NAME, ID) for row in self._rows() if row.childCount() and not row.isExpanded()}
         with QSignalBlocker(self):
             self.clear()
-            self._add_rows(self.invisibleRootItem(), root)
+            self._add_rows(self.invisibleRootItem(), self._document.project.root)
             for row in self._rows():
                 row.setExpanded(row.childCount() > 0 and row.data(NAME, ID) not in closed)
         self._pull_selection()
@@ -142,9 +143,13 @@ class ShapeTree(QTreeWidget):
                 self._add_rows(row, child)
 
     def _begin_anew(self) -> None:
-        """Another project: its layers are not those that were selected, whatever they are called."""
+        """Another project: its layers are not those that were selected, whatever they are called.
+
+        Nor is what is being typed the name of anything in it.
+        """
         self._view.select(frozenset(), layers=frozenset())
-        self._pull()
+        self._shown = _summary(self._document.project.root)
+        self._build()
 
     def _pull_selection(self) -> None:
         selected = self._view.selection.shapes | self._view.layers

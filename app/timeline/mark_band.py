@@ -40,6 +40,7 @@ class MarkBand(QWidget):
         self.setMouseTracking(True)
         document.changed.connect(self._pull)
         document.replaced.connect(self._pull)
+        document.replaced.connect(self.field.leave)
         for signal in (axis.changed, axis.view_state.frame_changed):
             signal.connect(self.update)
         self._pull()
@@ -196,10 +197,14 @@ class MarkField(QLineEdit):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
-            self._is_asking = False
-            self.setVisible(False)
+            self.leave()
         else:
             super().keyPressEvent(event)
+
+    def leave(self) -> None:
+        """Leave what was there: by hand, or because another project is shown."""
+        self._is_asking = False
+        self.setVisible(False)
 
     def _keep(self) -> None:
         # Hiding the field takes its focus away, and so ends the typing once more.

@@ -107,10 +107,7 @@ class Transport(QWidget):
             (self._in, play_first, first, play_stop - 1),
             (self._out, play_stop - 1, play_first, stop - 1),
         ):
-            field.blockSignals(True)
-            field.setRange(low, high)
-            field.setValue(value)
-            field.blockSignals(False)
+            field.show_frame(value, low, high)
         self._pull_speed()
 
     def _pull_speed(self) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
@@ -58,8 +58,35 @@ def icon_button(icon: str, tip: str, *, size: int = 24) -> QToolButton:
     return button
 
 
+def is_being_typed(line: QLineEdit) -> bool:
+    """Whether something is being typed there: it is the artist's until they are done, whatever changes meanwhile."""
+    return line.isModified() and line.hasFocus()
+
+
 class FrameField(QSpinBox):
     """A field for a frame number. The wheel, turned on the way past, changes nothing: only with the keyboard in it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.editingFinished.connect(lambda: self.lineEdit().setModified(False))
+
+    def show_frame(self, frame: int, low: int, high: int) -> None:
+        """Show a frame out of those from `low` to `high`; what is being typed stays, and is taken as usual."""
+        line = self.lineEdit()
+        typed, cursor, is_typed = line.text(), line.cursorPosition(), is_being_typed(line)
+        with QSignalBlocker(self):
+            self.setRange(low, high)
+            self.setValue(frame)
+            if is_typed:
+                line.setText(typed)
+                line.setCursorPosition(cursor)
+                line.setModified(True)
+
+    def take_back(self) -> None:
+        """Show the frame that holds in place of what is being typed."""
+        with QSignalBlocker(self):
+            self.setValue(self.value())
+        self.lineEdit().setModified(False)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self.hasFocus():

@@ -1,4 +1,4 @@
-"""Controls that can show several values at once: numbers that are typed or dragged, switches, colours, choices."""
+"""Controls that can show several values at once: numbers that are typed or dragged, names, switches, choices."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QLineEdit, QWidget
 
 from roam_core.roto import BlendMode
 
 from .. import style
 from ..translation import N_, tr
-from .controls import LABEL_WIDTH, ChoiceBox
+from .controls import LABEL_WIDTH, ChoiceBox, is_being_typed
 
 MIXED = N_("mixed")
 """What a control shows for things that differ."""
@@ -67,6 +67,8 @@ class NumberField(QDoubleSpinBox):
         super().__init__()
         self._mixed, self._typed = False, False
         self._words, self._merge_key = suffix, ""
+        self._held: float | None = 0.0
+        """The value that holds, whatever is being typed; None where several differ."""
         self.setRange(low, high)
         self.setDecimals(decimals)
         self.setSingleStep(step)
@@ -82,7 +84,10 @@ class NumberField(QDoubleSpinBox):
         self.editingFinished.connect(self._push_typed)
 
     def show_value(self, value: float | None) -> None:
-        """Show a value, or that several differ (None)."""
+        """Show a value, or that several differ (None). What is being typed stays."""
+        self._held = value
+        if is_being_typed(self.lineEdit()):
+            return
         with QSignalBlocker(self):
             self._mixed, self._typed = value is None, False
             self.setSuffix("" if value is None else self._words)
@@ -99,13 +104,20 @@ class NumberField(QDoubleSpinBox):
 
     def drag_to(self, value: float) -> None:
         """Take a value from a drag that `begin_gesture` began."""
+        self.forget_typing()
         with QSignalBlocker(self):
             self.setValue(value)
-        self.edited.emit(self.value(), self._merge_key)
+        self._give(self._merge_key)
 
     def forget_typing(self) -> None:
-        """What was typed is no value to give: it was taken back."""
+        """What was typed is no value to give: it meant what is no longer shown."""
         self._typed = False
+        self.lineEdit().setModified(False)
+
+    def take_back(self) -> None:
+        """Show the value that holds in place of what is being typed."""
+        self.forget_typing()
+        self.show_value(self._held)
 
     # ---- Qt's own doors
 
@@ -113,9 +125,10 @@ class NumberField(QDoubleSpinBox):
         return "" if self._mixed else super().textFromValue(value)
 
     def stepBy(self, steps: int) -> None:
-        self._mixed = self._typed = False
+        self._mixed = False
+        self.forget_typing()
         super().stepBy(steps)
-        self.edited.emit(self.value(), self._merge_key)
+        self._give(self._merge_key)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if not event.isAutoRepeat():
@@ -141,9 +154,52 @@ class NumberField(QDoubleSpinBox):
         self._typed = bool(text.removesuffix(self._words).strip())
 
     def _push_typed(self) -> None:
-        if self._typed:
-            self._mixed = self._typed = False
-            self.edited.emit(self.value(), "")
+        was_typed = self._typed
+        self.forget_typing()
+        if was_typed:
+            self._mixed = False
+            self._give("")
+
+    def _give(self, merge_key: str) -> None:
+        self._held = self.value()
+        self.edited.emit(self._held, merge_key)
+
+
+class NameField(QLineEdit):
+    """A name to type, or several things that have one each.
+
+    Signals
+    -------
+    named(name) : the user is done with the field; `name` may be what it was.
+    """
+
+    named = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._held = ""
+        """The name that holds, whatever is being typed."""
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.editingFinished.connect(self._push)
+
+    def show_name(self, name: str, instead: str = "") -> None:
+        """Show a name; where there is none, what the field says `instead`. What is being typed stays."""
+        self._held = name
+        self.setPlaceholderText(instead)
+        if not is_being_typed(self):
+            self.setText(name)
+
+    def forget_typing(self) -> None:
+        """What was typed is no name to give: it meant what is no longer shown."""
+        self.setModified(False)
+
+    def take_back(self) -> None:
+        """Show the name that holds in place of what is being typed."""
+        self.setText(self._held)
+
+    def _push(self) -> None:
+        self.setModified(False)
+        self.named.emit(self.text().strip())
 
 
 class ScrubLabel(QLabel):

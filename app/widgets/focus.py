@@ -6,7 +6,8 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QMainWindow, QWidget
 
-from .fields import NumberField
+from .controls import FrameField
+from .fields import NameField, NumberField
 from .floating import FloatingWindow
 
 Field = QLineEdit | QAbstractSpinBox
@@ -60,9 +61,10 @@ class FocusFollowsPointer(QObject):
         if event.key() not in LEAVING or self._field is None:
             return False
         if event.key() == Qt.Key.Key_Escape:
-            _line_of(self._field).setText(self._before)
-            if isinstance(self._field, NumberField):
-                self._field.forget_typing()
+            if isinstance(self._field, NumberField | NameField | FrameField):
+                self._field.take_back()
+            else:
+                _line_of(self._field).setText(self._before)
         QTimer.singleShot(0, self._viewer, self._take)
         return event.key() == Qt.Key.Key_Escape
 
