@@ -133,7 +133,7 @@ class Proposals(QObject):
             project, ids = offer.proposal.accepted(self._document.project, offer.step)
             self._document.apply(_title(offer.proposal), project)
             self._view.select(frozenset(ids))
-            key = "]" if offer.step > 0 else "["
+            key = "<track.forward>" if offer.step > 0 else "<track.backward>"
             self._view.say(tr("Kept: it is yours now. {key} tracks on from here.", key=key))
 
     def refuse(self) -> None:

@@ -5806,8 +5806,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{count} Formen</translation>
     </message>
     <message>
-        <source>{count} shapes are fitted: drag the points to adjust, ] tracks forward.</source>
-        <translation>{count} Formen sind angepasst: zum Korrigieren die Punkte ziehen, ] trackt vorwärts.</translation>
+        <source>{count} shapes are fitted: drag the points to adjust, &lt;track.forward&gt; tracks forward.</source>
+        <translation>{count} Formen sind angepasst: zum Korrigieren die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
     </message>
     <message>
         <source>{count} shapes are selected.</source>
@@ -5925,16 +5925,16 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} flimmert</translation>
     </message>
     <message>
-        <source>{name} is drawn: drag its points to adjust it, ] tracks it forward.</source>
-        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen, ] trackt vorwärts.</translation>
+        <source>{name} is drawn: drag its points to adjust it, &lt;track.forward&gt; tracks it forward.</source>
+        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
     </message>
     <message>
-        <source>{name} is drawn: drag its points to adjust it, it is open, C closes it.</source>
-        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen; die Form ist offen, C schließt sie.</translation>
+        <source>{name} is drawn: drag its points to adjust it, it is open, &lt;points.toggle_closed&gt; closes it.</source>
+        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen; die Form ist offen, &lt;points.toggle_closed&gt; schließt sie.</translation>
     </message>
     <message>
-        <source>{name} is fitted: drag the points to adjust, ] tracks forward.</source>
-        <translation>{name} ist angepasst: zum Korrigieren die Punkte ziehen, ] trackt vorwärts.</translation>
+        <source>{name} is fitted: drag the points to adjust, &lt;track.forward&gt; tracks forward.</source>
+        <translation>{name} ist angepasst: zum Korrigieren die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
     </message>
     <message>
         <source>{name} is locked; unlock it to track it.</source>

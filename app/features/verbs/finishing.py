@@ -37,8 +37,10 @@ def finish_shape(
     project, shape = edit.new_shape(document.project, control_points, frame, closed=closed, spline=spline)
     document.apply(tr("Draw shape"), project)
     hand_over(view_state, tool, frozenset({shape.id}))
-    said = tr("{name} is drawn: drag its points to adjust it, ] tracks it forward.", name=shape.name)
-    said_open = tr("{name} is drawn: drag its points to adjust it, it is open, C closes it.", name=shape.name)
+    said = tr("{name} is drawn: drag its points to adjust it, <track.forward> tracks it forward.", name=shape.name)
+    said_open = tr(
+        "{name} is drawn: drag its points to adjust it, it is open, <points.toggle_closed> closes it.", name=shape.name
+    )
     view_state.say(said if closed else said_open)
 
 
@@ -48,8 +50,8 @@ def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequenc
     document.apply(text, project)
     hand_over(view_state, tool, frozenset(ids))
     name = project.shape(ids[0]).name
-    one = tr("{name} is fitted: drag the points to adjust, ] tracks forward.", name=name)
-    all_ = tr("{count} shapes are fitted: drag the points to adjust, ] tracks forward.", count=len(ids))
+    one = tr("{name} is fitted: drag the points to adjust, <track.forward> tracks forward.", name=name)
+    all_ = tr("{count} shapes are fitted: drag the points to adjust, <track.forward> tracks forward.", count=len(ids))
     view_state.say(one if len(ids) == 1 else all_)
 
 

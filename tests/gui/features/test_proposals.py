@@ -177,7 +177,9 @@ def test_enter_keeps_it_as_the_artists_and_undo_asks_again(qtbot: QtBot, window:
     track(qtbot, window)
     before = window.document.project
     window.view_state.set_frame(OFFERED[1])
+    window.view_state.set_keymap({**window.view_state.keymap, "track.forward": ("Ctrl+9",)})
     qtbot.keyClick(window.canvas, Qt.Key.Key_Return)
+    assert window.view_state.message == "Kept: it is yours now. Ctrl+9 tracks on from here."
     assert names(window) == ["Bell", "Bell part 1"]
     assert window.document.project.shape("shape-1").artist_frames == (FIRST, OFFERED[1])
     assert window.document.project.shape("shape-2").frames == (OFFERED[1],)

@@ -124,10 +124,12 @@ def test_escape_leaves_the_shape_open(hand: Hand, view_state: ViewState, drawing
     assert view_state.selection.shapes == {only().id}
 
 
-@pytest.mark.parametrize(("finish", "follow"), [(RETURN, "] tracks it"), (ESCAPE, "C closes it")])
+@pytest.mark.parametrize(("finish", "follow"), [(RETURN, "Ctrl+9 tracks it"), (ESCAPE, "Ctrl+8 closes it")])
 def test_a_finished_shape_says_what_comes_next(
     hand: Hand, view_state: ViewState, drawing: str, finish: Qt.Key, follow: str
 ) -> None:
+    own = {"track.forward": ("Ctrl+9",), "points.toggle_closed": ("Ctrl+8",)}
+    view_state.set_keymap({**view_state.keymap, **own})
     click_all(hand)
     hand.key(finish)
     assert view_state.message.startswith("Shape 1 is drawn")
