@@ -193,7 +193,7 @@ def range_sentence(source: PlateSource) -> str:
 def gaps_sentence(missing: tuple[int, ...]) -> str:
     """`none`, a few missing frames by number, or how many there are."""
     if not missing:
-        return "none"
+        return tr("none")
     if len(missing) <= MOST_GAPS:
         return ", ".join(map(str, missing))
     return tr("{count} frames, from {first} to {last}", count=len(missing), first=missing[0], last=missing[-1])

@@ -110,7 +110,7 @@ class FileActions(QObject):
     @property
     def title(self) -> str:
         """The project's name, for titles and questions."""
-        return self._document.path.name if self._document.path else "untitled"
+        return self._document.path.name if self._document.path else tr("untitled")
 
     def new(self) -> None:
         self.leave_project(self._files.new)

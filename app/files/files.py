@@ -316,13 +316,21 @@ class Files(QObject):
             self.opened.emit(origin)
 
     def _relink(self, found: Found, sitting: int) -> None:
-        """Give the project, as it is now, the clip that was found; not another one that was opened since."""
+        """Give the project, as it is now, the clip that was found; not another one that was opened since.
+
+        In and out stay as far as the clip has their frames; where they were its ends they are those of the new one.
+        """
         if sitting != self._document.sitting:
             return
         view, clip = self._view, found.project.require_clip()
         frame, selection, layers = view.frame, view.selection, view.layers
+        before, (first, stop) = self._document.project.require_clip().frame_range, view.play_range
         self._reader.open(None)
         self._document.relink(clip)
+        view.set_play_range(
+            clip.first if first == before.start else max(first, clip.first),
+            clip.last + 1 if stop == before.stop else min(stop, clip.last + 1),
+        )
         view.set_frame(min(max(frame, clip.first), clip.last))
         view.select(selection.shapes, selection.points, layers)
         self._reader.open(found.source)

@@ -1648,6 +1648,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
         <translation>Zum nächsten Frame springen, der eine Korrektur wert ist: wo die Konfidenz niedrig ist oder der Umriss flimmert</translation>
     </message>
     <message>
+        <source>Gone with what was dissolved: {what}.</source>
+        <translation>Mit dem Aufgelösten entfallen: {what}.</translation>
+    </message>
+    <message>
         <source>Green</source>
         <translation>Grün</translation>
     </message>
@@ -5252,6 +5256,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>moves on smoothly</source>
         <translation>bewegt sich weich weiter</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
     <message>
         <source>not installed</source>

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from roam_core.roto import Layer, edit
+from roam_core.roto import BlendMode, Layer, RotoShape, edit
 from roam_core.roto.layers import grouped, ungrouped
 
 from ...model.document import Document
@@ -44,9 +44,13 @@ class LayerVerbs:
         if not layers:
             self._view.say(tr(NO_LAYER))
             return
-        for layer_id in sorted(layers, key=lambda layer_id: len(project.layers_above(layer_id))):
+        ordered = sorted(layers, key=lambda layer_id: len(project.layers_above(layer_id)))
+        lost = [word for layer_id in ordered if (word := _lost_with(project.find(layer_id)))]
+        for layer_id in ordered:
             project = ungrouped(project, layer_id)
         self._document.apply(tr("Ungroup"), project)
+        if lost:
+            self._view.say(tr("Gone with what was dissolved: {what}.", what="; ".join(lost)))
 
     def add(self) -> None:
         """Add an empty layer on top, or inside the selected one."""
@@ -59,3 +63,18 @@ class LayerVerbs:
         """The selected layers that are still there."""
         there = {item.id for item in self._document.project.root.items() if isinstance(item, Layer)}
         return self._view.layers & there
+
+
+def _lost_with(layer: Layer | RotoShape) -> str:
+    """What of a layer's own look nothing holds any more once it is dissolved, after its name; empty where it had none.
+
+    Its motion, and whether it is hidden or locked, what lay in it has by itself.
+    """
+    assert isinstance(layer, Layer)
+    looks = [
+        tr("Opacity") if layer.opacity != 1.0 else "",
+        tr("Invert") if layer.invert else "",
+        tr("Blend") if layer.blend is not BlendMode.ADD else "",
+    ]
+    words = ", ".join(filter(None, looks))
+    return f"{layer.name} ({words})" if words else ""

@@ -131,6 +131,7 @@ def test_what_is_drawn_while_the_plate_is_relinked_stays_and_so_do_frame_and_sel
     for _ in range(2):
         document.apply("Draw", edit.new_shape(document.project, SQUARE, FIRST)[0])
     view.set_frame(FIRST + 1)
+    view.set_play_range(FIRST + 1, view.play_range[1])
     view.select(frozenset({document.project.shapes[1].id}))
     drawn, selection = document.project.shapes, view.selection
     document.save(tmp_path / "b.roam")
@@ -141,6 +142,7 @@ def test_what_is_drawn_while_the_plate_is_relinked_stays_and_so_do_frame_and_sel
     assert document.path == tmp_path / "b.roam"
     assert document.is_modified
     assert (view.frame, view.selection) == (FIRST + 1, selection)
+    assert view.play_range == (FIRST + 1, FIRST + 3)  # in stays, out was the clip's end
 
 
 def test_what_was_done_before_the_plate_was_relinked_is_undone_and_redone_on_the_new_one(

@@ -104,6 +104,20 @@ def test_grouping_and_dissolving(panel: PropertiesPanel, document: Document, vie
     assert document.undo_stack.count() == 3
 
 
+def test_what_is_lost_with_a_layer_is_said(document: Document, view_state: ViewState) -> None:
+    project, _ = edit.add_layer(Project())
+    project, _ = edit.new_shape(project, SQUARE, 1, layer_id="layer-1")
+    verbs = LayerVerbs(document, view_state).handlers()
+    for look, said in (
+        ({}, ""),
+        ({"opacity": 0.5, "invert": True}, "Gone with what was dissolved: Legs (Opacity, Invert)."),
+    ):
+        document.open(edit.set_properties(project, "layer-1", name="Legs", **look), None)
+        view_state.select(frozenset({"shape-1"}))
+        verbs["layer.ungroup"]()
+        assert view_state.message == said
+
+
 def test_an_empty_layer_is_added_inside_the_selected_one(document: Document, view_state: ViewState) -> None:
     verbs = LayerVerbs(document, view_state).handlers()
     verbs["layer.add"]()
