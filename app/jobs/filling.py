@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -163,14 +164,14 @@ def _closed(request: FillRequest, asked: Collection[str]) -> list[RotoShape]:
 
 
 def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParams) -> bool:
-    """True when every frame in the gap holds a key that filling would only make again."""
-    keyed = [s for s in request.shapes if s.id in request.asked and gap in pairwise(s.artist_frames)]
-    return all(
-        (key := shape.key_at(frame)) is not None and stamps.is_filled(shape, key, gap, params, request.alone)
-        for shape in keyed
-        for frame in range(gap[0] + 1, gap[1])
-        if shape.exists_at(frame)
-    )
+    """True where filling the gap would change nothing; of what it lacks the pictures may have to be looked at."""
+    from roam_core.propagate.between.filled import is_bridged, is_filled
+
+    def holds(shape: RotoShape) -> bool:
+        bridges = partial(is_bridged, request.read, shape, params)
+        return is_filled(stamps, shape, gap, params, bridges, alone=request.alone)
+
+    return all(holds(s) for s in request.shapes if s.id in request.asked and gap in pairwise(s.artist_frames))
 
 
 def _keys_in(shape: RotoShape, gap: Gap) -> tuple[Keyframe, ...]:

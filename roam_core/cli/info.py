@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Set
+from collections.abc import Sequence, Set
+from contextlib import closing
 from itertools import pairwise
 from pathlib import Path
 
+from roam_core.cli.environment import cache_bytes
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_of
-from roam_core.cli.plate import add_layer
+from roam_core.cli.plate import Plate, add_layer
+from roam_core.cli.spans import is_passed_over
+from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.finding import is_there
+from roam_core.params import DEFAULT_CONFIG, params_for
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
-from roam_core.roto import Clip, Origin, RotoShape, file
+from roam_core.roto import Clip, Origin, Project, RotoShape, file
 from roam_core.roto.imported import is_import
 from roam_core.roto.relinking import missing_now, other_content_now, relinked
 
@@ -80,12 +85,12 @@ def _project_values(path: Path) -> dict[str, object]:
         if clip is None
         else _clip_values(clip) | {"is_there": is_there(clip.path), "note": other_content_now(clip)}
     )
-    missing = frozenset[int]() if clip is None else missing_now(clip)
-    shapes = [_shape_values(shape, stamps, missing) for shape in project.shapes]
+    left = _not_filled(project)
+    shapes = [_shape_values(shape, stamps, left[shape.id]) for shape in project.shapes]
     return {"project": str(path), "digest": file.digest(project), "clip": there, "shapes": shapes}
 
 
-def _shape_values(shape: RotoShape, stamps: Stamps, missing: Set[int]) -> dict[str, object]:
+def _shape_values(shape: RotoShape, stamps: Stamps, not_filled: Sequence[int]) -> dict[str, object]:
     engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
     return {
         "id": shape.id,
@@ -96,7 +101,7 @@ def _shape_values(shape: RotoShape, stamps: Stamps, missing: Set[int]) -> dict[s
         "artist_keys": list(shape.artist_frames),
         "engine_keys": [key.frame for key in engine],
         "stale": [key.frame for key in engine if stamps.is_stale(shape, key)],
-        "not_filled": _interpolated(shape, missing),
+        "not_filled": not_filled,
         "confidence": {str(key.frame): key.confidence for key in engine if key.confidence is not None},
         "worth_fixing": suggest_keyframe(shape),
     }
@@ -121,14 +126,14 @@ def _project_lines(path: Path) -> list[str]:
             lines.append(f"note     {warning}")
     lines.extend(f"note     {mark.frame}: {' '.join(mark.text.split())}" for mark in project.marks if mark.text)
     stamps = Stamps.of(project.shapes, project.clip)
-    missing = frozenset[int]() if project.clip is None else missing_now(project.clip)
-    lines.extend(_shape_line(shape, stamps, missing) for shape in project.shapes)
+    left = _not_filled(project)
+    lines.extend(_shape_line(shape, stamps, left[shape.id]) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):
         lines.append(f"note     {sentence}")
     return lines
 
 
-def _shape_line(shape: RotoShape, stamps: Stamps, missing: Set[int]) -> str:
+def _shape_line(shape: RotoShape, stamps: Stamps, not_filled: Sequence[int]) -> str:
     engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
     stale = sum(stamps.is_stale(shape, key) for key in engine)
     rated = [(key.confidence, key.frame) for key in engine if key.confidence is not None]
@@ -139,14 +144,41 @@ def _shape_line(shape: RotoShape, stamps: Stamps, missing: Set[int]) -> str:
     )
     if stale:
         line += f" ({stale} stale)"
-    if interpolated := _interpolated(shape, missing):
-        line += f"; {len(interpolated)} frame(s) between its artist keys are not filled, the first is {interpolated[0]}"
+    if not_filled:
+        line += f"; {len(not_filled)} frame(s) between its artist keys are not filled, the first is {not_filled[0]}"
     if rated:
         confidence, frame = min(rated)
         line += f"; least sure on {frame} ({confidence:.2f})"
     if (worst := suggest_keyframe(shape)) is not None:
         line += f"; most worth fixing is {worst}"
     return line
+
+
+def _not_filled(project: Project) -> dict[str, list[int]]:
+    """The frames that `roam fill` would still make keys on, by the id of their shape."""
+    clip = project.clip
+    missing = frozenset[int]() if clip is None else missing_now(clip)
+    left = {shape.id: _interpolated(shape, missing) for shape in project.shapes}
+    # What a fill left out lies among its keys; where it made none, no picture has to be looked at.
+    asked = [(shape, frame) for shape in project.shapes for frame in left[shape.id] if _is_among_filled(shape, frame)]
+    if clip is None or not asked:
+        return left
+    params = params_for(DEFAULT_CONFIG)
+    try:
+        source = open_clip(clip.path, clip.layer, clip.content)
+    except RoamError:
+        return left
+    with closing(Plate(source, cache_bytes())) as plate:
+        for shape, frame in asked:
+            if source.size == clip.size and is_passed_over(plate, shape, params, frame):
+                left[shape.id].remove(frame)
+    return left
+
+
+def _is_among_filled(shape: RotoShape, frame: int) -> bool:
+    """Whether the gap between artist keys that a frame lies in holds keys of the engine."""
+    first, last = next(gap for gap in pairwise(shape.artist_frames) if gap[0] < frame < gap[1])
+    return any(first < key.frame < last for key in shape.keys)
 
 
 def _interpolated(shape: RotoShape, missing: Set[int]) -> list[int]:

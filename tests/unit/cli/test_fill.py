@@ -6,6 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
+import cv2
+import numpy as np
 import pytest
 
 from roam_core.media import open_clip
@@ -92,6 +94,20 @@ def test_info_tells_what_is_not_filled_and_what_is_stale(roam: Roam, keyed: Path
     project = file.load(keyed)
     file.save(project.with_shape(verbs.set_key(project.shapes[0], 1006, SHOT.truth(1006) + 1.0)), keyed)
     assert "3 artist, 3 engine (1 stale);" in roam("info", keyed).out
+
+
+@pytest.mark.parametrize("workers", ["1", "2"])
+def test_a_frame_that_shows_nothing_is_no_reason_to_fill_again(
+    roam: Roam, plate: Plate, keyed: Path, workers: str
+) -> None:
+    black = plate.folder / "plate.1002.png"
+    assert cv2.imwrite(str(black), np.zeros_like(cv2.imread(str(black))))
+    assert roam("fill", keyed, *CONFIG, "--workers", workers).status == 0
+    (shape,) = file.load(keyed).shapes
+    assert shape.frames == (1001, 1003, 1004, 1005, 1006)
+    assert "not filled" not in roam("info", keyed).out
+    assert json.loads(roam("info", keyed, "--json").out)["shapes"][0]["not_filled"] == []
+    assert roam("fill", keyed, *CONFIG).err == "Filled 0 gap(s); 2 already filled.\n"
 
 
 def test_locked_shapes_stay_as_they_are(roam: Roam, keyed: Path) -> None:
