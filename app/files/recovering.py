@@ -17,6 +17,7 @@ from ..dialogs.recovery_dialog import RecoveryDialog
 from ..jobs.runner import Report, Runner
 from ..jobs.thumbnails import drawn, grey_plate
 from ..journal import recovery
+from ..journal.journal import Journal
 from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX
 from ..model.view_state import ViewState
@@ -27,7 +28,7 @@ from .reading import plate_of
 
 
 class Recovering(QObject):
-    """Looks through the journals under `root` on the worker, and asks the artist.
+    """Looks through the journals on the worker, and asks the artist. `journal` is that of this window, one of them.
 
     Signals
     -------
@@ -38,7 +39,7 @@ class Recovering(QObject):
 
     def __init__(
         self,
-        root: Path,
+        journal: Journal,
         runner: Runner,
         files: Files,
         file_actions: FileActions,
@@ -46,7 +47,7 @@ class Recovering(QObject):
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
-        self._root, self._runner, self._parent = root, runner, parent
+        self._journal, self._runner, self._parent = journal, runner, parent
         self._files, self._file_actions, self._view = files, file_actions, view_state
         self.dialog: RecoveryDialog | None = None
         files.opened.connect(self._offer_for)
@@ -78,10 +79,10 @@ class Recovering(QObject):
             self._look(lambda found: self._ask(recovery.offered(found, path)))
 
     def _look(self, then: Callable[[list[Recovery]], object]) -> None:
-        root = self._root
+        root, own = self._journal.root, self._journal.folder
 
         def work(report: Report) -> str:
-            report.partial(recovery.recoveries(root))
+            report.partial(recovery.recoveries(root, own))
             return ""
 
         self._runner.start("recoveries", work).partial.connect(then)

@@ -25,7 +25,7 @@ class Journal(QObject):
 
     def __init__(self, document: Document, root: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._document, self._root = document, root
+        self._document, self.root = document, root
         self._session = Session(root)
         self._writer = JournalWriter(self._session, self.refused.emit)
         self._waits_for_recovery = False
@@ -51,7 +51,7 @@ class Journal(QObject):
             self._writer.end("discarded" if self._document.is_modified else "saved")
         self._writer.close()
         self._session.let_go()
-        prune(self._root)
+        prune(self.root)
 
     # ---- the rest is private
 

@@ -95,9 +95,15 @@ class Recovery:
         return time.strftime("%d %b %Y, %H:%M:%S", time.localtime(self.when))
 
 
-def recoveries(root: Path) -> list[Recovery]:
-    """All work that journals hold, the newest first; sessions of windows that are open are left out."""
-    found = (_looked_at(journal) for folder in _closed_sessions(root) for journal in journals(folder))
+def recoveries(root: Path, own: Path | None = None) -> list[Recovery]:
+    """All work that journals hold, the newest first.
+
+    Sessions of windows that are open are left out, but for that of this window, in the folder `own`: of it what came
+    to its end, such as changes that the artist chose not to save.
+    """
+    ended = [] if own is None else [journal for journal in journals(own) if _has_ended(journal)]
+    closed = [journal for folder in _closed_sessions(root) for journal in journals(folder)]
+    found = map(_looked_at, [*closed, *ended])
     return sorted((recovery for recovery in found if recovery), key=lambda each: each.when, reverse=True)
 
 
@@ -160,6 +166,14 @@ def _closed_sessions(root: Path) -> list[Path]:
         return [folder for folder in sorted(root.iterdir()) if folder.is_dir() and not is_held(folder)]
     except OSError:
         return []
+
+
+def _has_ended(journal: Path) -> bool:
+    """Whether nothing more will be written to a journal."""
+    try:
+        return any(entry.kind == "end" for entry in entries(journal))
+    except (Damaged, OSError):
+        return False
 
 
 def _is_done(journal: Path) -> bool:

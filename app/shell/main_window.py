@@ -139,7 +139,6 @@ class MainWindow(QMainWindow):
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
         self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
-        self._journal_root = journal_root
         self.file_actions = FileActions(
             self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
         )
@@ -183,7 +182,7 @@ class MainWindow(QMainWindow):
         )
         self.reviewing = Reviewing(self.document, view_state, self.canvas.viewing, self.review_job, file_actions, self)
         self.defects = Defects(view_state, self.journal, messages, self)
-        self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
+        self.recovering = Recovering(self.journal, self.writer, files, file_actions, view_state, self)
         self.recovering.asking.connect(self.defects.wait_for)
         self.context_menus = ContextMenus(self.document, view_state, actions, self)
         for part in (self.canvas, self.shapes.tree):

@@ -10,6 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from pytestqt.qtbot import QtBot
 
+from app.dialogs import questions
+from app.dialogs.questions import Unsaved
 from app.dialogs.recovery_dialog import PICTURE, RecoveryDialog
 from app.journal import recovery
 from app.journal.journal import Journal
@@ -139,6 +141,24 @@ def test_declining_is_remembered_and_the_file_menu_still_has_it(qtbot: QtBot, wi
     with qtbot.waitSignal(window.files.finished, timeout=WAIT):
         qtbot.mouseClick(dialog.recover, Qt.MouseButton.LeftButton)
     assert window.document.project == lost
+
+
+def test_what_was_not_saved_in_this_window_is_found_again(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: Unsaved.DISCARD)
+    document = window.document
+    document.apply("Draw", edit.new_shape(document.project, SQUARE, FIRST)[0])
+    drawn = document.project
+    window.actions_by_id["file.new"].trigger()
+    document.apply("Draw", edit.add_layer(document.project)[0])  # goes on: nothing of this is to be recovered
+    assert window.journal.flush()
+    window.actions_by_id["file.recover"].trigger()
+    dialog = asked(qtbot, window)
+    assert len(rows(dialog)) == 1
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        qtbot.mouseClick(dialog.recover, Qt.MouseButton.LeftButton)
+    assert document.project == drawn
 
 
 def test_later_asks_again_at_the_next_start(qtbot: QtBot, window: MainWindow, root: Path) -> None:
