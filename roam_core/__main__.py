@@ -2,6 +2,6 @@
 
 import sys
 
-from roam_core.cli.program import command
+from roam_core.cli.program import command_as_process
 
-sys.exit(command(sys.argv[1:]))
+sys.exit(command_as_process(sys.argv[1:]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 from collections.abc import Sequence
 from types import ModuleType
@@ -14,7 +15,7 @@ from roam_core.cli.main import main as command_line
 from roam_core.errors import RoamError
 from roam_core.installation import WINDOW_MISSING, window_module
 
-FAILED, BAD_USAGE = 1, 2
+FAILED, BAD_USAGE, SIGNALLED = 1, 2, 128
 EPILOG = """commands that need no window:
 {commands}
 roam COMMAND --help describes each of them.
@@ -25,7 +26,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, or no window or display."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
-        return command(arguments)
+        return command(arguments) if argv is not None else command_as_process(arguments)
     path = _parser().parse_args(arguments).path
     launch = window_module("shell.launch")
     with decoding_apart():
@@ -39,6 +40,14 @@ def command(arguments: Sequence[str]) -> int:
             return command_line(arguments)
     except KeyboardInterrupt:
         return INTERRUPTED
+
+
+def command_as_process(arguments: Sequence[str]) -> int:
+    """`command`, as all that this process does: what signals say at its very end is no matter for a traceback."""
+    status = command(arguments)
+    if status >= SIGNALLED:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    return status
 
 
 def _window(launch: ModuleType | None, path: str | None) -> int:

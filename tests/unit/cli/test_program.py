@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import signal
+import subprocess
+import sys
 from types import SimpleNamespace
 
 import pytest
@@ -42,6 +45,20 @@ def test_commands_do_not_ask_for_the_window(
     monkeypatch.setattr(installation, "find_spec", lambda name: pytest.fail(f"asked for {name}"))
     assert program.main(["info", "nowhere.roam"]) == 1
     assert "nowhere.roam" in capsys.readouterr().err
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a process of Windows gets no SIGINT from itself")
+def test_ctrl_c_at_the_very_end_is_no_traceback() -> None:
+    code = """
+import atexit, os, signal, sys
+from roam_core.cli import program
+program.command_line = lambda argv: 130
+atexit.register(lambda: os.kill(os.getpid(), signal.SIGINT))
+sys.argv = ["roam", "info", "p.roam"]
+sys.exit(program.main())
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (-signal.SIGINT, "")
 
 
 @pytest.mark.parametrize(("arguments", "status"), [(["--help"], 0), (["--version"], 0), (["--versio"], 2)])
