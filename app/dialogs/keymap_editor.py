@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -49,6 +49,11 @@ class KeyField(QLineEdit):
         self.setReadOnly(True)
         self.setPlaceholderText(tr("Click here, then press the new key"))
         self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled, False)
+
+    def minimumSizeHint(self) -> QSize:
+        """As wide as what it asks for, in every language."""
+        hint, asked = super().minimumSizeHint(), self.fontMetrics().horizontalAdvance(self.placeholderText())
+        return QSize(max(hint.width(), asked + 2 * style.MARGIN), hint.height())
 
     def event(self, event: QEvent) -> bool:
         # Tab and the dialog's own Return and Esc come here, too: every key may be wanted.

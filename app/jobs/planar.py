@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
@@ -35,7 +35,10 @@ _run_numbers = itertools.count(1)
 
 @dataclass
 class _Run:
-    """What is known of the run under way. `expected` is the layer's motion as the run left it in the document."""
+    """What is known of the run under way.
+
+    `expected` is the layer's motion as the run left it in the document, `counts` how many points each shape had.
+    """
 
     job: Job
     shape_ids: tuple[str, ...]
@@ -45,6 +48,7 @@ class _Run:
     layer_id: str = ""
     points: TrackPoints | None = None
     vertices: Vertices = frozenset()
+    counts: Mapping[str, int] = field(default_factory=dict)
     expected: LayerTransform | None = None
     warned: bool = False
     reached: int | None = None
@@ -108,7 +112,8 @@ class PlanarTrack(QObject):
         job.progress.connect(self.progress)
         job.ended.connect(self._end)
         merge_key = f"planar-{next(_run_numbers)}"
-        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, "", points, vertices)
+        counts = {shape.id: shape.point_count for shape in shapes}
+        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, "", points, vertices, counts)
         self.progress.emit(0.0, tr("Starting the planar track …"))
         self.running_changed.emit()
 
@@ -162,8 +167,11 @@ class PlanarTrack(QObject):
         if run.layer_id and there:
             layer = project.find(run.layer_id) if project.has(run.layer_id) else None
             there = isinstance(layer, Layer) and layer.transform == run.expected
-        if run.vertices and there and run.reached is not None:
-            there = all(project.shape(shape_id).key_at(run.reached) is not None for shape_id, _ in run.vertices)
+        if run.vertices and there:
+            moved = [project.shape(shape_id) for shape_id in {shape_id for shape_id, _ in run.vertices}]
+            # Where points come or go, the numbers of the others mean other points.
+            there = all(shape.point_count == run.counts[shape.id] for shape in moved)
+            there &= run.reached is None or all(shape.key_at(run.reached) is not None for shape in moved)
         if not there:
             self.drop()
 

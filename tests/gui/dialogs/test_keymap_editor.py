@@ -31,6 +31,12 @@ def editor(window: MainWindow) -> KeymapEditor:
     return window.services._editor
 
 
+def test_what_the_field_asks_for_is_read_as_a_whole_in_every_language(editor: KeymapEditor) -> None:
+    asked = "Hier klicken, dann die neue Taste drücken: ein Satz, der länger ist als jeder andere hier"
+    editor.field.setPlaceholderText(asked)
+    assert editor.field.minimumSizeHint().width() > editor.field.fontMetrics().horizontalAdvance(asked)
+
+
 def go_on(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
     """Close the editor; the window has the keyboard again."""
     editor.close()

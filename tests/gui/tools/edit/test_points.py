@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 
 import numpy as np
@@ -140,6 +141,28 @@ def test_selected_points_alone_go_along(
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
     assert document.project.shape("shape-1").artist_frames == (1,)
+
+
+def test_a_point_that_comes_ends_a_track_of_points_by_their_numbers(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None
+) -> None:
+    view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 3)}))
+    hand.click(MARKS[0])
+    gate = threading.Semaphore(3)
+
+    def read(frame: int) -> np.ndarray:
+        assert gate.acquire(timeout=WAIT / 1000)
+        return board.picture(PlaneMotion.TRANSLATION, frame - 1)
+
+    track = PlanarTrack(document, view_state, runner, read)
+    PlanarTracking(document, view_state, track).forward()
+    qtbot.waitUntil(lambda: 2 in document.project.shape("shape-1").frames, timeout=WAIT)
+    grown = edit.insert_point(document.project.shape("shape-1"), 0, 0.5)
+    document.apply("Insert point", document.project.with_shape(grown))
+    assert not track.is_running
+    gate.release(LAST)
+    qtbot.waitUntil(lambda: runner.is_idle, timeout=WAIT)
+    assert document.project.shape("shape-1") == grown
 
 
 def test_points_on_one_another_are_refused(
