@@ -62,6 +62,7 @@ class FileActions(QObject):
         files.saved.connect(self._saved)
         export.written.connect(lambda path: self.folders.note(Purpose.EXPORT, path.parent))
         files.not_saved.connect(self._disarm)
+        document.replaced.connect(self._disarm)
         files.doubted.connect(self._ask_doubted)
         files.contested.connect(self._ask_contested)
         files.overtaken.connect(self.leave_project)

@@ -309,3 +309,20 @@ def test_a_lock_that_makes_no_sense_is_none(mine: Path, text: str) -> None:
 
 def test_a_folder_that_cannot_be_written_to_has_no_locks(tmp_path: Path) -> None:
     assert project_lock.take(tmp_path / "nowhere" / "mine.roam") is None
+
+
+def test_what_was_to_follow_a_save_is_forgotten_with_the_project(
+    qtbot: QtBot, window: MainWindow, mine: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    saved(qtbot, window, mine)
+    gate, left = Gate(monkeypatch), list[str]()
+    monkeypatch.setattr("app.dialogs.questions.ask_unsaved", lambda parent, name: Unsaved.SAVE)
+    draw(window)
+    window.file_actions.leave_project(lambda: left.append("mine"))
+    assert gate.reached.wait(WAIT / 1000)
+    window.document.open(Project(), tmp_path / "other.roam")  # such as one that was being opened meanwhile
+    gate.open.set()
+    qtbot.waitUntil(lambda: window.saver.is_idle, timeout=WAIT)
+    draw(window)
+    saved(qtbot, window, tmp_path / "other.roam")
+    assert left == []
