@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from roam_core.atomic_write import is_alive
 from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
 from roam_core.cli.keeping import kept
@@ -18,6 +22,8 @@ from roam_core.params import RoamParams
 from roam_core.roto import Project, file
 from roam_core.studio import cluster, driver
 from roam_core.studio.tasks import fill_task, pieces
+
+FOLDER = "roam-fill"
 
 
 @dataclass(frozen=True)
@@ -67,10 +73,10 @@ def spread(
 
     Raises `Cancelled` when the token is cancelled: what runs is stopped at its next safe point.
     """
-    with tempfile.TemporaryDirectory(prefix="roam-fill-") as folder:
-        given = Path(folder) / "given.roam"
+    with working_folder() as folder:
+        given = folder / "given.roam"
         file.save(project, given)
-        task = fill_task(given, Path(folder) / "made", params.config, alone=alone)
+        task = fill_task(given, folder / "made", params.config, alone=alone)
         parts, _ = pieces(task, divided)
         by_step = {part.step: part for part in parts}
         shares = cluster.Shares.here(min(workers, len(parts)))
@@ -80,3 +86,17 @@ def spread(
                 first, last = part.settings["span"]
                 made = None if outcome["status"] == "failed" else file.load(part.made)
                 yield FilledPiece((first, last), made, f"{part.step}: {outcome['said']}")
+
+
+@contextmanager
+def working_folder() -> Iterator[Path]:
+    """A temporary folder of this process for the length of a `with` block.
+
+    A process that was killed cannot tidy up: what such ones left goes first.
+    """
+    for left in Path(tempfile.gettempdir()).glob(f"{FOLDER}-*-*"):
+        process = left.name.removeprefix(f"{FOLDER}-").partition("-")[0]
+        if process.isdecimal() and not is_alive(int(process)):
+            shutil.rmtree(left, ignore_errors=True)  # that of another user stays
+    with tempfile.TemporaryDirectory(prefix=f"{FOLDER}-{os.getpid()}-") as folder:
+        yield Path(folder)
