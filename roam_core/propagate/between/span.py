@@ -70,7 +70,7 @@ def fill_span(
     Raises
     ------
     RoamError
-        when no shape that is wanted has artist keys on two frames of the range, or a shape to be filled is open.
+        when no shape that is wanted has artist keys on two frames of the range, or one to be filled is open or a point.
     Cancelled
         at a safe point after `token` was cancelled.
     """
@@ -179,7 +179,7 @@ class Filling:
         for members in sorted({stamps.filled_with(k, gap, self.alone) for k in asked}):
             ours, between = [shapes[k] for k in members], range(gap[0] + 1, gap[1])
             for shape in ours:
-                _require_closed(shape)
+                _require_outline(shape)
             if not any(shape.exists_at(frame) for shape in ours for frame in between):
                 continue
             span = self.passed(ours, gap, view)
@@ -297,9 +297,11 @@ class Filling:
         return directional_pass(engine, key.drawn, read, orders, frames, self.finer, self.token, passed)
 
 
-def _require_closed(shape: RotoShape) -> None:
+def _require_outline(shape: RotoShape) -> None:
     if not shape.closed:
         raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
+    if shape.point_count < provenance.MIN_POINTS:
+        raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to fill it.")
 
 
 def _key(shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Key:

@@ -111,6 +111,13 @@ def test_what_is_filled_is_steadied_between_its_own_two_keys(shot: Shot) -> None
     assert both == whole
 
 
+@pytest.mark.parametrize("config", CONFIGS)
+def test_a_single_point_is_refused(shot: Shot, config: str) -> None:
+    dot = replace(keyed(shot, FIRST, LAST).map_points(lambda points: points[:1]), name="Dot")
+    with pytest.raises(RoamError, match="'Dot' is a single point; draw an outline"):
+        fill_span(pictures(shot), [dot], FIRST, LAST, config)
+
+
 def test_an_artist_key_inside_divides_the_span(shot: Shot) -> None:
     middle = FIRST + 4
     shape = keyed(shot, FIRST, middle, LAST)
