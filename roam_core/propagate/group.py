@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.features.blank import is_blank
+from roam_core.features.blank import went_blank
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
@@ -139,7 +139,7 @@ class GroupTracker:
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(replace(result, seconds=seconds) for result in self.given())
-        if not any(given) and not any(set_in_part) and self._is_blank(picture):
+        if not any(given) and not any(set_in_part) and self._went_blank(picture):
             return self.skip(frame)
         step = standing.view.step(standing.engine, picture, stacked(standing.shapes, frame), token)
         solved = step.results
@@ -177,12 +177,11 @@ class GroupTracker:
         """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""
         self._standing = replace(standing, shapes=tuple(shapes))
 
-    def _is_blank(self, picture: PreparedFrame) -> bool:
+    def _went_blank(self, picture: PreparedFrame) -> bool:
         """Whether a picture shows nothing, where that on which the group stands does show something."""
         standing = self.standing
         outlines = [part.points for part in standing.view.parts(parts_at(standing.shapes, standing.frame))]
-        now, before = standing.view.picture(picture), standing.engine.frame
-        return is_blank(now, outlines, self.params.blank) and not is_blank(before, outlines, self.params.blank)
+        return went_blank(standing.view.picture(picture), standing.engine.frame, outlines, self.params.blank)
 
     def skip(self, frame: int) -> tuple[TrackResult, ...]:
         """Pass over a frame whose picture is missing, or blank: no key is made there, the next step bridges the gap."""

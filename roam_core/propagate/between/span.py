@@ -61,8 +61,8 @@ def fill_span(
 
     Parameters
     ----------
-    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for four times,
-        in no particular order, by one thread at a time. A `MissingFrame` is passed over.
+    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for about four times
+        for every object, in no particular order, by one thread at a time. A `MissingFrame` is passed over.
     only : the ids of the shapes that get keys; None: all. The others take part all the same.
     alone : each shape is filled as if there were no others.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
@@ -86,12 +86,13 @@ def fill_span(
             f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. "
             "Set a key on both ends first."
         )
-    meter = _Meter(sum(2 * (last - first) for first, last, _ in gaps), progress)
+    meter = _Meter(sum(last - first for first, last, _ in gaps), progress)
     filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
     result = list(shapes)
     for first, last, members in gaps:
         for k, keys in filling.filled(shapes, (first, last), [k for k in members if asked[k]]).items():
             result[k] = set_engine_keys(result[k], keys)
+    meter.end()
     return result
 
 
@@ -145,17 +146,34 @@ class Reader:
 
 
 class _Meter:
-    """Progress over all passes, whichever thread they run on."""
+    """Progress over `total` frames, in parts that follow each other, whichever threads pass their steps."""
 
     def __init__(self, total: int, progress: Progress | None) -> None:
-        self._total, self._done, self._progress = max(total, 1), 0, progress
+        self._total, self._progress = total, progress
+        self._done = self._until = self._step = 0.0
         self._lock = threading.Lock()
 
-    def passed(self) -> None:
+    def begin(self, frames: float, steps: int) -> None:
+        """The next part is worth so many frames, and takes so many steps; the one before has ended."""
         with self._lock:
-            self._done += 1
-            if self._progress is not None:
-                self._progress(self._done / self._total, "Filling between keys")
+            self._done, self._until = self._until, self._until + frames
+            self._step = frames / steps
+
+    def passed(self) -> None:
+        """One step more."""
+        with self._lock:
+            self._done = min(self._done + self._step, self._until)
+            self._tell(self._done / self._total)
+
+    def end(self) -> None:
+        """All is done, also what took no steps."""
+        with self._lock:
+            if self._done < self._total:
+                self._tell(1.0)
+
+    def _tell(self, share: float) -> None:
+        if self._progress is not None:
+            self._progress(min(share, 1.0), "Filling between keys")
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,7 +194,10 @@ class Filling:
         view = EngineView.of_key(self.read(gap[0]), self.params)
         stamps = Stamps(shapes, self.clip, view.size)
         made: dict[int, list[Keyframe]] = {}
-        for members in sorted({stamps.filled_with(k, gap, self.alone) for k in asked}):
+        objects, length = sorted({stamps.filled_with(k, gap, self.alone) for k in asked}), gap[1] - gap[0]
+        for members in objects:
+            if self.meter is not None:
+                self.meter.begin(length / len(objects), 2 * length)
             ours, between = [shapes[k] for k in members], range(gap[0] + 1, gap[1])
             for shape in ours:
                 _require_outline(shape)
