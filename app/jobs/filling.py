@@ -163,14 +163,20 @@ def _closed(request: FillRequest, asked: Collection[str]) -> list[RotoShape]:
 
 
 def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParams) -> bool:
-    """True when every frame in the gap holds a key that filling would only make again."""
-    keyed = [s for s in request.shapes if s.id in request.asked and gap in pairwise(s.artist_frames)]
-    return all(
-        (key := shape.key_at(frame)) is not None and stamps.is_filled(shape, key, gap, params, request.alone)
-        for shape in keyed
-        for frame in range(gap[0] + 1, gap[1])
-        if shape.exists_at(frame)
-    )
+    """True when every frame in the gap that shows something holds a key that filling would only make again."""
+    from roam_core.propagate.between.frames_shown import frames_shown
+
+    for shape in request.shapes:
+        if shape.id not in request.asked or gap not in pairwise(shape.artist_frames):
+            continue
+        keys = {frame: shape.key_at(frame) for frame in range(gap[0] + 1, gap[1]) if shape.exists_at(frame)}
+        lacking = [frame for frame, key in keys.items() if key is None]
+        made = [key for key in keys.values() if key is not None]
+        if not all(stamps.is_filled(shape, key, gap, params, request.alone) for key in made):
+            return False
+        if lacking and (not made or next(frames_shown(request.read, shape, gap, lacking, params), None) is not None):
+            return False
+    return True
 
 
 def _keys_in(shape: RotoShape, gap: Gap) -> tuple[Keyframe, ...]:

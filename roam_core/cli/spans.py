@@ -10,6 +10,7 @@ from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.plate import Plate
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams
+from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
 from roam_core.roto import Clip, Keyframe, Project
 
@@ -100,7 +101,7 @@ def pieces_of(project: Project, gaps: Sequence[Gap], picking: Picking = EVERYTHI
 
 
 def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, picking: Picking = EVERYTHING) -> bool:
-    """True when every frame with a picture in the gap holds a key that filling would only make again."""
+    """True when every frame in the gap that shows something holds a key that filling would only make again."""
     stamps = Stamps.of(project.shapes, project.clip)
     inside = [frame for frame in plate.source.frames if gap[0] < frame < gap[1]]
     for shape in trackable(project, picking):
@@ -109,9 +110,10 @@ def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, pick
         keys = {frame: shape.key_at(frame) for frame in inside if shape.exists_at(frame)}
         made = [key for key in keys.values() if key is not None]
         if set(gap) <= set(shape.artist_frames):
-            if not made or not all(stamps.is_filled(shape, key, gap, params, picking.alone) for key in made):
+            if not all(stamps.is_filled(shape, key, gap, params, picking.alone) for key in made):
                 return False
-            if any(key is None and plate.has_picture(frame) for frame, key in keys.items()):
+            lacking = [frame for frame, key in keys.items() if key is None]
+            if lacking and next(frames_shown(plate.parts, shape, gap, lacking, params), None) is not None:
                 return False
         elif any(stamps.is_stale(shape, key) for key in made):
             return False
