@@ -12,6 +12,7 @@ from roam_core import RoamError, RotoShape, keys_from_mask, render_matte, shapes
 from roam_core.arrays import Bools
 from roam_core.geometry import bezier, bspline, polyline
 from roam_core.geometry.bezier import polygon_points
+from roam_core.proposal.mask_keys import outline_match
 from roam_core.roto import BlendMode, Keyframe, Origin, Spline, control_points
 from tests.golden.shots import Shot, blob, dense, overlap, pose
 
@@ -55,6 +56,17 @@ def test_small_and_large_shapes_are_fitted_alike(scale: float) -> None:
     (shape,) = keys_from_mask([shot.shape()], shot.matte(1002), 1002)
     require_matte([shape], 1002, shot.matte(1002) > 0.5, 0.96 if scale < 1 else 0.985)
     assert np.hypot(*(shape.at(1002).points - shot.truth(1002))[:, 0].T).mean() < max(2.5 * scale, 1.0)
+
+
+def test_shapes_far_larger_than_any_picture_are_fitted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A node every seven pixels, and a cell for every one of them, would be more than memory holds."""
+    monkeypatch.setattr(outline_match, "OUTLINE_MATCH", replace(outline_match.OUTLINE_MATCH, most=60))
+    huge = 1e5 * polygon_points([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    shapes = [RotoShape(name, name, (Keyframe(1, huge + shift),)) for name, shift in (("a", 0.0), ("b", 50.0))]
+    mask = solid((30, 20, 120, 90))
+    keyed = keys_from_mask(shapes, mask, 2)
+    assert [shape.frames for shape in keyed] == [(1, 2), (1, 2)]
+    require_matte(keyed, 2, mask, 0.9)
 
 
 def test_an_engine_key_is_the_expectation_and_gives_way() -> None:
