@@ -106,6 +106,21 @@ def test_parts_begin_and_end_with_their_holes() -> None:
     require_matte(shapes, 11, second)
 
 
+def test_a_part_begins_as_shapes_from_mask_makes_it() -> None:
+    """Its outline is followed as closely, also in a picture of few lines."""
+    mask = solid((20, 20, 100, 90)) ^ solid((50, 40, 70, 60)) ^ (STAR.matte(1001) > 0.5)[:120, :160]
+    begun, made = keys_from_mask([], mask, 3), shapes_from_mask(mask, 3)
+    assert len(begun) == len(made) > 2
+    for shape in made:
+        assert any(np.array_equal(shape.keys[0].points, each.keys[0].points) for each in begun)
+
+
+def test_what_is_no_image_is_refused_by_both() -> None:
+    for function in (lambda mask: keys_from_mask([], mask, 1), shapes_from_mask):
+        with pytest.raises(RoamError, match="is no image"):
+            function(np.ones(5))
+
+
 def test_a_hole_and_two_parts_keep_their_shapes() -> None:
     first, second = solid((10, 20, 70, 60), (80, 30, 130, 80)), solid((30, 32, 90, 72), (103, 44, 153, 94))
     first[30:50, 20:40] = False
