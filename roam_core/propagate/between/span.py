@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.features.blank import is_blank
 from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
@@ -248,10 +249,18 @@ class Filling:
             self.token.check()
         alive = [k for k, shape in enumerate(shapes) if shape.exists_at(frame)]
         try:
-            found = merged(span, frame, alive, self._colours(frame, view) if alive else None)
+            colours = self._colours(frame, view) if alive else None
+            found = merged(span, frame, alive, colours)
+            if colours is not None and self._is_blank(colours.picture, found):
+                found = [None if each is None else each.unseen for each in found]
         except MissingFrame:  # where its file is damaged may show only when it is read there
             found = merged(span, frame, alive, None)
         return [None if each is None else replace(each, points=view.back(each.points)) for each in found]
+
+    def _is_blank(self, picture: PreparedFrame, found: Sequence[Merged | None]) -> bool:
+        """Whether a picture, as the engine sees it, shows nothing; those of the keys then show nothing either."""
+        outlines = [each.points for each in found if each is not None]
+        return bool(outlines) and is_blank(picture, outlines, self.params.blank)
 
     def _colours(self, frame: int, view: EngineView) -> Colours | None:
         """The picture of a frame as something to go by; None where it is missing, or not asked."""
