@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -164,14 +163,20 @@ def _closed(request: FillRequest, asked: Collection[str]) -> list[RotoShape]:
 
 
 def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParams) -> bool:
-    """True where filling the gap would change nothing; of what it lacks the pictures may have to be looked at."""
-    from roam_core.propagate.between.filled import is_bridged, is_filled
+    """True when every frame in the gap that shows something holds a key that filling would only make again."""
+    from roam_core.propagate.between.frames_shown import frames_shown
 
-    def holds(shape: RotoShape) -> bool:
-        bridges = partial(is_bridged, request.read, shape, params)
-        return is_filled(stamps, shape, gap, params, bridges, alone=request.alone)
-
-    return all(holds(s) for s in request.shapes if s.id in request.asked and gap in pairwise(s.artist_frames))
+    for shape in request.shapes:
+        if shape.id not in request.asked or gap not in pairwise(shape.artist_frames):
+            continue
+        keys = {frame: shape.key_at(frame) for frame in range(gap[0] + 1, gap[1]) if shape.exists_at(frame)}
+        lacking = [frame for frame, key in keys.items() if key is None]
+        made = [key for key in keys.values() if key is not None]
+        if not all(stamps.is_filled(shape, key, gap, params, request.alone) for key in made):
+            return False
+        if lacking and (not made or next(frames_shown(request.read, shape, gap, lacking, params), None) is not None):
+            return False
+    return True
 
 
 def _keys_in(shape: RotoShape, gap: Gap) -> tuple[Keyframe, ...]:

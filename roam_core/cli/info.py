@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence, Set
-from contextlib import closing
+from collections.abc import Set
 from itertools import pairwise
 from pathlib import Path
 
-from roam_core.cli.environment import cache_bytes
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_of
-from roam_core.cli.plate import Plate, add_layer
-from roam_core.cli.spans import is_passed_over
+from roam_core.cli.plate import add_layer, opened
+from roam_core.cli.spans import Gap
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.finding import is_there
-from roam_core.params import DEFAULT_CONFIG, params_for
+from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.departed import departed_settings
-from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.provenance import Stamp, Stamps, known_params
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
-from roam_core.roto import Clip, Origin, Project, RotoShape, file
+from roam_core.roto import Clip, Origin, RotoShape, file
 from roam_core.roto.imported import is_import
 from roam_core.roto.relinking import missing_now, other_content_now, relinked
 
@@ -85,12 +83,12 @@ def _project_values(path: Path) -> dict[str, object]:
         if clip is None
         else _clip_values(clip) | {"is_there": is_there(clip.path), "note": other_content_now(clip)}
     )
-    left = _not_filled(project)
-    shapes = [_shape_values(shape, stamps, left[shape.id]) for shape in project.shapes]
+    missing = frozenset[int]() if clip is None else missing_now(clip)
+    shapes = [_shape_values(shape, stamps, missing, clip) for shape in project.shapes]
     return {"project": str(path), "digest": file.digest(project), "clip": there, "shapes": shapes}
 
 
-def _shape_values(shape: RotoShape, stamps: Stamps, not_filled: Sequence[int]) -> dict[str, object]:
+def _shape_values(shape: RotoShape, stamps: Stamps, missing: Set[int], clip: Clip | None) -> dict[str, object]:
     engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
     return {
         "id": shape.id,
@@ -101,7 +99,7 @@ def _shape_values(shape: RotoShape, stamps: Stamps, not_filled: Sequence[int]) -
         "artist_keys": list(shape.artist_frames),
         "engine_keys": [key.frame for key in engine],
         "stale": [key.frame for key in engine if stamps.is_stale(shape, key)],
-        "not_filled": not_filled,
+        "not_filled": _interpolated(shape, missing, stamps, clip),
         "confidence": {str(key.frame): key.confidence for key in engine if key.confidence is not None},
         "worth_fixing": suggest_keyframe(shape),
     }
@@ -126,14 +124,14 @@ def _project_lines(path: Path) -> list[str]:
             lines.append(f"note     {warning}")
     lines.extend(f"note     {mark.frame}: {' '.join(mark.text.split())}" for mark in project.marks if mark.text)
     stamps = Stamps.of(project.shapes, project.clip)
-    left = _not_filled(project)
-    lines.extend(_shape_line(shape, stamps, left[shape.id]) for shape in project.shapes)
+    missing = frozenset[int]() if project.clip is None else missing_now(project.clip)
+    lines.extend(_shape_line(shape, stamps, missing, project.clip) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):
         lines.append(f"note     {sentence}")
     return lines
 
 
-def _shape_line(shape: RotoShape, stamps: Stamps, not_filled: Sequence[int]) -> str:
+def _shape_line(shape: RotoShape, stamps: Stamps, missing: Set[int], clip: Clip | None) -> str:
     engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
     stale = sum(stamps.is_stale(shape, key) for key in engine)
     rated = [(key.confidence, key.frame) for key in engine if key.confidence is not None]
@@ -144,8 +142,8 @@ def _shape_line(shape: RotoShape, stamps: Stamps, not_filled: Sequence[int]) -> 
     )
     if stale:
         line += f" ({stale} stale)"
-    if not_filled:
-        line += f"; {len(not_filled)} frame(s) between its artist keys are not filled, the first is {not_filled[0]}"
+    if interpolated := _interpolated(shape, missing, stamps, clip):
+        line += f"; {len(interpolated)} frame(s) between its artist keys are not filled, the first is {interpolated[0]}"
     if rated:
         confidence, frame = min(rated)
         line += f"; least sure on {frame} ({confidence:.2f})"
@@ -154,48 +152,34 @@ def _shape_line(shape: RotoShape, stamps: Stamps, not_filled: Sequence[int]) -> 
     return line
 
 
-def _not_filled(project: Project) -> dict[str, list[int]]:
-    """The frames that `roam fill` would still make keys on, by the id of their shape."""
-    clip = project.clip
-    missing = frozenset[int]() if clip is None else missing_now(clip)
-    left = {shape.id: _interpolated(shape, missing) for shape in project.shapes}
-    # What a fill left out lies among its keys; where it made none, no picture has to be looked at.
-    asked = [(shape, frame) for shape in project.shapes for frame in left[shape.id] if _is_among_filled(shape, frame)]
-    if clip is None or not asked:
-        return left
-    params = params_for(DEFAULT_CONFIG)
-    try:
-        source = open_clip(clip.path, clip.layer, clip.content)
-    except RoamError:
-        return left
-    with closing(Plate(source, cache_bytes())) as plate:
-        for shape, frame in asked:
-            if source.size == clip.size and is_passed_over(plate, shape, params, frame):
-                left[shape.id].remove(frame)
-    return left
-
-
-def _is_among_filled(shape: RotoShape, frame: int) -> bool:
-    """Whether the gap between artist keys that a frame lies in holds keys of the engine."""
-    first, last = next(gap for gap in pairwise(shape.artist_frames) if gap[0] < frame < gap[1])
-    return any(first < key.frame < last for key in shape.keys)
-
-
-def _interpolated(shape: RotoShape, missing: Set[int]) -> list[int]:
+def _interpolated(shape: RotoShape, missing: Set[int], stamps: Stamps, clip: Clip | None) -> list[int]:
     """The frames between a closed shape's artist keys on which it exists without a key: `roam fill` makes them.
 
-    Not those that the plate lacks, which `roam fill` passes over; and not where an import put keys between two of the
-    file's, as few as show its motion.
+    Not those that `roam fill` passes over: which the plate lacks, or which show nothing; and not where an import put
+    keys between two of the file's, as few as show its motion.
     """
     if not shape.closed:
         return []
     imported = {key.frame for key in shape.keys if is_import(key)}
-    gaps = (range(before + 1, after) for before, after in pairwise(shape.artist_frames))
     keyed = set(shape.frames)
-    return [
-        frame
-        for gap in gaps
-        if imported.isdisjoint(gap)
-        for frame in gap
-        if frame not in keyed and frame not in missing and shape.exists_at(frame)
-    ]
+    found: list[int] = []
+    for gap in pairwise(shape.artist_frames):
+        between = range(gap[0] + 1, gap[1])
+        if imported.isdisjoint(between):
+            lacking = [each for each in between if each not in keyed and each not in missing and shape.exists_at(each)]
+            found.extend(_shown(shape, gap, lacking, stamps, clip) if lacking else ())
+    return found
+
+
+def _shown(shape: RotoShape, gap: Gap, lacking: list[int], stamps: Stamps, clip: Clip | None) -> list[int]:
+    """Those frames of a gap `lacking` a key that filling would make; pictures are looked at only where it is filled."""
+    made = [key for key in shape.keys if gap[0] < key.frame < gap[1]]
+    is_filled = all(Stamp.read(key.inputs).gap == gap and not stamps.is_stale(shape, key) for key in made)
+    params = known_params(Stamp.read(made[0].inputs).config) if made and is_filled else None
+    if params is None or clip is None:
+        return lacking
+    try:
+        with opened(str(clip.path), clip) as plate:
+            return list(frames_shown(plate.parts, shape, gap, lacking, params))
+    except RoamError:
+        return lacking

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from roam_core.errors import RoamError
+from roam_core.propagate.shapes.provenance import MIN_POINTS
 from roam_core.roto import Project, RotoShape
 from roam_core.roto.layers import only
 
@@ -66,8 +67,15 @@ def _named(shapes: Sequence[RotoShape], names: Sequence[str], kind: str) -> list
 
 
 def trackable(project: Project, picking: Picking = EVERYTHING) -> list[RotoShape]:
-    """The closed, unlocked shapes among those picked; one sentence where a named one is locked or is not there."""
-    wanted = [shape for shape in picked(project, picking.names) if shape.closed]
+    """The closed, unlocked shapes among those picked, but for single points, which outline nothing.
+
+    One sentence where a named one is locked, a point, or not there.
+    """
+    closed = [shape for shape in picked(project, picking.names) if shape.closed]
+    wanted = [shape for shape in closed if shape.point_count >= MIN_POINTS]
+    if picking.names and len(wanted) < len(closed):
+        name = next(shape.name for shape in closed if shape not in wanted)
+        raise RoamError(f"{name!r} is a single point; draw an outline around the object first.")
     locked = {shape.id: shape.name for shape in wanted if project.is_locked(shape.id)}
     if picking.names and locked:
         name = next(iter(locked.values()))

@@ -75,14 +75,6 @@ class Plate:
         """End the threads that read ahead."""
         self._cache.close()
 
-    def has_picture(self, frame: int) -> bool:
-        """True where all of a frame can be read; of what the engine will look at it says nothing."""
-        try:
-            self.source.read(frame)
-        except MissingFrame:
-            return False
-        return True
-
     def ahead_of(self, frame: int, frames: range) -> None:
         """Decode the frames that follow `frame` in `frames` in the background."""
         position = frames.index(frame)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,9 +10,9 @@ from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.plate import Plate
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams
-from roam_core.propagate.between import filled
+from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
-from roam_core.roto import Clip, Keyframe, Project, RotoShape
+from roam_core.roto import Clip, Keyframe, Project
 
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""
@@ -75,9 +74,9 @@ def taken(
     Everything else of `part` is left alone: shapes that are not in the project, and keys of other settings.
     """
     stamps = Stamps.of(project.shapes, project.clip)
-    others = {shape.id: shape for shape in part.shapes}
+    filled = {shape.id: shape for shape in part.shapes}
     for shape in trackable(project, picking):
-        other = others.get(shape.id)
+        other = filled.get(shape.id)
         if other is None or other.point_count != shape.point_count:
             continue
         keys: list[Keyframe] = []
@@ -102,20 +101,20 @@ def pieces_of(project: Project, gaps: Sequence[Gap], picking: Picking = EVERYTHI
 
 
 def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, picking: Picking = EVERYTHING) -> bool:
-    """True when every frame in the gap on which a picture shows something holds a key that filling would make again."""
+    """True when every frame in the gap that shows something holds a key that filling would only make again."""
     stamps = Stamps.of(project.shapes, project.clip)
+    inside = [frame for frame in plate.source.frames if gap[0] < frame < gap[1]]
     for shape in trackable(project, picking):
         if not takes_part(shape, gap):
             continue
+        keys = {frame: shape.key_at(frame) for frame in inside if shape.exists_at(frame)}
+        made = [key for key in keys.values() if key is not None]
         if set(gap) <= set(shape.artist_frames):
-            bridges = partial(is_passed_over, plate, shape, params)
-            if not filled.is_filled(stamps, shape, gap, params, bridges, alone=picking.alone):
+            if not all(stamps.is_filled(shape, key, gap, params, picking.alone) for key in made):
                 return False
-        elif any(stamps.is_stale(shape, key) for key in shape.keys if gap[0] < key.frame < gap[1]):
+            lacking = [frame for frame, key in keys.items() if key is None]
+            if lacking and next(frames_shown(plate.parts, shape, gap, lacking, params), None) is not None:
+                return False
+        elif any(stamps.is_stale(shape, key) for key in made):
             return False
     return True
-
-
-def is_passed_over(plate: Plate, shape: RotoShape, params: RoamParams, frame: int) -> bool:
-    """Whether a fill makes no key there: what cannot be read as a whole, or shows nothing, is bridged."""
-    return not plate.has_picture(frame) or filled.is_bridged(plate.parts, shape, params, frame)

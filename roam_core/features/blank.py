@@ -26,6 +26,14 @@ def is_blank(picture: PreparedFrame, outlines: Sequence[Array], params: BlankPar
     return all(_span(picture.plate, box, params.cell) < params.span / picture.contrast for box in boxes)
 
 
+def went_blank(picture: PreparedFrame, before: PreparedFrame, outlines: Sequence[Array], params: BlankParams) -> bool:
+    """Whether a picture shows nothing where the one on which a run stands, `before`, did: runs pass over it.
+
+    Where that was as plain, as a body drawn on nothing, there is nothing to be told apart.
+    """
+    return is_blank(picture, outlines, params) and not is_blank(before, outlines, params)
+
+
 def _span(picture: PreparedFrame, box: Region, cell: int) -> float:
     """By how many levels the cells of a box differ at most, in the channel in which they differ most."""
     size = max((box.x1 - box.x0) // cell, 1), max((box.y1 - box.y0) // cell, 1)

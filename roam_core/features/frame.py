@@ -248,7 +248,17 @@ class _MappedFrame(PreparedFrame):
 def _kept(image: NDArray[Any]) -> UInt8:
     """An image in the engine's form that stays as it is when the caller decodes the next one into the same array."""
     known = as_uint8(image)
-    return known.copy() if image.flags.writeable and np.may_share_memory(known, image) else known
+    return known.copy() if _may_change(image) and np.may_share_memory(known, image) else known
+
+
+def _may_change(image: NDArray[Any]) -> bool:
+    """Whether somebody can write to an image: to itself, or to what it is a view of."""
+    held: Any = image
+    while isinstance(held, np.ndarray):
+        if held.flags.writeable:
+            return True
+        held = held.base
+    return not (held is None or isinstance(held, bytes) or (isinstance(held, memoryview) and held.readonly))
 
 
 def as_uint8(image: NDArray[Any]) -> UInt8:

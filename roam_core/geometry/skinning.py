@@ -42,10 +42,8 @@ class Chain:
         area = float(np.count_nonzero(inside))
         count = 1 + joints if length * length > params.long * area else 1
         to_pixels = cv2.invertAffineTransform(to_cells)
-        middles = [
-            _apply(to_pixels, _middle(inside & (np.abs(along - at) <= 0.5 * params.slice)))
-            for at in np.linspace(0.0, 1.0, count + 1)
-        ]
+        ends = np.linspace(0.0, 1.0, count + 1)
+        middles = [_apply(to_pixels, _middle(_slice(along, inside, at, params.slice))) for at in ends]
         if count == 1:
             middles = _ends(line)
         return cls(*_chained(np.array(middles), line), _spread(along, inside), to_cells, params)
@@ -152,6 +150,12 @@ def _neighbours(inside: Bools, number: Indices) -> coo_array:
     count = int(inside.sum())
     edges = np.concatenate(starts), np.concatenate(stops)
     return coo_array((np.concatenate(lengths), edges), shape=(count, count)).tocsr()
+
+
+def _slice(along: Float32, inside: Bools, at: float, width: float) -> Bools:
+    """The cells of a region around a place along it: so wide a slice, or the nearest ones where it has too few."""
+    away = np.abs(along - at)
+    return np.asarray(inside & (away <= max(0.5 * width, float(away[inside].min()))))
 
 
 def _middle(cells: Bools) -> Array:

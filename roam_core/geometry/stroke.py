@@ -49,11 +49,6 @@ class StrokeFit:
         return fit.fit_run(samples, leaving, arriving, self._tolerance)
 
 
-def fit_stroke(line: Array, tolerance: float, *, closed: bool) -> Array:
-    """The spline `(P, 3, 2)` of a line `(K, 2)` drawn by hand, all at once; see `StrokeFit`."""
-    return StrokeFit(tolerance).points(line, closed=closed)
-
-
 def _runs(line: Array, tolerance: float) -> Iterator[Run]:
     """The line in runs from cut to cut, tremor taken out."""
     dense, softness = _sampled(line), CURVE_FIT.hand_softness / CURVE_FIT.hand_step

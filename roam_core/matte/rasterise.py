@@ -122,15 +122,12 @@ def _ramp(signed: Matte, width: float) -> Matte:
     `signed (h, w)` is the distance of the pixel's centre to the outline, outside positive. The mean is taken across the
     outline: exact where it is straight and runs along the pixels.
     """
-    share = np.float32(0.5 / width)
-
-    def integral(x: Matte) -> Matte:
-        on = np.clip(x, np.float32(0.0), np.float32(width))
-        total: Matte = np.minimum(x, np.float32(0.0)) + on - share * on * on
-        return total
-
-    half = np.float32(0.5)
-    ramp: Matte = integral(signed + half) - integral(signed - half)
+    near, far = signed - np.float32(0.5), signed + np.float32(0.5)
+    inside = np.minimum(far, np.float32(0.0)) - np.minimum(near, np.float32(0.0))
+    first, last = (np.clip(end, np.float32(0.0), np.float32(width)) for end in (near, far))
+    # The integral over what lies on the ramp as a product: a difference of integrals loses digits as the ramp widens.
+    on = (last - first) * (np.float32(1.0) - np.float32(0.5 / width) * (first + last))
+    ramp: Matte = np.clip(inside + on, np.float32(0.0), np.float32(1.0))
     return ramp
 
 

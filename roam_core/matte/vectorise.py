@@ -39,17 +39,25 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None
     Returns
     -------
     An empty list for an empty mask. All shapes are of one compound, `compound_of` the mask.
+
+    Raises
+    ------
+    RoamError
+        when the mask is no image.
     """
+    if mask.size == 0:
+        return []
+    require_image(mask)
     shapes: list[RotoShape] = []
     compound = compound_of(mask, frame)
-    within = 1.0 / enlargement_for((mask.shape[0], mask.shape[1])) if tolerance is None else tolerance
+    within = tolerance_for((mask.shape[0], mask.shape[1])) if tolerance is None else tolerance
     for number, rings in enumerate(outlines(mask), start=1):
         for hole, ring in enumerate(rings):
             shapes.append(
                 RotoShape(
                     id=f"shape-{len(shapes) + 1}",
                     name=f"Shape {number}" if hole == 0 else f"Shape {number} hole {hole}",
-                    keys=(Keyframe(frame, _fitted(ring, within)),),
+                    keys=(Keyframe(frame, spline_around(ring, within)),),
                     colour=PALETTE[len(shapes) % len(PALETTE)],
                     blend=BlendMode.ADD if hole == 0 else BlendMode.SUBTRACT,
                     compound=compound,
@@ -65,7 +73,19 @@ def compound_of(mask: NDArray[Any], frame: int) -> str:
     return f"mask-{content.hexdigest()[:12]}"
 
 
-def _fitted(ring: Array, tolerance: float) -> Array:
+def require_image(mask: NDArray[Any]) -> None:
+    """Refuse what is no image, in a sentence."""
+    if mask.ndim not in (2, 3) or 0 in mask.shape:
+        raise RoamError(f"A mask of shape {mask.shape} is no image; give one of (height, width) pixels.")
+
+
+def tolerance_for(size: tuple[int, int]) -> float:
+    """Pixels by which a spline may stray from the outline of a mask of `size` (h, w): one, as the engine sees it."""
+    return 1.0 / enlargement_for(size)
+
+
+def spline_around(ring: Array, tolerance: float) -> Array:
+    """A spline of few points `(P, 3, 2)` within about `tolerance` pixels of an outline of a mask `(K, 2)`."""
     points = fit.fit_closed(ring, tolerance)
     return simplified(points, points, params=UNTYING)
 

@@ -23,6 +23,7 @@ from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, fit, ransac
 from roam_core.media.partial import ReadFrame
+from roam_core.media.source import MissingFrame
 from roam_core.motion.bridging import Lost, bridged
 from roam_core.motion.planar import corners_in, followed, inside
 from roam_core.motion.registration import Expected, Fit, Texture, confidence_of
@@ -175,7 +176,7 @@ class PlaneTracker:
         check()
         match = self._found(look, guesses)
         if match is None:
-            self._frames += 1
+            self.skip()
             raise LostPlane(
                 f"The plane was lost on frame {frame}: too little of it looks as it did; start again there, or leave "
                 "out what covers it."
@@ -183,6 +184,10 @@ class PlaneTracker:
         self._refuse_far(match.matrix, frame, picture)
         self._keep(picture, match)
         return PlaneStep(frame, match.matrix, match.confidence, match.seen, match.error)
+
+    def skip(self) -> None:
+        """A frame goes by without the plane, or without a picture: on the next one it is so much farther on."""
+        self._frames += 1
 
     def onward(self) -> Array:
         """Where the plane would be if it moved on as it did, from the first picture `(3, 3)`."""
@@ -276,6 +281,7 @@ class PlaneTracker:
         far = self.params.far * max(picture.size)
         behind = (projective.depth(matrix, points) <= 0.0).any()
         if behind or np.abs(projective.apply(matrix, points)).max() > far:
+            self.skip()
             raise LostPlane(f"The plane was lost on frame {frame}: it would tip over; try a simpler motion.")
 
 
@@ -337,7 +343,11 @@ def track_plane(
     around = np.concatenate([outline.reshape(-1, 2) for outline in outlines])
 
     def look(frame: int) -> PlaneStep:
-        return tracker.step(PreparedFrame(read(frame)), frame, covers(frame), token)
+        try:
+            return tracker.step(PreparedFrame(read(frame)), frame, covers(frame), token)
+        except MissingFrame:
+            tracker.skip()
+            raise
 
     def between(before: PlaneStep, after: PlaneStep, hidden: Sequence[int]) -> Iterator[PlaneStep]:
         return _between(before, after, hidden, around)

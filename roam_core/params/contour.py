@@ -82,6 +82,8 @@ class ContourFitParams:
     turn : price of a node whose outline runs the opposite way.
     bulge : price of a node that was all tip on the key and now is all bay (`proposal.outline.invariants`).
     spacing : pixels of a 480-line image between the nodes that are matched.
+    most : nodes of an outline, and a third of the places where they may come to lie; a longer one is looked at more
+        coarsely.
     chords : chords by which the length from node to node is told.
     step : pixels of a 480-line image between the places where a node may come to lie.
     finer : samples of the outline for each such place, for the fit of the handles.
@@ -107,6 +109,7 @@ class ContourFitParams:
     settling: int = 3
     loose: float = 0.95
     farthest: float = later(9.0)
+    most: int = later(2000)
     straight: float = later(0.005)
     straight_each: float = later(0.002)
     tips: InvariantsParams = later(INVARIANTS)

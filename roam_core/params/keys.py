@@ -19,6 +19,7 @@ class PairingParams:
     inside : share of a shape without a partner that has to lie in another one's part before they divide it, if ...
     joined : ... this much of it overlaps the other, or ...
     considerable : ... it is at least this large beside it.
+    cells : of a side in which it is looked up whether two overlap, at most.
     """
 
     strange: float = 1.3
@@ -30,6 +31,7 @@ class PairingParams:
     inside: float = 0.5
     joined: float = 0.05
     considerable: float = 0.2
+    cells: float = 8192.0
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,7 @@ class OutlineMatchParams:
     turned : A pose that turns by a right angle has to match better by this factor plus one: round shapes do not
         spin.
     fewest : nodes of a short outline.
+    most : nodes of a long outline, and a third of its samples; it is looked at more coarsely.
     harmonics : points of an outline that is turned to find how it lies best on another.
     coarse : how much wider nodes and samples are spaced while poses are compared.
     settle : times that a pose is matched, each time the one that fits what was matched before.
@@ -71,6 +74,7 @@ class OutlineMatchParams:
     doubt: float = 0.01
     turned: float = 4.0
     fewest: float = 16.0
+    most: int = 2000
     harmonics: int = 128
     coarse: float = 3.0
     settle: int = 2

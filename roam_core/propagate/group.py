@@ -9,10 +9,11 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.features.blank import is_blank
+from roam_core.features.blank import is_blank, went_blank
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
@@ -114,9 +115,10 @@ class GroupTracker:
     ) -> tuple[TrackResult, ...]:
         """Carry the shapes to `frame`. A shape that holds an artist's key there is taken as the artist made it.
 
-        A frame that shows nothing, all black or white, is passed over like one whose picture is missing. Of a key that
-        the artist set some points of the others are solved; from there the run begins anew. A shape that does not exist
-        on the frame gets no key there; the others still know it.
+        A frame that shows nothing, all black or white, is passed over like one whose picture is missing; where the one
+        before is as plain, the shapes are carried on, and not trusted at all. Of a key that the artist set some points
+        of the others are solved; from there the run begins anew. A shape that does not exist on the frame gets no key
+        there; the others still know it.
 
         Raises
         ------
@@ -139,10 +141,15 @@ class GroupTracker:
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(replace(result, seconds=seconds) for result in self.given())
-        if not any(given) and not any(set_in_part) and self._is_blank(picture):
+        seen, outlines = standing.view.picture(picture), self._outlines
+        shows_nothing = is_blank(seen, outlines, self.params.blank)
+        is_free = not any(given) and not any(set_in_part)
+        if shows_nothing and is_free and went_blank(seen, standing.engine.frame, outlines, self.params.blank):
             return self.skip(frame)
         step = standing.view.step(standing.engine, picture, stacked(standing.shapes, frame), token)
-        solved = step.results
+        # Curves find no edge there, and say so; they see faint pictures as they are, in which there may be some.
+        is_unseen = shows_nothing and self.params.region is not None
+        solved = tuple(result.unseen for result in step.results) if is_unseen else step.results
         shapes = tuple(
             shape if key or not shape.exists_at(frame) else self._keyed(shape, standing.frame, frame, each)
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
@@ -177,12 +184,11 @@ class GroupTracker:
         """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""
         self._standing = replace(standing, shapes=tuple(shapes))
 
-    def _is_blank(self, picture: PreparedFrame) -> bool:
-        """Whether a picture shows nothing, where that on which the group stands does show something."""
+    @property
+    def _outlines(self) -> list[Array]:
+        """The outlines `(P, 3, 2)` on the frame where the group stands, as the engine sees them."""
         standing = self.standing
-        outlines = [part.points for part in standing.view.parts(parts_at(standing.shapes, standing.frame))]
-        now, before = standing.view.picture(picture), standing.engine.frame
-        return is_blank(now, outlines, self.params.blank) and not is_blank(before, outlines, self.params.blank)
+        return [part.points for part in standing.view.parts(parts_at(standing.shapes, standing.frame))]
 
     def skip(self, frame: int) -> tuple[TrackResult, ...]:
         """Pass over a frame whose picture is missing, or blank: no key is made there, the next step bridges the gap."""

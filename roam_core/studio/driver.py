@@ -6,7 +6,7 @@ import time
 from collections import Counter, deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from roam_core.cancel import CancelToken
@@ -62,12 +62,11 @@ class Watcher:
 
 @dataclass
 class _Line:
-    """The steps of one job, or the pieces of one of them, and what they came to."""
+    """The steps of one job, or the pieces of one of them."""
 
     tasks: list[Task]
     next: int = 0
     pieces_left: int = 0
-    outcomes: list[Outcome] = field(default_factory=list)
 
 
 @dataclass(frozen=True)

@@ -115,7 +115,7 @@ def _least(job: dict[str, Any]) -> float:
 def _row(job: dict[str, Any]) -> str:
     least, solved = _least(job), [step for step in job["steps"] if step.get("frames")]
     plots = "".join(_plot(step) for step in solved)
-    details = "".join(_details(job, step) for step in job["steps"])
+    details = "".join(_details(step) for step in job["steps"])
     return (
         f'<tr><td>{escape(job["name"])}</td><td class="{escape(job["status"]).split()[0]}">{escape(job["status"])}</td>'
         f'<td class="number">{job["seconds"]:.1f}</td>'
@@ -136,7 +136,7 @@ def _plot(step: dict[str, Any]) -> str:
     )
 
 
-def _details(job: dict[str, Any], step: dict[str, Any]) -> str:
+def _details(step: dict[str, Any]) -> str:
     figures = "".join(
         f'<figure><img loading="lazy" src="{PICTURES}/{escape(name)}" alt="frame {escape(frame)}"><figcaption>'
         f"{escape(step['step'])}, frame {escape(frame)}: {step['frames'][frame][0]:.2f}</figcaption></figure>"

@@ -94,7 +94,7 @@ class StyleSheet:
             self.count(1)
             head = text[position:start]
             if "@" in head or ";" in head:
-                head, position = self._at_rule(text, head, position, start)
+                head, position = self._at_rule(text, head, start)
                 if position < 0:
                     return
                 if not head:
@@ -105,7 +105,7 @@ class StyleSheet:
             self._add_rules(head, declarations(text[start + 1 : stop], self.count))
             position = stop + 1
 
-    def _at_rule(self, text: str, head: str, position: int, start: int) -> tuple[str, int]:
+    def _at_rule(self, text: str, head: str, start: int) -> tuple[str, int]:
         """What stands before a block with `@` in it: the selector after statements, and where to go on."""
         statements, _, head = head.rpartition(";")
         self.count(1 + statements.count(";"))

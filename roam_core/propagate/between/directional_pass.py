@@ -10,7 +10,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
-from roam_core.features.blank import is_blank
+from roam_core.features.blank import went_blank
 from roam_core.geometry import bezier
 from roam_core.media.source import MissingFrame
 from roam_core.motion.klt import similarity_warp
@@ -114,7 +114,8 @@ def directional_pass(
 
     Those that are missing, or show nothing, are passed over.
 
-    `orders` tells how they are stacked on a frame (`propagate.shapes.objects`). `passed` is called after each frame.
+    `orders` tells how they are stacked on a frame (`propagate.shapes.objects`). `passed` is called after each frame,
+    whether it was passed over or not.
     """
     key = picture = engine.frame
     carried = np.eye(3)
@@ -124,18 +125,18 @@ def directional_pass(
         if token is not None:
             token.check()
         try:
-            following = read(frame)
-            if is_blank(following, points, params.blank) and not is_blank(picture, points, params.blank):
-                continue
-            step = engine.step(following, orders(frame), token)
-            since_key = step.after.motion.since_key
-            moved = since_key if since_key is not None else _moved(picture, following, points, params) @ carried
+            following, step = read(frame), None
+            if not went_blank(following, picture, points, params.blank):
+                step = engine.step(following, orders(frame), token)
+                since_key = step.after.motion.since_key
+                moved = since_key if since_key is not None else _moved(picture, following, points, params) @ carried
         except MissingFrame:  # where its file is damaged may show only when it is read there
-            continue
-        engine, motion, carried, picture = step.after, step.after.motion, moved, following
-        points = tuple(result.points for result in step.results)
-        confidence = tuple(result.confidence for result in step.results)
-        stops[frame] = Stop(points, confidence, carried, motion)
+            step = None
+        if step is not None:
+            engine, motion, carried, picture = step.after, step.after.motion, moved, following
+            points = tuple(result.points for result in step.results)
+            confidence = tuple(result.confidence for result in step.results)
+            stops[frame] = Stop(points, confidence, carried, motion)
         if passed is not None:
             passed()
     return DirectionalPass(stops, key)

@@ -48,6 +48,11 @@ class Merged:
     vertex_confidence: Array
     features: SpanFeatures | None = None
 
+    @property
+    def unseen(self) -> Merged:
+        """The same where the picture shows nothing: whatever was found there is not to be trusted."""
+        return replace(self, confidence=0.0, vertex_confidence=np.zeros_like(self.vertex_confidence))
+
 
 @dataclass(frozen=True, eq=False)
 class _Moment:

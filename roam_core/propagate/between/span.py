@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.features.blank import is_blank
 from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
@@ -61,8 +62,8 @@ def fill_span(
 
     Parameters
     ----------
-    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for four times,
-        in no particular order, by one thread at a time. A `MissingFrame` is passed over.
+    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for about four times
+        for every object, in no particular order, by one thread at a time. A `MissingFrame` is passed over.
     only : the ids of the shapes that get keys; None: all. The others take part all the same.
     alone : each shape is filled as if there were no others.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
@@ -70,7 +71,7 @@ def fill_span(
     Raises
     ------
     RoamError
-        when no shape that is wanted has artist keys on two frames of the range, or a shape to be filled is open.
+        when no shape that is wanted has artist keys on two frames of the range, or one to be filled is open or a point.
     Cancelled
         at a safe point after `token` was cancelled.
     """
@@ -86,12 +87,13 @@ def fill_span(
             f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. "
             "Set a key on both ends first."
         )
-    meter = _Meter(sum(2 * (last - first) for first, last, _ in gaps), progress)
+    meter = _Meter(sum(last - first for first, last, _ in gaps), progress)
     filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
     result = list(shapes)
     for first, last, members in gaps:
         for k, keys in filling.filled(shapes, (first, last), [k for k in members if asked[k]]).items():
             result[k] = set_engine_keys(result[k], keys)
+    meter.end()
     return result
 
 
@@ -145,17 +147,34 @@ class Reader:
 
 
 class _Meter:
-    """Progress over all passes, whichever thread they run on."""
+    """Progress over `total` frames, in parts that follow each other, whichever threads pass their steps."""
 
     def __init__(self, total: int, progress: Progress | None) -> None:
-        self._total, self._done, self._progress = max(total, 1), 0, progress
+        self._total, self._progress = total, progress
+        self._done = self._until = self._step = 0.0
         self._lock = threading.Lock()
 
-    def passed(self) -> None:
+    def begin(self, frames: float, steps: int) -> None:
+        """The next part is worth so many frames, and takes so many steps; the one before has ended."""
         with self._lock:
-            self._done += 1
-            if self._progress is not None:
-                self._progress(self._done / self._total, "Filling between keys")
+            self._done, self._until = self._until, self._until + frames
+            self._step = frames / steps
+
+    def passed(self) -> None:
+        """One step more."""
+        with self._lock:
+            self._done = min(self._done + self._step, self._until)
+            self._tell(self._done / self._total)
+
+    def end(self) -> None:
+        """All is done, also what took no steps."""
+        with self._lock:
+            if self._done < self._total:
+                self._tell(1.0)
+
+    def _tell(self, share: float) -> None:
+        if self._progress is not None:
+            self._progress(min(share, 1.0), "Filling between keys")
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,10 +195,13 @@ class Filling:
         view = EngineView.of_key(self.read(gap[0]), self.params)
         stamps = Stamps(shapes, self.clip, view.size)
         made: dict[int, list[Keyframe]] = {}
-        for members in sorted({stamps.filled_with(k, gap, self.alone) for k in asked}):
+        objects, length = sorted({stamps.filled_with(k, gap, self.alone) for k in asked}), gap[1] - gap[0]
+        for members in objects:
+            if self.meter is not None:
+                self.meter.begin(length / len(objects), 2 * length)
             ours, between = [shapes[k] for k in members], range(gap[0] + 1, gap[1])
             for shape in ours:
-                _require_closed(shape)
+                _require_outline(shape)
             if not any(shape.exists_at(frame) for shape in ours for frame in between):
                 continue
             span = self.passed(ours, gap, view)
@@ -227,10 +249,18 @@ class Filling:
             self.token.check()
         alive = [k for k, shape in enumerate(shapes) if shape.exists_at(frame)]
         try:
-            found = merged(span, frame, alive, self._colours(frame, view) if alive else None)
+            colours = self._colours(frame, view) if alive else None
+            found = merged(span, frame, alive, colours)
+            if colours is not None and self._is_blank(colours.picture, found):
+                found = [None if each is None else each.unseen for each in found]
         except MissingFrame:  # where its file is damaged may show only when it is read there
             found = merged(span, frame, alive, None)
         return [None if each is None else replace(each, points=view.back(each.points)) for each in found]
+
+    def _is_blank(self, picture: PreparedFrame, found: Sequence[Merged | None]) -> bool:
+        """Whether a picture, as the engine sees it, shows nothing; those of the keys then show nothing either."""
+        outlines = [each.points for each in found if each is not None]
+        return bool(outlines) and is_blank(picture, outlines, self.params.blank)
 
     def _colours(self, frame: int, view: EngineView) -> Colours | None:
         """The picture of a frame as something to go by; None where it is missing, or not asked."""
@@ -297,9 +327,11 @@ class Filling:
         return directional_pass(engine, key.drawn, read, orders, frames, self.finer, self.token, passed)
 
 
-def _require_closed(shape: RotoShape) -> None:
+def _require_outline(shape: RotoShape) -> None:
     if not shape.closed:
         raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
+    if shape.point_count < provenance.MIN_POINTS:
+        raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to fill it.")
 
 
 def _key(shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Key:

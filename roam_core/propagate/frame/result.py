@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
+
+import numpy as np
 
 from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier
@@ -62,6 +64,13 @@ class StepResult:
     energies: Mapping[str, float]
     termination: Termination
     proposals: tuple[TopologyChange, ...] = ()
+
+    @property
+    def unseen(self) -> StepResult:
+        """The same where the picture shows nothing: whatever was found there is not to be trusted."""
+        termination = self.termination if self.termination is Termination.LEFT_FRAME else Termination.of(0.0)
+        none = np.zeros_like(self.vertex_confidence)
+        return replace(self, confidence=0.0, vertex_confidence=none, termination=termination, proposals=())
 
 
 @dataclass(frozen=True, eq=False)

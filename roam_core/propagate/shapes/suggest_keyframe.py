@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roam_core.params import is_doubtful
+from roam_core.propagate.shapes.provenance import Stamp
 from roam_core.roto import Keyframe, Origin, RotoShape
 
 
@@ -36,8 +37,8 @@ def _dependents(shape: RotoShape, key: Keyframe) -> int:
 
 
 def _direction(key: Keyframe) -> str:
-    """How an ENGINE key was made, by its stamp (`propagate.shapes.provenance`): forward, backward or fill."""
-    return key.inputs.partition(":")[0]
+    """How an ENGINE key was made: forward, backward or fill."""
+    return Stamp.read(key.inputs).direction
 
 
 def _engine_keys(shape: RotoShape) -> list[Keyframe]:

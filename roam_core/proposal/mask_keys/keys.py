@@ -9,10 +9,8 @@ from typing import Any
 from numpy.typing import NDArray
 
 from roam_core.arrays import Array
-from roam_core.errors import RoamError
-from roam_core.geometry import bezier, fit
-from roam_core.geometry.simple import simplified
-from roam_core.matte.vectorise import compound_of, outlines
+from roam_core.geometry import bezier
+from roam_core.matte.vectorise import compound_of, outlines, require_image, spline_around, tolerance_for
 from roam_core.params import scale_for
 from roam_core.proposal.mask_keys.key_fit import fitted
 from roam_core.proposal.mask_keys.pairing import covered, paired, poses
@@ -55,8 +53,7 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     RoamError
         when the mask has no pixels or is no image.
     """
-    if mask.ndim not in (2, 3) or 0 in mask.shape:
-        raise RoamError(f"A mask of shape {mask.shape} is no image; give one of (height, width) pixels.")
+    require_image(mask)
     result = list(shapes)
     parts = _parts(mask)
     pose = None
@@ -67,7 +64,7 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
         wanted = [part for part in parts if part.is_hole == holes]
         pose = _keyed(result, members, wanted, mask.shape[:2], frame, pose)
         for new in (part for part in wanted if not part.owners):
-            _begin(result, new, frame, compound)
+            _begin(result, new, mask.shape[:2], frame, compound)
             if len(taking_part) == 1:
                 place = _place(result, taking_part[0].id)
                 result[place] = replace(result[place], compound=compound)
@@ -176,15 +173,14 @@ def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
     return [replace(shape, lifetime=lifetime_of(start, frame)), twin]
 
 
-def _begin(result: list[RotoShape], part: _Part, frame: int, compound: str) -> None:
-    """Add a shape for a part of the mask that has none."""
-    points = fit.fit_closed(part.ring)
+def _begin(result: list[RotoShape], part: _Part, size: tuple[int, int], frame: int, compound: str) -> None:
+    """Add a shape for a part of a mask of `size` (h, w) that has none, as `shapes_from_mask` makes it."""
     new_id = _free_id({shape.id for shape in result})
     number = new_id.rpartition("-")[2]
     shape = RotoShape(
         id=new_id,
         name=f"Shape {number} hole" if part.is_hole else f"Shape {number}",
-        keys=(Keyframe(frame, simplified(points, points)),),
+        keys=(Keyframe(frame, spline_around(part.ring, tolerance_for(size))),),
         colour=PALETTE[len(result) % len(PALETTE)],
         blend=BlendMode.SUBTRACT if part.is_hole else BlendMode.ADD,
         lifetime=lifetime_of(frame, None),

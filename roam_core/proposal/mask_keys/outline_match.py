@@ -95,7 +95,8 @@ def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale:
 
 
 def _begun(points: Array, nodes: Array, first: Indices, share: Array, ring: Array, scale: float) -> Match:
-    samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (OUTLINE_MATCH.step * scale))))
+    count = min(int(polyline.length(ring) / (OUTLINE_MATCH.step * scale)), 3 * OUTLINE_MATCH.most)
+    samples = polyline.resample(ring, max(3 * len(nodes), count))
     at = np.zeros(len(nodes), dtype=np.int64)
     return Match(points, nodes, first, share, samples, (surroundings(nodes), surroundings(samples)), at, np.inf)
 
@@ -118,7 +119,7 @@ def _posed(start: Match, pose: Array, scale: float) -> Match:
 def _nodes(points: Array, spacing: float) -> tuple[Array, Indices, Array]:
     """Nodes `(N, 2)`, the anchors among them, about evenly along a spline; which are anchors; lengths between them."""
     lengths = bezier.segment_lengths(points)
-    spacing = min(spacing, lengths.sum() / OUTLINE_MATCH.fewest)
+    spacing = max(min(spacing, lengths.sum() / OUTLINE_MATCH.fewest), lengths.sum() / OUTLINE_MATCH.most)
     counts = np.maximum(1, np.round(lengths / spacing)).astype(np.intp)
     segment = np.repeat(np.arange(len(points)), counts)
     first = np.cumsum(counts) - counts

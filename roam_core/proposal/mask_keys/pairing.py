@@ -62,7 +62,7 @@ def paired(
     moved = [similarity.apply(pose, points) for points in splines]
     seen = np.stack([_looked_up(labels, similarity.apply(pose, each), len(rings)) for each in spots])
     outgrown = 0.0 if smallest is None else _outgrown(moved, rings, np.array(smallest), scale_for(size))
-    partners = _assigned(moved, rings, seen, np.array(areas), np.array(wanted), outgrown)
+    partners = _assigned(moved, rings, seen, np.array(wanted), outgrown)
     found: list[Array | None] = [None if k is None else rings[k] for k in partners]
     owners = {k: i for i, k in enumerate(partners) if k is not None}
     sharing = {}
@@ -177,7 +177,7 @@ def _outgrown(splines: list[Array], rings: list[Array], smallest: Array, scale: 
 
 
 def _assigned(
-    moved: list[Array], rings: list[Array], seen: Array, areas: Array, wanted: Array, outgrown: Array | float
+    moved: list[Array], rings: list[Array], seen: Array, wanted: Array, outgrown: Array | float
 ) -> list[int | None]:
     """For each spline the ring that is its own, or None: the cheapest assignment of all."""
     n, m = len(moved), len(rings)
@@ -208,9 +208,10 @@ def _sharing(
         spots = _spots(moved[i])
         low = np.minimum(line.min(axis=0), spots.min(axis=0)) - 1.0
         high = np.maximum(line.max(axis=0), spots.max(axis=0)) + 1.0
-        extent = np.ceil(high - low).astype(int)
-        mine = coverage(line - low, (int(extent[1]), int(extent[0])))
-        x, y = np.floor(spots - low).astype(np.intp).T
+        cell = max(1.0, float((high - low).max()) / PAIRING.cells)
+        columns, rows = (int(each) for each in np.ceil((high - low) / cell))
+        mine = coverage((line - low) / cell, (rows, columns))
+        x, y = np.floor((spots - low) / cell).astype(np.intp).T
         if (mine[y, x] > 0.5).mean() >= PAIRING.joined or areas[i] >= PAIRING.considerable * areas[owner]:
             sharing.append(i)
     return sharing

@@ -25,7 +25,8 @@ class KeyConstraints:
     ----------
     smooth : (P,) which points keep their handles on one line.
     counts : (P,) into how many pieces each segment is cut; nodes lie at equal steps of its parameter.
-    bulges : (N, R) which nodes are tips, and which are bays. shares : (N,) of the outline's length, from node to node.
+    descriptors : (N, R) which nodes are tips, and which are bays (`proposal.outline.invariants`).
+    shares : (N,) of the outline's length, from node to node.
         Points do not slide off their places little by little, for every frame is compared with the key.
     params : of laying its points along an outline.
     kept : how far a piece's share of the length is to be the one that it had on the key (1), and not that of the last
@@ -107,7 +108,7 @@ def follow(points: Array, ring: Array, constraints: KeyConstraints, scale: float
     share /= max(float(share.sum()), 1e-9)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
-    places = max(2 * len(nodes), int(polyline.length(ring) / (params.step * scale)))
+    places = max(2 * len(nodes), min(int(polyline.length(ring) / (params.step * scale)), 3 * params.most))
     samples = polyline.resample(ring, params.finer * places)
     at = params.finer * _matched(nodes, samples[:: params.finer], share, constraints, scale)
     anchors = at[constraints.anchors]
@@ -118,7 +119,9 @@ def follow(points: Array, ring: Array, constraints: KeyConstraints, scale: float
 
 def _counts(points: Array, scale: float, params: ContourFitParams) -> Indices:
     """The pieces `(P,)` of each segment, about `ContourFitParams.spacing` long."""
-    return np.maximum(1, np.round(bezier.segment_lengths(points) / (params.spacing * scale))).astype(np.intp)
+    lengths = bezier.segment_lengths(points)
+    spacing = max(params.spacing * scale, float(lengths.sum()) / params.most)
+    return np.maximum(1, np.round(lengths / spacing)).astype(np.intp)
 
 
 def _nodes(points: Array, counts: Indices) -> Array:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -15,6 +16,7 @@ from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
+from roam_core.arrays import UInt8
 from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import DamagedFrame
@@ -35,6 +37,7 @@ class Engine:
     def __init__(self) -> None:
         self.gate = threading.Semaphore(0)
         self.asked: list[tuple[int, int, tuple[str, ...]]] = []
+        self.passed_over: tuple[int, ...] = ()
 
     def allow(self, gaps: int) -> None:
         self.gate.release(gaps)
@@ -47,7 +50,7 @@ class Engine:
         progress(0.5, "Half way")
         while not self.gate.acquire(timeout=0.01):
             token.check()
-        assert images[start] == f"picture {start}"
+        assert isinstance(images[start], np.ndarray) or images[start] == f"picture {start}"
         self.asked.append((start, stop, tuple(shape.id for shape in shapes if shape.id in asked)))
         stamps = Stamps(shapes, clip, SIZE)
         filled = []
@@ -56,6 +59,7 @@ class Engine:
             keys = [
                 Keyframe(f, SQUARE + f, origin=Origin.ENGINE, confidence=0.3, inputs=inputs)
                 for f in range(start + 1, stop)
+                if f not in self.passed_over
             ]
             filled.append(edit.set_engine_keys(shape, keys))
         return filled
@@ -125,6 +129,24 @@ def test_what_is_filled_already_is_not_solved_again(
             propagation.fill(["shape-1"], GAPS)
     assert [asked[:2] for asked in engine.asked] == [*GAPS, (4, 7)]
     assert sentences[1] == "Filled already: nothing that it depends on has changed."
+
+
+def test_frames_that_a_fill_passed_over_are_not_solved_again(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, propagation: Propagation, engine: Engine
+) -> None:
+    def read(frame: int) -> UInt8:
+        if frame == 2:
+            raise DamagedFrame("Frame 2 is damaged.")
+        return np.full((*SIZE, 3), 0 if frame == 6 else 4 * np.arange(SIZE[1])[:, None] % 256, np.uint8)
+
+    engine.allow(4)
+    engine.passed_over = 2, 6
+    looking = Propagation(document, view_state, runner, read)
+    for _ in range(2):
+        with qtbot.waitSignal(looking.finished, timeout=WAIT):
+            looking.fill(["shape-1"], GAPS)
+    assert [asked[:2] for asked in engine.asked] == GAPS
+    assert engine_frames(document) == [3, 5]
 
 
 def test_shapes_keyed_inside_a_gap_are_left_out_of_it(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -96,18 +97,33 @@ def test_info_tells_what_is_not_filled_and_what_is_stale(roam: Roam, keyed: Path
     assert "3 artist, 3 engine (1 stale);" in roam("info", keyed).out
 
 
-@pytest.mark.parametrize("workers", ["1", "2"])
-def test_a_frame_that_shows_nothing_is_no_reason_to_fill_again(
-    roam: Roam, plate: Plate, keyed: Path, workers: str
+def whitened(path: Path) -> None:
+    cv2.imwrite(str(path), np.full((*SHOT.size, 3), 255, np.uint8))
+
+
+def torn(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[:-200])
+
+
+@pytest.mark.parametrize("spoilt", [whitened, torn])
+def test_a_frame_that_shows_nothing_is_filled_by_no_run(
+    roam: Roam, plate: Plate, keyed: Path, spoilt: Callable[[Path], None]
 ) -> None:
-    black = plate.folder / "plate.1002.png"
-    assert cv2.imwrite(str(black), np.zeros_like(cv2.imread(str(black))))
-    assert roam("fill", keyed, *CONFIG, "--workers", workers).status == 0
+    spoilt(plate.folder / "plate.1002.png")
+    project = file.load(keyed)
+    file.save(project.with_shape(verbs.delete_keys(project.shapes[0], [1004])), keyed)
+    assert "4 frame(s) between its artist keys are not filled, the first is 1002" in roam("info", keyed).out
+    assert "Filled 1 gap(s).\n" in roam("fill", keyed, *CONFIG).err
     (shape,) = file.load(keyed).shapes
     assert shape.frames == (1001, 1003, 1004, 1005, 1006)
     assert "not filled" not in roam("info", keyed).out
     assert json.loads(roam("info", keyed, "--json").out)["shapes"][0]["not_filled"] == []
-    assert roam("fill", keyed, *CONFIG).err == "Filled 0 gap(s); 2 already filled.\n"
+    for words in ((), ("--workers", "2")):
+        assert "Filled 0 gap(s); 1 already filled.\n" in roam("fill", keyed, *CONFIG, *words).err
+    file.save(project.with_shape(verbs.delete_keys(shape, [1003])), keyed)
+    assert "1 frame(s) between its artist keys are not filled, the first is 1003" in roam("info", keyed).out
+    assert "Filled 1 gap(s).\n" in roam("fill", keyed, *CONFIG).err
+    assert file.load(keyed).shapes[0] == shape
 
 
 def test_locked_shapes_stay_as_they_are(roam: Roam, keyed: Path) -> None:

@@ -154,3 +154,18 @@ def test_what_lies_in_a_locked_layer_is_locked(two: Path) -> None:
     assert [shape.name for shape in trackable(project)] == ["Spot"]
     with pytest.raises(RoamError, match="'Body' is locked, or lies in a locked layer"):
         trackable(project, Picking(["Body"]))
+
+
+@COMMANDS
+@pytest.mark.parametrize("config", ["baseline", "best"])
+def test_a_single_point_is_left_out_like_an_open_line(
+    roam: Roam, plate: Plate, two: Path, command: str, config: str
+) -> None:
+    project, dot = edit.new_shape(file.load(two), SHOT.truth(1001)[:1], 1001, name="Dot")
+    file.save(project.with_shape(edit.set_key(dot, 1006, SHOT.truth(1006)[:1])), two)
+    before = two.read_bytes()
+    require_refusal(run(roam, plate, two, command, "--shape", "Dot", "--config", config), "Dot", "single point")
+    assert two.read_bytes() == before
+    done = run(roam, plate, two, command, "--config", config)
+    assert (done.status, done.err) in ((0, "Filled 1 gap(s).\n"), (0, "Tracked 2 shape(s) from frame 1001 to 1006.\n"))
+    assert solved(two) == {"Body": INSIDE, "Spot": INSIDE, "Line": [], "Dot": []}

@@ -53,6 +53,27 @@ def test_what_is_no_image_is_refused(image: np.ndarray) -> None:
         PreparedFrame(image)
 
 
+@pytest.mark.parametrize("kind", ["array", "view", "broadcast", "bytearray"])
+def test_a_picture_stays_as_it_was_given(kind: str) -> None:
+    """Also where its array cannot be written to, but that which it is a view of can: a decoder's own buffer."""
+    buffer = np.full((6, 8, 3), 7, np.uint8)
+    if kind == "bytearray":
+        buffer = np.frombuffer(bytearray(buffer.tobytes()), np.uint8).reshape(6, 8, 3)
+    image = {"array": buffer, "broadcast": np.broadcast_to(buffer, (6, 8, 3))}.get(kind, buffer[:])
+    if kind != "array":
+        image.flags.writeable = False
+    frame = PreparedFrame(image)
+    buffer[:] = 99
+    assert (frame.image == 7).all()
+
+
+def test_a_picture_that_nobody_can_change_is_not_copied() -> None:
+    held = np.full((6, 8, 3), 7, np.uint8)
+    held.flags.writeable = False
+    for image in (held, held[:], np.frombuffer(held.tobytes(), np.uint8).reshape(6, 8, 3)):
+        assert np.may_share_memory(PreparedFrame(image).image, image)
+
+
 def test_a_region_holds_all_positions_and_their_margin() -> None:
     region = Region.around(np.array([(10.5, 20.2), (30.9, 25.0)]), 4.0, (100, 100))
     assert region == Region(6, 16, 35, 29)

@@ -135,3 +135,17 @@ def test_the_same_outline_from_another_point_on_has_the_same_bones() -> None:
     places = np.array([(30.0, 35.0), (60.0, 36.0), (100.0, 37.0)])
     pose = np.array([0.0, 0.0, 0.1, 0.3, 0.0, 0.0, 0.0])
     np.testing.assert_allclose(a.carried(pose, places), b.carried(pose, places), atol=0.2)
+
+
+def test_a_sliver_of_a_few_cells_has_bones() -> None:
+    """No cell need lie where its bones meet."""
+    line = np.array(
+        [
+            (119.69131511129719, 7.2536742255619),
+            (105.44679504291994, 0.7119781426845221),
+            (105.44679504291994, 0.6773371265331446),
+        ]
+    )
+    chain, points = Chain.of(line), bezier.polygon_points(line)
+    assert np.isfinite(chain.bones).all()
+    np.testing.assert_allclose(chain.spline(chain.rest, points), points)

@@ -7,7 +7,7 @@ import pytest
 
 from roam_core.geometry import polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT, flatten
-from roam_core.geometry.stroke import StrokeFit, fit_stroke
+from roam_core.geometry.stroke import StrokeFit
 from roam_core.params import CURVE_FIT
 from roam_core.roto.edit import is_smooth
 
@@ -16,7 +16,7 @@ TOLERANCE = 1.5
 
 def test_an_open_line_keeps_its_ends_and_corners() -> None:
     corners = np.array([(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (20.0, 40.0)])
-    points = fit_stroke(polyline.resample(corners, 400, closed=False), 1.0, closed=False)
+    points = StrokeFit(1.0).points(polyline.resample(corners, 400, closed=False), closed=False)
     np.testing.assert_allclose(points[:, ANCHOR], corners, atol=0.5)
     np.testing.assert_array_equal(points[[0, -1], ANCHOR], corners[[0, -1]])
     np.testing.assert_array_equal(points[0, IN], corners[0])
@@ -25,7 +25,7 @@ def test_an_open_line_keeps_its_ends_and_corners() -> None:
 
 def test_half_a_circle_needs_few_points() -> None:
     angle = np.linspace(0.0, np.pi, 200)
-    points = fit_stroke(80.0 * np.stack([np.cos(angle), np.sin(angle)], axis=1), 0.5, closed=False)
+    points = StrokeFit(0.5).points(80.0 * np.stack([np.cos(angle), np.sin(angle)], axis=1), closed=False)
     assert len(points) <= 5
     assert np.abs(np.hypot(*flatten(points, closed=False).T) - 80.0).max() < 1.0
 
@@ -35,14 +35,14 @@ def test_a_trembling_hand_makes_no_corners(closed: bool) -> None:
     angle = np.linspace(0.0, 2.0 * np.pi, 150)
     line = np.round(300.0 + 120.0 * np.stack([np.cos(angle), np.sin(angle)], axis=1))
     line += np.random.default_rng(5).normal(0.0, 0.7, line.shape)
-    points = fit_stroke(line, 2.0, closed=closed)
+    points = StrokeFit(2.0).points(line, closed=closed)
     assert len(points) <= 10
     inner = points if closed else points[1:-1]
     assert all(is_smooth(point, degrees=5.0) for point in inner)
 
 
 def test_a_line_shorter_than_a_step_is_straight() -> None:
-    points = fit_stroke(np.array([(5.0, 5.0), (6.0, 5.0)]), 1.0, closed=False)
+    points = StrokeFit(1.0).points(np.array([(5.0, 5.0), (6.0, 5.0)]), closed=False)
     np.testing.assert_array_equal(points[:, ANCHOR], [(5.0, 5.0), (6.0, 5.0)])
 
 
@@ -64,7 +64,7 @@ def gap(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("closed", [True, False])
 def test_the_spline_stays_as_near_as_it_should(closed: bool) -> None:
     line = wavy()
-    points = fit_stroke(line, TOLERANCE, closed=closed)
+    points = StrokeFit(TOLERANCE).points(line, closed=closed)
     assert gap(line, flatten(points, closed=closed, tolerance=0.01)).max() < TOLERANCE + 3 * 0.4
     assert len(points) <= 45
 
@@ -73,9 +73,9 @@ def test_the_spline_stays_as_near_as_it_should(closed: bool) -> None:
 @pytest.mark.parametrize("closed", [True, False])
 def test_what_is_seen_of_a_growing_line_is_what_comes_out(share: float, closed: bool) -> None:
     line = wavy()
-    final = fit_stroke(line, TOLERANCE, closed=closed)
+    final = StrokeFit(TOLERANCE).points(line, closed=closed)
     part = line[: round(share * len(line))]
-    growing = fit_stroke(part, TOLERANCE, closed=False)
+    growing = StrokeFit(TOLERANCE).points(part, closed=False)
     same = (final[: len(growing)] == growing).all(axis=(1, 2))
     settled = int(np.argmin(same))  # the first that is another
     if closed:  # the handle that comes in at the beginning is known at the end alone
@@ -96,19 +96,19 @@ def test_runs_that_stay_are_not_fitted_again(monkeypatch: pytest.MonkeyPatch) ->
     known.clear()
     points = fitted.points(line, closed=False)
     assert 0 < sum(known) < first / 4
-    np.testing.assert_array_equal(points, fit_stroke(line, TOLERANCE, closed=False))
+    np.testing.assert_array_equal(points, StrokeFit(TOLERANCE).points(line, closed=False))
 
 
 def test_a_ring_is_smooth_where_it_closes_and_keeps_a_corner_there() -> None:
     angle = np.linspace(0.0, 2.0 * np.pi, 300, endpoint=False)
     ring = 90.0 * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    assert all(is_smooth(point, degrees=5.0) for point in fit_stroke(ring, TOLERANCE, closed=True))
+    assert all(is_smooth(point, degrees=5.0) for point in StrokeFit(TOLERANCE).points(ring, closed=True))
     square = polyline.resample(np.array([(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)]), 300)
-    points = fit_stroke(square, TOLERANCE, closed=True)
+    points = StrokeFit(TOLERANCE).points(square, closed=True)
     assert len(points) == 4
     assert not any(is_smooth(point) for point in points)
 
 
 def test_a_long_straight_line_is_one_piece() -> None:
     line = polyline.resample(np.array([(0.0, 0.0), (900.0, 300.0)]), 500, closed=False)
-    assert len(fit_stroke(line, TOLERANCE, closed=False)) == 2
+    assert len(StrokeFit(TOLERANCE).points(line, closed=False)) == 2

@@ -90,6 +90,23 @@ def test_negative_feather_is_a_ramp_inwards(square: RotoShape) -> None:
     np.testing.assert_allclose(matte[10, 4:9], [0.0, 0.25, 0.75, 1.0, 1.0], atol=1e-6)
 
 
+@pytest.mark.parametrize("feather", [0.7, 5.3, 29.0, -0.7, -5.3, -29.0])
+@pytest.mark.parametrize("invert", [False, True])
+def test_a_soft_matte_lies_in_its_bounds(feather: float, invert: bool) -> None:
+    """A difference of two large integrals left them by a few rounding errors, which EXR files of 32 bits keep."""
+    for shift in np.random.default_rng(7).uniform(0.0, 1.0, (20, 2)):
+        points = circle((12.0, 10.0), 8.0) + shift
+        shape = RotoShape("a", "Circle", (Keyframe(1, points),), feather=feather, invert=invert)
+        matte = shape_matte(shape, 1, SIZE)
+        assert 0.0 <= matte.min() <= matte.max() <= 1.0
+
+
+def test_a_wide_soft_edge_falls_evenly() -> None:
+    shape = rectangle(-2e4, -2e4, -5e3, 2e4, feather=8e3)
+    [row] = np.unique(shape_matte(shape, 1, SIZE), axis=0)
+    np.testing.assert_allclose(row, 1.0 - (np.arange(SIZE[1]) + 5000.5) / 8e3, atol=1e-6)
+
+
 def test_the_soft_edge_of_a_shape_outside_the_image_reaches_into_it() -> None:
     matte = shape_matte(rectangle(-10.0, -5.0, -1.0, 30.0, feather=4.0), 1, SIZE)
     np.testing.assert_allclose(matte[10, :4], [1.0 - 1.5 / 4.0, 1.0 - 2.5 / 4.0, 1.0 - 3.5 / 4.0, 0.0], atol=1e-6)

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
 
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import polygon_points
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.media.source import MissingFrame
 from roam_core.motion.planar import corners_in, inside
-from roam_core.motion.plane_track import LostPlane, PlaneStep, track_plane
+from roam_core.motion.plane_track import LostPlane, PlaneStep, PlaneTracker, track_plane
 
 WIDTH, HEIGHT, COUNT = 320, 240, 12
 BOARD = polygon_points([(90.0, 70.0), (210.0, 70.0), (210.0, 170.0), (90.0, 170.0)])
@@ -124,6 +127,27 @@ def test_a_gap_is_passed_over() -> None:
     steps = list(track_plane(read, [BOARD], [], range(5), kind))
     assert [step.frame for step in steps] == [1, 3, 4]
     assert max(misses(kind, steps)) < 0.5
+
+
+def test_behind_a_gap_it_is_expected_as_far_on_as_it_went_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    kind = PlaneMotion.TRANSLATION
+    expected: dict[int, np.ndarray] = {}
+
+    class Watched(PlaneTracker):
+        def step(self, picture: PreparedFrame, frame: int, *rest: Any, **options: Any) -> PlaneStep:
+            expected[frame] = self.onward()
+            return super().step(picture, frame, *rest, **options)
+
+    def read(frame: int) -> np.ndarray:
+        if frame in (3, 4, 5):
+            raise MissingFrame("gone")
+        return picture(kind, frame)
+
+    monkeypatch.setattr("roam_core.motion.plane_track.PlaneTracker", Watched)
+    assert len(list(track_plane(read, [BOARD], [], range(9), kind))) == 5
+    for frame in (2, 6, 8):  # one after the gap says nothing yet of how far it moves from frame to frame
+        np.testing.assert_allclose(expected[frame], true_motion(kind, frame), atol=0.2)
+    np.testing.assert_allclose(expected[7], true_motion(kind, 6), atol=0.2)
 
 
 def test_a_plane_that_goes_is_lost_in_a_sentence() -> None:

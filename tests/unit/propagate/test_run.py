@@ -17,7 +17,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame
 from roam_core.params import CONFIGS, OBJECTS
-from roam_core.propagate import FrameResult, Termination, TrackMemory, track, warm_up
+from roam_core.propagate import FrameResult, Termination, TrackMemory, fill_span, track, warm_up
 from roam_core.propagate.shapes.objects import objects
 from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
@@ -150,6 +150,40 @@ def test_an_artists_key_on_a_frame_that_shows_nothing_stays(config: str, blob_sh
     results = list(track(read, [blob_shot.shape().with_key(key)], blob_shot.frames, config))
     assert results[1].results[0].termination is Termination.ARTIST_KEY
     assert last(results).key_at(1003) == key
+
+
+@pytest.mark.parametrize("value", [0, 255], ids=["black", "white"])
+def test_nothing_is_trusted_while_nothing_was_ever_seen(config: str, blob_shot: Shot, value: int) -> None:
+    """An artist's key may lie on a frame that shows nothing; the next ones are carried on from it, unseen."""
+
+    def read(frame: int) -> UInt8:
+        return np.full_like(blob_shot.read(frame), value) if frame < 1004 else blob_shot.read(frame)
+
+    shape = blob_shot.shape()
+    for result in list(track(read, [shape], blob_shot.frames[:3], config)):
+        [each] = result.results
+        assert (each.confidence, each.termination) == (0.0, Termination.LOW_CONFIDENCE)
+        key = each.key
+        assert key is not None
+        assert key.confidence == 0.0
+        assert key.vertex_confidence is not None
+        assert not key.vertex_confidence.any()
+    ends = shape.with_key(Keyframe(1003, blob_shot.truth(1003)))
+    pictures = {frame: read(frame) for frame in blob_shot.frames[:3]}
+    [filled] = fill_span(pictures, [ends], 1001, 1003, config)
+    [key] = [key for key in filled.keys if key.frame == 1002]
+    assert key.confidence is not None
+    assert key.confidence < 0.1
+
+
+def test_a_faint_picture_is_not_taken_for_one_that_shows_nothing(config: str, blob_shot: Shot) -> None:
+    """Seven levels from the darkest to the brightest: all that is followed there is trusted as it was."""
+
+    def read(frame: int) -> UInt8:
+        return np.uint8(20.0 + np.round(blob_shot.read(frame) * (7.0 / 255.0)))
+
+    results = [result.results[0] for result in track(read, [blob_shot.shape()], blob_shot.frames[:3], config)]
+    assert all(each.confidence > 0.0 for each in results)
 
 
 def test_a_missing_first_frame_is_an_error(config: str, blob_shot: Shot) -> None:

@@ -111,6 +111,13 @@ def test_what_is_filled_is_steadied_between_its_own_two_keys(shot: Shot) -> None
     assert both == whole
 
 
+@pytest.mark.parametrize("config", CONFIGS)
+def test_a_single_point_is_refused(shot: Shot, config: str) -> None:
+    dot = replace(keyed(shot, FIRST, LAST).map_points(lambda points: points[:1]), name="Dot")
+    with pytest.raises(RoamError, match="'Dot' is a single point; draw an outline"):
+        fill_span(pictures(shot), [dot], FIRST, LAST, config)
+
+
 def test_an_artist_key_inside_divides_the_span(shot: Shot) -> None:
     middle = FIRST + 4
     shape = keyed(shot, FIRST, middle, LAST)
@@ -196,6 +203,24 @@ def test_progress_is_told_by_one_thread_at_a_time_and_never_goes_back(shot: Shot
     fill_span(pictures(shot), [keyed(shot, FIRST, LAST)], FIRST, LAST, "baseline", progress=progress)
     assert narrow.most == 1
     assert seen == sorted(set(seen))
+
+
+@pytest.mark.parametrize("gone", [(), (FIRST + 3, FIRST + 4)], ids=["all there", "two missing"])
+def test_progress_is_that_of_all_objects(shot: Shot, gone: tuple[int, ...]) -> None:
+    class Plate(dict[int, UInt8]):
+        def __getitem__(self, frame: int) -> UInt8:
+            if frame in gone:
+                raise MissingFrame("it is not there")
+            return super().__getitem__(frame)
+
+    seen: list[float] = []
+    shape = keyed(shot, FIRST, LAST)
+    ends = replace(keyed(shot, FIRST), id="ends", lifetime=(FIRST, FIRST + 4))  # no pass comes back to it
+    apart = [replace(each, link=each.id) for each in (shape, replace(shape, id="another"), ends)]
+    fill_span(Plate(pictures(shot)), apart, FIRST, LAST, "baseline", progress=lambda part, _: seen.append(part))
+    assert seen == sorted(set(seen))
+    assert seen[-1] == pytest.approx(1.0)
+    assert np.diff([0.0, *seen]).max() < 0.2
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from roam_core import RoamError, RotoShape, keys_from_mask, render_matte, shapes
 from roam_core.arrays import Bools
 from roam_core.geometry import bezier, bspline, polyline
 from roam_core.geometry.bezier import polygon_points
+from roam_core.proposal.mask_keys import outline_match
 from roam_core.roto import BlendMode, Keyframe, Origin, Spline, control_points
 from tests.golden.shots import Shot, blob, dense, overlap, pose
 
@@ -57,6 +58,17 @@ def test_small_and_large_shapes_are_fitted_alike(scale: float) -> None:
     assert np.hypot(*(shape.at(1002).points - shot.truth(1002))[:, 0].T).mean() < max(2.5 * scale, 1.0)
 
 
+def test_shapes_far_larger_than_any_picture_are_fitted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A node every seven pixels, and a cell for every one of them, would be more than memory holds."""
+    monkeypatch.setattr(outline_match, "OUTLINE_MATCH", replace(outline_match.OUTLINE_MATCH, most=60))
+    huge = 1e5 * polygon_points([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    shapes = [RotoShape(name, name, (Keyframe(1, huge + shift),)) for name, shift in (("a", 0.0), ("b", 50.0))]
+    mask = solid((30, 20, 120, 90))
+    keyed = keys_from_mask(shapes, mask, 2)
+    assert [shape.frames for shape in keyed] == [(1, 2), (1, 2)]
+    require_matte(keyed, 2, mask, 0.9)
+
+
 def test_an_engine_key_is_the_expectation_and_gives_way() -> None:
     shape = STAR.shape().with_key(Keyframe(1002, STAR.truth(1002) + 2.0, origin=Origin.ENGINE, inputs="x"))
     (fitted,) = keys_from_mask([shape], STAR.matte(1002), 1002)
@@ -92,6 +104,21 @@ def test_parts_begin_and_end_with_their_holes() -> None:
     assert len({shape.id for shape in shapes}) == len(shapes)
     require_matte(shapes, 1, first)
     require_matte(shapes, 11, second)
+
+
+def test_a_part_begins_as_shapes_from_mask_makes_it() -> None:
+    """Its outline is followed as closely, also in a picture of few lines."""
+    mask = solid((20, 20, 100, 90)) ^ solid((50, 40, 70, 60)) ^ (STAR.matte(1001) > 0.5)[:120, :160]
+    begun, made = keys_from_mask([], mask, 3), shapes_from_mask(mask, 3)
+    assert len(begun) == len(made) > 2
+    for shape in made:
+        assert any(np.array_equal(shape.keys[0].points, each.keys[0].points) for each in begun)
+
+
+def test_what_is_no_image_is_refused_by_both() -> None:
+    for function in (lambda mask: keys_from_mask([], mask, 1), shapes_from_mask):
+        with pytest.raises(RoamError, match="is no image"):
+            function(np.ones(5))
 
 
 def test_a_hole_and_two_parts_keep_their_shapes() -> None:

@@ -42,6 +42,18 @@ def test_points_keep_their_places_on_an_outline_that_moved(backwards: bool) -> N
     assert np.hypot(*(result[:, 0] - truth[:, 0]).T).mean() < 2.5
 
 
+def test_an_outline_far_larger_than_any_picture_is_looked_at_more_coarsely() -> None:
+    """A node every nine pixels of it would be more than OpenCV looks up at once, and than memory holds."""
+    points = 1e5 * polygon_points([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    params = ContourFitParams(most=60)
+    kept = KeyConstraints.of(points, smooth_points(points), params)
+    assert 60 <= len(kept.shares) <= 64
+    result = follow(points, bezier.flatten(points + 30.0), kept)
+    assert outline_distance(result, points + 30.0) < 8e5 / (3 * params.most)  # places lie so far apart
+    ordinary = blob(RADII)
+    npt.assert_array_equal(constraints(ordinary).counts, KeyConstraints.of(ordinary, kept.smooth, params).counts)
+
+
 def test_a_polygon_stays_a_polygon() -> None:
     square = polygon_points([(20, 20), (80, 20), (80, 80), (20, 80)])
     ring = bezier.flatten(square + np.array([4.0, 3.0]))
