@@ -66,6 +66,12 @@ class FigureParams:
     smooth : cells over which needs are smoothed.
     trusted : expected overlap of the object's region from which its border is believed.
     blind : confidence in a part that is carried along without being seen.
+    unfit : difference of colour to the key, Lab units, that three quarters of what is seen of a part exceed where its
+        pose does not fit. covered : overlap of all parts with the object's region under which such a part goes along
+        with the whole (`propagate.parts.along`). shrunk : share of its area, as it grew with the whole, under which
+        the whole has lost it. against : what its colours may say against that, of all that they say,
+        for it to go on. along_near : pixels of a 480-line image within which what is known of the whole is heard most,
+        along_places : places a segment of its outline that are.
     free_edges : of those that go to the border of the union. joints : of where parts hang on each other.
     """
 
@@ -74,5 +80,11 @@ class FigureParams:
     smooth: float = 1.5
     trusted: float = 0.5
     blind: float = 0.3
+    unfit: float = later(3.0)
+    covered: float = later(0.85)
+    shrunk: float = later(0.5)
+    against: float = later(0.5)
+    along_near: float = later(2.0)
+    along_places: int = later(6)
     free_edges: FreeEdgesParams = later(FreeEdgesParams())
     joints: JointParams = later(JOINTS)

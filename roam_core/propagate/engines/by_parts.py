@@ -87,7 +87,7 @@ class PartsStep:
 
     def account(self, k: int, points: Array, subtracts: bool) -> Account:
         limb = self.step.state.limb_of(k)
-        whole = self.step.wholes.get(limb.unit.members)
+        whole = self.step.union if limb.goes_along else self.step.wholes.get(limb.unit.members)
         if whole is not None:
             return account_of(whole, points, subtracts, self.params)
         nodes = NodeMap.of(points, self.params, scale_for(self.step.state.frame.size))

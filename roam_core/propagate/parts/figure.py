@@ -15,6 +15,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from roam_core.appearance.global_model import GlobalModel
 from roam_core.arrays import Array
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
@@ -24,9 +25,11 @@ from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.motion.pose import Pose
 from roam_core.params import PoseParams, RegionParams, scale_for
 from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.covering import visible
 from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.propagate.shapes.objects import Role, Unit
 from roam_core.propagate.whole import posed
+from roam_core.propagate.whole.interest import grid_around
 from roam_core.propagate.whole.state import RegionState
 from roam_core.propagate.whole.state import begin as begin_whole
 from roam_core.roto import BlendMode
@@ -43,6 +46,9 @@ class Limb:
     unit : which shapes it is made of, and its role. drawn : those as on the key. parts : those as they lie now.
     pose : its pose; None for a whole object, and for a part without a look of its own, hidden on the key or too small.
     whole : the state of a whole object.
+    laid : its outlines as they lay when the union of all parts began. goes_along : it went along with the union, for
+        its pose did not fit.
+    colours : those of what is seen of it on the key, against all around.
     results : what the last frame gave for each shape; empty on the key.
     """
 
@@ -51,6 +57,9 @@ class Limb:
     parts: tuple[Part, ...]
     pose: Pose | None = None
     whole: RegionState | None = None
+    laid: tuple[Part, ...] = ()
+    goes_along: bool = False
+    colours: GlobalModel | None = None
     results: tuple[StepResult, ...] = ()
 
     @property
@@ -153,7 +162,10 @@ def corrected(
     """
     fresh = [any(given[k] for k in limb.unit.members) for limb in state.limbs]
     limbs = [_drawn(limb.unit, parts) if new else limb for limb, new in zip(state.limbs, fresh, strict=True)]
-    learned = tuple(_learned(state.frame, limbs, k, params, order) if new else limbs[k] for k, new in enumerate(fresh))
+    learned = tuple(
+        _learned(state.frame, limbs, k, params, order) if new else replace(limbs[k], laid=limbs[k].parts)
+        for k, new in enumerate(fresh)
+    )
     held = tuple(_held_now(joint, state.limbs, fresh) for joint in state.joints)
     return replace(state, limbs=learned, joints=held, union=_union(state.frame, learned, params))
 
@@ -170,7 +182,7 @@ def _held_now(joint: Joint, before: Sequence[Limb], fresh: Sequence[bool]) -> Jo
 
 def _drawn(unit: Unit, parts: Sequence[Part]) -> Limb:
     drawn = tuple(parts[k] for k in unit.members)
-    return Limb(unit, drawn, drawn)
+    return Limb(unit, drawn, drawn, laid=drawn)
 
 
 def _learned(frame: PreparedFrame, limbs: Sequence[Limb], k: int, params: RegionParams, order: Sequence[int]) -> Limb:
@@ -179,7 +191,16 @@ def _learned(frame: PreparedFrame, limbs: Sequence[Limb], k: int, params: Region
     limb, covers = limbs[k], [line for nearer in _nearer(limbs, k, order) for line in nearer.lines]
     if limb.unit.role is Role.WHOLE:
         return replace(limb, whole=begin_whole(frame, limb.parts, params, covers))
-    return replace(limb, pose=posed.learned(frame, limb.lines[0], params.part, [*limb.gaps, *covers]))
+    pose = posed.learned(frame, limb.lines[0], params.part, [*limb.gaps, *covers])
+    return replace(limb, pose=pose, colours=None if pose is None else _colours(frame, limb, covers, params))
+
+
+def _colours(frame: PreparedFrame, limb: Limb, covers: Sequence[Array], params: RegionParams) -> GlobalModel:
+    """The colours of a limb as drawn, where nothing covers it, against those around and before it."""
+    spots = np.vstack([part.points.reshape(-1, 2) for part in limb.parts])
+    grid = grid_around(spots, frame.size, params, scale_for(frame.size))
+    inside = visible(enclosed(limb.parts, grid) > 0.5, covers, grid, params.least_seen)
+    return GlobalModel.learned(grid.colours_of(frame), inside, ~inside)
 
 
 def depth(limb: Limb, order: Sequence[int]) -> int:

@@ -19,8 +19,12 @@ from roam_core.geometry import similarity
 from roam_core.kernels.posing import Ties
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.params import RegionParams, scale_for
+from roam_core.propagate.frame.confidence import overlap
+from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.covering import covered
 from roam_core.propagate.frame.free_edges import Border, drawn_to
 from roam_core.propagate.frame.result import Part, StepResult, Termination
+from roam_core.propagate.parts.along import Whole
 from roam_core.propagate.parts.figure import FigureState, Limb, depth
 from roam_core.propagate.shapes.objects import Role
 from roam_core.propagate.whole import posed, region
@@ -30,10 +34,13 @@ from roam_core.propagate.whole.state import RegionState
 
 @dataclass(frozen=True, eq=False)
 class FigureStep:
-    """One step: the `state` after it, and those of what is not in parts, by the shapes that each is made of."""
+    """One step: the `state` after it, those of what is not in parts, by the shapes that each is made of, and that of
+    the parts' union.
+    """
 
     state: FigureState
     wholes: Mapping[tuple[int, ...], RegionStep]
+    union: RegionStep | None
 
 
 def step(
@@ -48,9 +55,10 @@ def step(
     `order` are their indices as they are stacked on `frame`, bottom first.
     """
     assert params.part is not None
-    scale, union = scale_for(frame.size), state.union
-    if union is not None:
-        union = region.step(union, frame, replace(params, pose=None), token).state
+    scale, stepped = scale_for(frame.size), None
+    if state.union is not None:
+        stepped = region.step(state.union, frame, replace(params, pose=None), token)
+    union = None if stepped is None else stepped.state
     spots = np.vstack([limb.expected(params.part) for limb in state.limbs])
     reach = max((limb.pose.reach(params.part) for limb in state.limbs if limb.pose is not None), default=1.0)
     window = Region.around(spots, (params.figure.margin + params.part.search_move * reach) * scale, frame.size)
@@ -63,8 +71,9 @@ def step(
             token.check()
         solving.solve(k)
     solving.hold_together()
+    solving.go_along()
     limbs = tuple(solving.to_the_edges(k) for k in range(len(state.limbs)))
-    return FigureStep(FigureState(frame, limbs, state.joints, union, state.steps + 1), solving.wholes)
+    return FigureStep(FigureState(frame, limbs, state.joints, union, state.steps + 1), solving.wholes, stepped)
 
 
 class _Solving:
@@ -142,6 +151,65 @@ class _Solving:
                 free &= self.outlined[nearer] == 0
         return 2 * int(np.count_nonzero(free)) < int(np.count_nonzero(ours))
 
+    def go_along(self) -> None:
+        """Lay the parts that no pose fits along with the whole, if their colours are rather there.
+
+        They begin to where all together miss the object's region, and go on until their poses clearly fit.
+        """
+        union = self.union
+        if union is None or self.pyramid is None or union.trust < self.region_params.doubted:
+            return
+        missed = self._overlap(union, self.pyramid) < self.region_params.figure.covered
+        whole = Whole(union, self.region_params.figure)
+        for k, limb in self.limbs.items():
+            if not (missed or self.state.limbs[k].goes_along) or not self._is_unfit(k):
+                continue
+            parts = whole.carried(limb.laid)
+            if whole.has(parts, limb.laid) and self._looks_rather(k, parts, union):
+                results = tuple(region.result(part, True, union.trust, union.region, union.params) for part in parts)
+                self.limbs[k] = replace(limb, parts=parts, goes_along=True, results=results)
+                self.outlined[k] = self.pyramid.outlined(self.limbs[k].lines)[0]
+
+    def _is_unfit(self, k: int) -> bool:
+        """Whether what is seen of a part under its pose does not look as on its key; clearly, once it went along.
+
+        What is mostly hidden there is taken to fit, but where one that goes along, and so lies elsewhere, may hide it.
+        """
+        limb = self.limbs[k]
+        if limb.pose is None or limb.pose.look is None or limb.unit.role is not Role.PART:
+            return False
+        if limb.pose.look.seen < self.params.glimpse:
+            return any(nearer.goes_along for nearer in self._nearer(k))
+        bound = self.params.clear if self.state.limbs[k].goes_along else self.region_params.figure.unfit
+        return limb.pose.look.closest >= bound
+
+    def _nearer(self, k: int) -> list[Limb]:
+        """The limbs that lie before limb `k`, as far as they are solved."""
+        return [self.limbs[j] for j in takewhile(lambda j: j != k, self.limbs)]
+
+    def _overlap(self, union: RegionState, pyramid: Pyramid) -> float:
+        """That of all parts with the object's region, where no occluder lies."""
+        inside = _on(union, pyramid) > 0.0
+        free, filled = np.ones_like(inside), np.zeros_like(inside)
+        for k, limb in self.limbs.items():
+            if limb.is_occluder:
+                free &= self.outlined[k] == 0
+            elif limb.unit.role is Role.PART:
+                filled |= self.outlined[k] > 0
+        return overlap(filled & free, inside & free)
+
+    def _looks_rather(self, k: int, parts: Sequence[Part], union: RegionState) -> bool:
+        """Whether the colours of a part are rather where `parts` have it than where it lies, as far as it is seen."""
+        limb, grid = self.limbs[k], union.region.grid
+        assert limb.colours is not None
+        picture, clip = grid.colours_of(union.frame), self.region_params.redetection.clip
+        ratio = limb.colours.log_ratio(picture, clip, self.region_params.unseen)
+        hidden = covered([line for nearer in self._nearer(k) for line in nearer.lines], grid)
+        gained = ratio * (enclosed(parts, grid) - enclosed(limb.parts, grid))
+        said = gained[... if hidden is None else ~hidden].astype(np.float64)
+        against = self.region_params.figure.against if self.state.limbs[k].goes_along else 0.0
+        return float(said.sum()) > -against * float(np.abs(said).sum())
+
     def to_the_edges(self, k: int) -> Limb:
         """Limb `k`, all being solved, with its free edges where the object's region ends."""
         limb = self.limbs[k]
@@ -187,7 +255,7 @@ class _Solving:
         if self._has_left(parts):
             return self._out_of_sight(replace(limb, parts=parts), pose)
         results = posed.results(pose, parts, self.region_params.confidence)
-        return replace(limb, parts=parts, pose=pose, results=results)
+        return replace(limb, parts=parts, pose=pose, goes_along=False, results=results)
 
     def _has_left(self, parts: Sequence[Part]) -> bool:
         return Region.around(np.vstack([part.points.reshape(-1, 2) for part in parts]), 0.0, self.frame.size).is_empty
@@ -197,7 +265,7 @@ class _Solving:
         results = tuple(
             StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in limb.parts
         )
-        return replace(limb, pose=pose, results=results)
+        return replace(limb, pose=pose, goes_along=False, results=results)
 
     def _along(self, k: int) -> Limb:
         """A part without a look of its own: it goes with one that it hangs on, else with the object."""
@@ -254,8 +322,13 @@ def _moved(before: RegionState, after: RegionState) -> Array:
 
 def _needs(union: RegionState, pyramid: Pyramid, odds: float) -> Float32:
     """For each cell of the finest level, in [0, 1], whether the object is there; `odds` nats change them by e."""
+    nats = _on(union, pyramid)
+    return np.asarray(1.0 / (1.0 + np.exp(-np.clip(nats / odds, -4.0, 4.0))), dtype=np.float32)
+
+
+def _on(union: RegionState, pyramid: Pyramid) -> Float32:
+    """The nats of the object's region on the finest level, its last rows and columns repeated beyond the picture."""
     rows, columns = pyramid.levels[0].shape[:2]
-    nats = union.region.nats_on(pyramid.grid)
-    inside = (1.0 / (1.0 + np.exp(-np.clip(nats / odds, -4.0, 4.0)))).astype(np.float32)
     below, right = rows - pyramid.grid.rows, columns - pyramid.grid.columns
-    return np.asarray(cv2.copyMakeBorder(inside, 0, below, 0, right, cv2.BORDER_REPLICATE))
+    nats = union.region.nats_on(pyramid.grid)
+    return np.asarray(cv2.copyMakeBorder(nats, 0, below, 0, right, cv2.BORDER_REPLICATE))

@@ -215,7 +215,7 @@ def _along(state: RegionState, observation: Observation, found: Field, params: R
     confidence = expected_overlap(features, params=params.confidence)
     seen = [seen for _, seen in placed]
     trusts = trusts_of(state.drawn, seen, confidence)
-    results = tuple(_result(*each, found, params) for each in zip(outlines, seen, trusts, strict=True))
+    results = tuple(result(*each, found, params) for each in zip(outlines, seen, trusts, strict=True))
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
@@ -359,7 +359,10 @@ def _flow_reliability(observation: Observation, found: Field) -> Float32:
     return np.ones(found.grid.shape, np.float32) if lines is None else lines.after(found.inside)
 
 
-def _result(part: Part, seen: bool, trust: float, found: Field, params: RegionParams) -> StepResult:
+def result(part: Part, seen: bool, trust: float, found: Field, params: RegionParams) -> StepResult:
+    """What an outline along the region that was `found` gives, if it is trusted so far; where it is not `seen` no point
+    is.
+    """
     anchors = part.points[:, bezier.ANCHOR]
     vertices = np.zeros(len(anchors))
     if seen:

@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 
 from roam_core.arrays import Array, UInt8
-from roam_core.geometry import bezier, similarity
+from roam_core.geometry import bezier, polyline, similarity
 from roam_core.matte import shape_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
 from tests.golden.shots import Texture, inverse, pose, texture
@@ -142,6 +142,41 @@ def two_shins(count: int = 10) -> Figure:
     """Two shins of one cloth that swing past each other, near and apart on the first frame; nothing joins them."""
     far = Moving("far", box(14, 56), (64, 60), (3.4, 0.0), -2.0, texture(11, 0.5, 0.8))
     return Figure((far, Moving("near", box(16, 58), (88, 62), (-3.0, 0.2), 2.0, texture(13, 0.5, 0.8))), count)
+
+
+@dataclass(frozen=True, eq=False)
+class Licking(Moving):
+    """A part of a flame: what lies higher above its `foot` goes farther to the side."""
+
+    foot: float = 0.0
+
+    def truth(self, k: int) -> Array:
+        points = similarity.apply(self.where(0), self.rest)
+        height = self.foot - points[..., 1]
+        points[..., 0] += k * height * np.abs(height) / 900.0
+        return points
+
+
+@dataclass(frozen=True, eq=False)
+class Flame(Figure):
+    """Parts of one thing whose surface is another one on every frame: no pose fits them."""
+
+    def _drawn(self, k: int) -> UInt8:
+        image = background().copy()
+        for n, part in enumerate(self.parts):
+            matte = shape_matte(RotoShape(part.name, part.name, (Keyframe(k, part.truth(k)),)), k, SIZE)
+            covered = np.nonzero(matte)
+            cover, look = matte[covered][:, None], texture(100 + 10 * k + n, 0.55, 1.0).at(centres()[covered])
+            image[covered] = cover * look + (1.0 - cover) * image[covered]
+        return np.asarray(np.round(255.0 * image), dtype=np.uint8)
+
+
+def flame(count: int = 8) -> Flame:
+    """A lower and an upper half that bend to the side; they overlap."""
+    half = bezier.polygon_points(polyline.resample(box(26, 50)[:, bezier.ANCHOR], 32))
+    return Flame(
+        tuple(Licking(name, half, (70, middle), foot=111) for name, middle in (("lower", 86), ("upper", 46))), count
+    )
 
 
 def subtracting(shape: RotoShape) -> RotoShape:

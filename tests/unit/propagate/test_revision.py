@@ -29,6 +29,7 @@ from tests.unit.propagate.figures import (
     body_and_sleeve,
     body_behind_a_post,
     body_with_arms,
+    flame,
     subtracting,
 )
 
@@ -55,8 +56,15 @@ def parts() -> Points:
     return _points([result.shape for result in last.results])
 
 
+def along() -> Points:
+    """Two parts of what bends as no pose does."""
+    figure = flame(5)
+    *_, last = track(figure.read, figure.shapes(), figure.frames, "best")
+    return _points([result.shape for result in last.results])
+
+
 def filled() -> Points:
-    """The same parts between two keys."""
+    """Three parts over each other between two keys."""
     figure = body_with_arms(5)
     return _points(fill_span(dict(enumerate(figure.pictures)), figure.shapes(0, 4), 0, 4, "best"))
 
@@ -108,7 +116,7 @@ def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
 
 
 RUNS: dict[str, Callable[[], Points]] = {
-    each.__name__: each for each in (lone, parts, filled, posed, held, hidden, hidden_filled, panned, dimmed)
+    each.__name__: each for each in (lone, parts, along, filled, posed, held, hidden, hidden_filled, panned, dimmed)
 }
 
 
