@@ -84,7 +84,7 @@ class LayerForm(QWidget):
     ) -> None:
         project = self._document.project
         for layer in self.layers:
-            if (works_locked or not layer.locked) and verb(layer) != layer:
+            if (works_locked or not project.is_locked(layer.id)) and verb(layer) != layer:
                 project = project.map_item(layer.id, verb)
         self._document.apply(text, project, merge_key)
         self._pull()
@@ -119,7 +119,7 @@ class LayerForm(QWidget):
         """Take the motion away; keys stay where they are seen on their own frames."""
         project = self._document.project
         for layer in self.layers:
-            if not layer.locked and layer.transform is not None:
+            if not project.is_locked(layer.id) and layer.transform is not None:
                 project = still(project, layer.id)
         self._document.apply(tr("Remove motion"), project)
 
@@ -137,7 +137,7 @@ class LayerForm(QWidget):
         layers = self.layers
         if not layers:
             return
-        is_free, is_one = any(not layer.locked for layer in layers), len(layers) == 1
+        is_free, is_one = any(not self._document.project.is_locked(layer.id) for layer in layers), len(layers) == 1
         self.name.show_name(*((layers[0].name,) if is_one else ("", tr("{count} layers", count=len(layers)))))
         self.name.setEnabled(is_one and is_free)
         self.blend.show_mode(shared(layer.blend for layer in layers))

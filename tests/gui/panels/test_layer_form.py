@@ -13,6 +13,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.properties import PropertiesPanel
 from roam_core.roto import Layer, LayerTransform, Project, edit
+from roam_core.roto.layers import grouped
 from tests.gui.panels.test_properties import SQUARE, type_in
 
 
@@ -85,6 +86,19 @@ def test_several_layers_are_edited_together(
     assert (layer(document).opacity, layer(document, 2).opacity) == (0.2, 0.5)  # a locked one is left alone
     form.locked.click()
     assert layer(document).locked
+
+
+def test_a_layer_in_a_locked_one_is_locked(panel: PropertiesPanel, document: Document, view_state: ViewState) -> None:
+    project, outer = grouped(document.project, ["layer-1"])
+    document.open(edit.set_properties(project, outer.id, locked=True), None)
+    view_state.select(frozenset(), layers=frozenset({"layer-1"}))
+    form, before = panel.layer_form, document.project
+    assert not any(control.isEnabled() for control in (form.name, form.opacity, form.blend, form.invert))
+    form.push("Layer opacity", opacity=0.2)
+    form.clear_motion.clicked.emit()
+    assert document.project == before
+    form.visible.click()
+    assert not layer(document).visible
 
 
 def test_grouping_and_dissolving(panel: PropertiesPanel, document: Document, view_state: ViewState) -> None:
