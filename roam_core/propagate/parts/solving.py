@@ -160,10 +160,12 @@ class _Solving:
         if union is None or self.pyramid is None or union.trust < self.region_params.doubted:
             return
         missed = self._overlap(union, self.pyramid) < self.region_params.figure.covered
+        asked = [k for k in self.limbs if missed or self.state.limbs[k].goes_along]
+        if not asked:
+            return
         whole = Whole(union, self.region_params.figure)
-        for k, limb in self.limbs.items():
-            if not (missed or self.state.limbs[k].goes_along) or not self._is_unfit(k):
-                continue
+        for k in filter(self._is_unfit, asked):
+            limb = self.limbs[k]
             parts = whole.carried(limb.laid)
             if whole.has(parts, limb.laid) and self._looks_rather(k, parts, union):
                 results = tuple(region.result(part, True, union.trust, union.region, union.params) for part in parts)
