@@ -69,8 +69,8 @@ class FigureParams:
     unfit : difference of colour to the key, Lab units, that three quarters of what is seen of a part exceed where its
         pose does not fit. covered : overlap of all parts with the object's region under which such a part goes along
         with the whole (`propagate.parts.along`). shrunk : share of its area, as it grew with the whole, under which
-        the whole has lost it. against : what its colours may say against that, of all that they say,
-        for it to go on. along_near : pixels of a 480-line image within which what is known of the whole is heard most,
+        the whole has lost it. against : what its colours may say against that, of all that they say, for it to go on.
+        along_near : pixels of a 480-line image within which what is known of the whole is heard most.
         along_places : places a segment of its outline that are.
     free_edges : of those that go to the border of the union. joints : of where parts hang on each other.
     """

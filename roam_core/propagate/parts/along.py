@@ -22,7 +22,7 @@ from roam_core.propagate.frame.result import Part
 from roam_core.propagate.whole.state import RegionState
 
 
-class Whole:
+class UnionMotion:
     """How the union of an object's parts went from its key to the frame: its outlines, and the patches inside."""
 
     def __init__(self, union: RegionState, params: FigureParams) -> None:
@@ -49,8 +49,8 @@ class Whole:
         """
         return tuple(replace(part, points=self._points(part.points)) for part in parts)
 
-    def has(self, parts: Sequence[Part], laid: Sequence[Part]) -> bool:
-        """Whether the whole still has what lay as `laid` on its key: not if, carried to `parts`, it shrank away."""
+    def keeps(self, parts: Sequence[Part], laid: Sequence[Part]) -> bool:
+        """Whether the union still has what lay as `laid` on its key: not if, carried to `parts`, it shrank away."""
         least = self._params.shrunk * abs(float(np.linalg.det(self._to_now[:, :2])))
         return sum(part.area for part in parts) >= least * sum(part.area for part in laid)
 

@@ -24,7 +24,7 @@ from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.covering import covered
 from roam_core.propagate.frame.free_edges import Border, drawn_to
 from roam_core.propagate.frame.result import Part, StepResult, Termination
-from roam_core.propagate.parts.along import Whole
+from roam_core.propagate.parts.along import UnionMotion
 from roam_core.propagate.parts.figure import FigureState, Limb, depth
 from roam_core.propagate.shapes.objects import Role
 from roam_core.propagate.whole import posed, region
@@ -163,17 +163,17 @@ class _Solving:
         asked = [k for k in self.limbs if missed or self.state.limbs[k].goes_along]
         if not asked:
             return
-        whole = Whole(union, self.region_params.figure)
+        motion = UnionMotion(union, self.region_params.figure)
         for k in filter(self._is_unfit, asked):
             limb = self.limbs[k]
-            parts = whole.carried(limb.laid)
-            if whole.has(parts, limb.laid) and self._looks_rather(k, parts, union):
+            parts = motion.carried(limb.laid)
+            if motion.keeps(parts, limb.laid) and self._looks_rather(k, parts, union):
                 results = tuple(region.result(part, True, union.trust, union.region, union.params) for part in parts)
                 self.limbs[k] = replace(limb, parts=parts, goes_along=True, results=results)
                 self.outlined[k] = self.pyramid.outlined(self.limbs[k].lines)[0]
 
     def _is_unfit(self, k: int) -> bool:
-        """Whether what is seen of a part under its pose does not look as on its key; clearly, once it went along.
+        """Whether what is seen of a part under its pose does not look as on its key; once it went along: not clearly.
 
         What is mostly hidden there is taken to fit, but where one that goes along, and so lies elsewhere, may hide it.
         """

@@ -18,7 +18,7 @@ from roam_core.propagate.engines.protocol import REGION
 from roam_core.propagate.explain import explain
 from roam_core.propagate.frame.confidence import overlap
 from roam_core.propagate.frame.result import FrameResult, Part
-from roam_core.propagate.parts.along import Whole
+from roam_core.propagate.parts.along import UnionMotion
 from roam_core.propagate.parts.figure import FigureState, begin
 from roam_core.propagate.shapes.objects import Role, Unit
 from roam_core.roto import Keyframe, RotoShape
@@ -112,18 +112,18 @@ def on_key(bending: Figure) -> FigureState:
 
 def test_where_the_whole_rests_its_parts_rest(on_key: FigureState) -> None:
     assert on_key.union is not None
-    whole = Whole(on_key.union, FigureParams())
+    motion = UnionMotion(on_key.union, FigureParams())
     for limb in on_key.limbs:
-        (found,) = whole.carried(limb.laid)
+        (found,) = motion.carried(limb.laid)
         npt.assert_allclose(found.points, limb.parts[0].points, atol=1e-6)
 
 
 def test_what_shrank_away_is_lost_to_the_whole(on_key: FigureState) -> None:
     assert on_key.union is not None
-    whole, laid = Whole(on_key.union, FigureParams()), on_key.limbs[0].laid
-    assert whole.has(laid, laid)
+    motion, laid = UnionMotion(on_key.union, FigureParams()), on_key.limbs[0].laid
+    assert motion.keeps(laid, laid)
     for share, is_there in ((0.8, True), (0.6, False)):  # of its height and width
-        assert whole.has([replace(part, points=share * part.points) for part in laid], laid) is is_there
+        assert motion.keeps([replace(part, points=share * part.points) for part in laid], laid) is is_there
 
 
 def test_an_outline_that_would_cross_itself_stays_simple(on_key: FigureState) -> None:
@@ -131,8 +131,8 @@ def test_an_outline_that_would_cross_itself_stays_simple(on_key: FigureState) ->
     (outline,) = on_key.union.parts
     folded = outline.points.copy()
     folded[..., 0] = np.abs(folded[..., 0] - 70.0) + 70.0  # laid on itself
-    whole = Whole(replace(on_key.union, parts=(replace(outline, points=folded),), patches=None), FigureParams())
+    motion = UnionMotion(replace(on_key.union, parts=(replace(outline, points=folded),), patches=None), FigureParams())
     for limb in on_key.limbs:
-        (found,) = whole.carried(limb.laid)
+        (found,) = motion.carried(limb.laid)
         assert np.isfinite(found.points).all()
         assert len(crossing_segments(found.points)) == 0
