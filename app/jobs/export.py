@@ -127,7 +127,7 @@ class Export(QObject):
         job.ended.connect(end)
 
     @property
-    def is_running(self) -> bool:
+    def is_writing(self) -> bool:
         return bool(self._jobs)
 
     def stop(self) -> None:

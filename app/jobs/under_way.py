@@ -1,8 +1,8 @@
-"""UnderWay: all long work that the window does at the moment, told in one place and stopped by one key."""
+"""UnderWay: all long work that the window does at the moment, told and stopped in one place."""
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from PySide6.QtCore import QObject, Signal
 
@@ -18,12 +18,24 @@ class LongWork(Protocol):
     def stop(self) -> None: ...
 
 
+@runtime_checkable
+class WritesFiles(Protocol):
+    """Long work that makes files beside what the artist does; `is_writing` while it does so."""
+
+    @property
+    def is_writing(self) -> bool: ...
+
+
 class UnderWay(QObject):
     """Gathers the news of several kinds of work.
 
+    The key that stops, which also leaves what is begun in the viewer, does not mean files that are being written
+    (`WritesFiles`): those take long, and are stopped by their own buttons, or by that of the status bar once nothing
+    else goes on.
+
     Signals
     -------
-    progress(fraction, text) : of the work that has been going on for longest.
+    progress(fraction, text) : of the work that has been going on for longest; of what the key stops first.
     ended(ending, sentence) : one of them ended.
     changed() : some work began or ended.
     """
@@ -50,16 +62,34 @@ class UnderWay(QObject):
         """How many kinds of work go on."""
         return len(self._running)
 
+    @property
+    def is_stopped_by_key(self) -> bool:
+        """Whether anything goes on that the key stops."""
+        return any(not self._writes(index) for index in self._running)
+
     def stop(self) -> None:
-        """Stop all of it; what is finished stays."""
-        for work in self._works:
-            work.stop()
+        """Stop what is told: all but what writes files, or that where nothing else goes on; what is finished stays."""
+        if self.is_stopped_by_key:
+            self.stop_by_key()
+        else:
+            for work in self._works:
+                work.stop()
+
+    def stop_by_key(self) -> None:
+        """Stop all but what writes files."""
+        for index, work in enumerate(self._works):
+            if not self._writes(index):
+                work.stop()
+
+    def _writes(self, index: int) -> bool:
+        work = self._works[index]
+        return isinstance(work, WritesFiles) and work.is_writing
 
     def _tell(self, index: int, fraction: float, text: str) -> None:
         if index not in self._running:
             self._running.append(index)
             self.changed.emit()
-        if index == self._running[0]:  # two works telling in turn could not be read
+        if index == min(self._running, key=self._writes):  # two works telling in turn could not be read
             self.progress.emit(fraction, text)
 
     def _end(self, index: int, ending: Ending, sentence: str) -> None:

@@ -293,7 +293,7 @@ class MainWindow(QMainWindow):
         handlers: dict[str, Callable[[], object]] = {
             "file.quit": self.close,
             "shape.delete": self._delete_in_list,
-            "track.stop": self.under_way.stop,
+            "track.stop": self.under_way.stop_by_key,
             "view.fit_time": self.timeline.axis.fit,
             "view.shape_panel": self._show_shape_panel,
         }
@@ -316,7 +316,7 @@ class MainWindow(QMainWindow):
             clipboard,
             nodes,
             self.shape_verbs,
-            MaskShapes(self, self.document, self.view_state, self.pictures),
+            MaskShapes(files.choose_mask, self.document, self.view_state, self.pictures),
             SplineVerbs(self.document, self.view_state),
             *plate_verbs(self, self.document, self.view_state, self.plate_jobs),
             tracking,
@@ -387,7 +387,7 @@ class MainWindow(QMainWindow):
         self.playback.fps = clip.fps if clip is not None else 24.0
 
     def _pull_running(self) -> None:
-        self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
+        self.actions_by_id["track.stop"].setEnabled(self.under_way.is_stopped_by_key)
         self.canvas.set_waiting(self.files.is_opening, self.files.lacks_plate)
         self.second_viewer.set_waiting(self.files.is_opening, self.files.lacks_plate)
 
@@ -426,7 +426,7 @@ class MainWindow(QMainWindow):
             event.accept()
         else:
             event.ignore()
-            is_writing = self.export.is_running or self.review_job.is_writing
+            is_writing = self.export.is_writing or self.review_job.is_writing
             self.file_actions.leave_window(self._leave, is_writing=is_writing)
 
     def leave_unasked(self) -> None:

@@ -82,8 +82,8 @@
         <translation> seit dem letzten Speichern</translation>
     </message>
     <message>
-        <source> {shapes} edited meanwhile: left as they are.</source>
-        <translation> {shapes} inzwischen bearbeitet und nicht verändert.</translation>
+        <source> {shapes} edited or locked meanwhile: left as they are.</source>
+        <translation> {shapes} inzwischen bearbeitet oder gesperrt und nicht verändert.</translation>
     </message>
     <message>
         <source>%n boiling frame(s)</source>
@@ -2453,6 +2453,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>No edge of these shapes could be read in the plate; nothing was changed.</source>
         <translation>Keine Kante dieser Formen ließ sich in der Plate messen; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>No frame between these keys shows anything: there is nothing to fill.</source>
+        <translation>Kein Frame zwischen diesen Keys zeigt etwas: Es gibt nichts zu füllen.</translation>
     </message>
     <message>
         <source>No frame is tracked yet.</source>
@@ -5302,6 +5306,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
+        <source>open on {host} by {user} since {when} (process {process})</source>
+        <translation>auf {host} von {user} seit {when} geöffnet (Prozess {process})</translation>
+    </message>
+    <message>
         <source>out</source>
         <translation>Out</translation>
     </message>
@@ -5933,6 +5941,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} flimmert</translation>
     </message>
     <message>
+        <source>{name} is a single point; draw an outline around the object to track it.</source>
+        <translation>{name} ist ein einzelner Punkt; zum Tracken einen Umriss um das Objekt zeichnen.</translation>
+    </message>
+    <message>
         <source>{name} is drawn: drag its points to adjust it, &lt;track.forward&gt; tracks it forward.</source>
         <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
     </message>
@@ -5975,6 +5987,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} was changed meanwhile.</source>
         <translation>{name} wurde inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>{name} was locked meanwhile.</source>
+        <translation>{name} wurde inzwischen gesperrt.</translation>
     </message>
     <message>
         <source>{name} was not opened.</source>

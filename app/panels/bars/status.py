@@ -120,15 +120,16 @@ class StatusBar(QWidget):
     def show_stop_keys(self, keys: str) -> None:
         """Tell which keys stop what is under way."""
         self._stop_keys = keys
-        self.stop.setToolTip(
-            tr("Stop; what is finished stays  ({keys})", keys=keys) if keys else tr("Stop; what is finished stays")
-        )
-        self.stop.setAccessibleName(self.stop.toolTip())
         self._pull()
 
     def _pull(self) -> None:
         more = self._under_way.count - 1
-        stops = tr("{keys} stops", keys=self._stop_keys) if self._stop_keys else ""
+        keys = self._stop_keys if self._under_way.is_stopped_by_key else ""
+        stops = tr("{keys} stops", keys=keys) if keys else ""
+        self.stop.setToolTip(
+            tr("Stop; what is finished stays  ({keys})", keys=keys) if keys else tr("Stop; what is finished stays")
+        )
+        self.stop.setAccessibleName(self.stop.toolTip())
         self._hint.setText("  ·  ".join(filter(None, [stops, tr("{count} more", count=more) if more > 0 else ""])))
         self._fit()
 

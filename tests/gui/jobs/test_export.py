@@ -110,8 +110,8 @@ def test_an_export_goes_on_while_another_is_asked_for(
     export.finished.connect(lambda ending, _: told.append((export.current, ending)))
     mattes = export.start("mattes", tmp_path / "mattes")
     script = export.start("nuke", tmp_path / "a.nk")
-    assert export.is_running
-    qtbot.waitUntil(lambda: not export.is_running, timeout=WAIT)
+    assert export.is_writing
+    qtbot.waitUntil(lambda: not export.is_writing, timeout=WAIT)
     assert told == [(mattes, Ending.DONE), (script, Ending.DONE)]
     assert len(list((tmp_path / "mattes").iterdir())) == 3
     assert (tmp_path / "a.nk").exists()
@@ -125,6 +125,6 @@ def test_stopping_stops_what_waits_too(qtbot: QtBot, drawn: Document, runner: Ru
     numbers = [export.start("mattes", tmp_path / "mattes"), export.start("nuke", tmp_path / "a.nk")]
     export.stop()
     gate.set()
-    qtbot.waitUntil(lambda: not export.is_running, timeout=WAIT)
+    qtbot.waitUntil(lambda: not export.is_writing, timeout=WAIT)
     assert told == [(number, Ending.CANCELLED) for number in numbers]
     assert list(tmp_path.iterdir()) == []

@@ -91,3 +91,40 @@ def test_the_status_bar_tells_how_far_and_how_to_stop_it(
     assert status.sentence.text() == "Tracked body."
     view_state.say("Select a shape first.")
     assert status.sentence.text() == "Select a shape first."
+
+
+class Writing(Work):
+    is_writing = True
+
+
+def test_the_key_does_not_stop_what_writes_files(works: tuple[Work, Work]) -> None:
+    export = Writing()
+    under_way = UnderWay(export, works[0])
+    export.progress.emit(0.1, "Exporting")
+    assert not under_way.is_stopped_by_key
+    works[0].progress.emit(0.1, "Tracking")
+    assert under_way.is_stopped_by_key
+    under_way.stop_by_key()
+    assert (export.stops, works[0].stops) == (0, 1)
+
+
+def test_what_the_key_stops_is_told_before_what_is_written_beside_it(
+    qtbot: QtBot, view_state: ViewState, works: tuple[Work, Work]
+) -> None:
+    export = Writing()
+    status = StatusBar(view_state, UnderWay(export, works[0]))
+    qtbot.addWidget(status)
+    status.show_stop_keys("Esc")
+    export.progress.emit(0.5, "Exporting")
+    assert status._hint.text() == ""
+    assert "Esc" not in status.stop.toolTip()
+    works[0].progress.emit(0.25, "Tracking body forward")
+    export.progress.emit(0.6, "Exporting")
+    assert status.sentence.text() == "Tracking body forward"
+    assert status._hint.text() == "Esc stops  ·  1 more"
+    qtbot.mouseClick(status.stop, Qt.MouseButton.LeftButton)
+    assert (export.stops, works[0].stops) == (0, 1)
+    works[0].finished.emit(Ending.CANCELLED, "Stopped.")
+    export.progress.emit(0.7, "Exporting")
+    qtbot.mouseClick(status.stop, Qt.MouseButton.LeftButton)
+    assert export.stops == 1

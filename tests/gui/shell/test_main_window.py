@@ -172,6 +172,30 @@ def test_closing_asks_about_what_is_being_written(
     assert len(asked) == 1
 
 
+def test_the_key_that_stops_leaves_an_export_alone(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    done = threading.Event()
+
+    def write(report: Report, _request: object) -> str:
+        report.progress(0.5, "Exporting")
+        while not done.wait(0.01):
+            report.token.check()
+        return "Written."
+
+    monkeypatch.setattr(export, "_export", write)
+    with qtbot.waitSignal(window.export.progress, timeout=WAIT):
+        window.export.start("nuke", tmp_path / "a.nk")
+    stop = window.actions_by_id["track.stop"]
+    assert not stop.isEnabled()
+    window.planar.progress.emit(0.1, "Planar track")
+    assert stop.isEnabled()
+    stop.trigger()
+    with qtbot.waitSignal(window.export.finished, timeout=WAIT) as finished:
+        done.set()
+    assert finished.args == [Ending.DONE, "Written."]
+
+
 @pytest.mark.parametrize("answer", Unsaved)
 def test_closing_asks_about_unsaved_changes(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, answer: Unsaved
