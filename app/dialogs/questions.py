@@ -13,6 +13,7 @@ from ..translation import N_, tr, translated
 MOVIES = N_("Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)")
 MOST_LOSSES = 6
 """How many sentences a question shows at once."""
+MASKS = N_("Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)")
 PROJECTS = N_("ROAM projects (*.roam)")
 
 
@@ -48,7 +49,7 @@ class Contested(Enum):
 def ask_contested(parent: QWidget, name: str, who: str) -> Contested:
     """Ask how to open a project that is open elsewhere."""
     answers = {tr("Open a copy"): Contested.COPY, tr("Open anyway"): Contested.ANYWAY}
-    text = tr("{name} is {who}.", name=name, who=who)
+    text = tr("{name} is {who}.", name=name, who=translated(who))
     weak = tr("If both save, the later one wins. A copy is a project of its own, without a file until you save it.")
     return answers.get(_ask(parent, text, weak, tuple(answers)), Contested.CANCEL)
 
@@ -205,6 +206,12 @@ def choose_shapes(parent: QWidget, start: Path, suffixes: Sequence[str]) -> Path
     return _path(
         QFileDialog.getOpenFileName(parent, tr("Import shapes"), str(start), tr("Shapes ({kinds})", kinds=kinds))[0]
     )
+
+
+def choose_mask(parent: QWidget, start: Path) -> Path | None:
+    """The picture of a mask of one frame."""
+    title = tr("Shape from the mask of this frame")
+    return _path(QFileDialog.getOpenFileName(parent, title, str(start), tr(MASKS))[0])
 
 
 def choose_folder(parent: QWidget, title: str, start: Path) -> Path | None:

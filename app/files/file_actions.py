@@ -198,6 +198,10 @@ class FileActions(QObject):
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
+    def choose_mask(self) -> Path | None:
+        """Ask for the picture of a mask."""
+        return self._noted(Purpose.MASK, questions.choose_mask(self._window, self._start_folder(Purpose.MASK)))
+
     def export(self, *, selected: bool = False) -> None:
         """Show the export dialog, for all shapes or those selected; all else in it stays as it was left."""
         # Formats load what the window can begin without.

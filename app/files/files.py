@@ -24,7 +24,7 @@ from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
 from ..model.view_state import ViewState
-from ..translation import N_, tr
+from ..translation import N_, tr, translated
 from .claim import Claim
 from .reading import Found, clip_project, demo_project, differences, gaps_of, plate_of, read_project, version_of
 
@@ -366,7 +366,7 @@ def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -
     `known` is the file as the document knows it, `written` what was written last: the document may not know yet.
     """
     if (other := project_lock.holder(path)) is not None:
-        return f"{path.name} is {other.sentence}."
+        return tr("{name} is {who}.", name=path.name, who=translated(other.sentence))
     if known is not None and path.exists() and not any(each and each.is_of(path) for each in (known, written)):
         return tr("{name} was changed by another program since it was opened or saved here.", name=path.name)
     return ""

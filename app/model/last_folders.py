@@ -12,6 +12,7 @@ class Purpose(StrEnum):
     PROJECT = "project"
     CLIP = "clip"
     SHAPES = "shapes"
+    MASK = "mask"
     EXPORT = "export"
 
 

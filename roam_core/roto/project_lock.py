@@ -14,6 +14,7 @@ from pathlib import Path
 from roam_core.atomic_write import is_alive, write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
+from roam_core.translatable import sentence
 
 TYPE = "roam.Lock"
 MAX_BYTES = 1 << 16
@@ -35,7 +36,8 @@ class Holder:
     @property
     def sentence(self) -> str:
         when = time.strftime("%d %b, %H:%M", time.localtime(self.since))
-        return f"open on {self.host} by {self.user} since {when} (process {self.process})"
+        place = {"host": self.host, "user": self.user, "process": self.process}
+        return sentence("open on {host} by {user} since {when} (process {process})", when=when, **place)
 
     @property
     def is_gone(self) -> bool:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QWidget
-
 from roam_core.errors import RoamError
 from roam_core.roto import RotoShape
 
@@ -14,17 +12,20 @@ from ...jobs.picture_work import PictureWork
 from ...jobs.runner import Ending, Report
 from ...model.document import Document
 from ...model.view_state import ViewState
-from ...translation import N_, tr
+from ...translation import tr
 from .finishing import put_in
-
-MASKS = N_("Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)")
 
 
 class MaskShapes:
-    """Asks for a mask picture, white inside, and fits shapes to it off the window's thread."""
+    """Asks for a mask picture, white inside, and fits shapes to it off the window's thread.
 
-    def __init__(self, window: QWidget, document: Document, view_state: ViewState, pictures: PictureWork) -> None:
-        self._window, self._document, self._view, self._pictures = window, document, view_state, pictures
+    `ask()` gives the file that the artist chose, if any.
+    """
+
+    def __init__(
+        self, ask: Callable[[], Path | None], document: Document, view_state: ViewState, pictures: PictureWork
+    ) -> None:
+        self._ask, self._document, self._view, self._pictures = ask, document, view_state, pictures
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -32,14 +33,10 @@ class MaskShapes:
 
     def choose(self) -> None:
         """Ask for the picture."""
-        clip = self._document.project.clip
-        if clip is None:
+        if self._document.project.clip is None:
             self._view.say(tr("Open a clip first: a mask belongs to one of its frames."))
-            return
-        start = str(self._document.path.parent if self._document.path else clip.path.parent)
-        chosen, _ = QFileDialog.getOpenFileName(self._window, tr("Shape from the mask of this frame"), start, tr(MASKS))
-        if chosen:
-            self.read(Path(chosen))
+        elif (chosen := self._ask()) is not None:
+            self.read(chosen)
 
     def read(self, path: Path) -> None:
         """Fit shapes to the mask in `path`, keyed on the present frame; what is wrong with it is said."""

@@ -18,7 +18,7 @@ from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
 
 PLACES = {
     "choose_save": 1, "choose_project": 1, "choose_clip_folder": 1,
-    "choose_shapes": 1, "choose_export": 2, "choose_folder": 2,
+    "choose_shapes": 1, "choose_mask": 1, "choose_export": 2, "choose_folder": 2,
 }  # fmt: skip
 """Which argument of each chooser says where it opens."""
 
@@ -73,6 +73,22 @@ def test_then_where_the_last_of_their_kind_was_used(
     assert starts["choose_folder"] == [renders]
     assert starts["choose_save"] == [saves / "hero.roam"]
     assert starts["choose_project"] == [saves]
+
+
+def test_a_mask_is_looked_for_where_the_last_one_lay(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    starts: list[Path] = []
+
+    def choose(_parent: object, start: Path) -> Path:
+        starts.append(start)
+        return tmp_path / "masks" / "hero.1001.png"
+
+    (tmp_path / "masks").mkdir()
+    monkeypatch.setattr(questions, "choose_mask", choose)
+    for _ in range(2):
+        window.actions_by_id["shape.from_mask"].trigger()
+    assert starts == [tmp_path / "show", tmp_path / "masks"]
 
 
 def test_the_next_window_knows_them(

@@ -7,7 +7,6 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QFileDialog, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.features.verbs.masks import MaskShapes
@@ -22,13 +21,17 @@ WAIT = 10_000
 
 
 @pytest.fixture
-def masks(document: Document, view_state: ViewState, runner: Runner, qtbot: QtBot) -> MaskShapes:
+def chosen() -> list[Path]:
+    """What the artist chooses, if anything."""
+    return []
+
+
+@pytest.fixture
+def masks(document: Document, view_state: ViewState, runner: Runner, chosen: list[Path]) -> MaskShapes:
     """On frame 4 of a clip of 120 x 80."""
-    window = QWidget()
-    qtbot.addWidget(window)
     document.open(Project(clip=Clip(Path("plate"), 1, 20, (120, 80))), None)
     view_state.set_frame(4)
-    return MaskShapes(window, document, view_state, PictureWork(runner, window))
+    return MaskShapes(lambda: chosen[-1] if chosen else None, document, view_state, PictureWork(runner, runner))
 
 
 def written(path: Path, mask: np.ndarray) -> Path:
@@ -36,17 +39,12 @@ def written(path: Path, mask: np.ndarray) -> Path:
     return path
 
 
-def answer(monkeypatch: pytest.MonkeyPatch, path: Path | str) -> None:
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
-
-
 def test_a_mask_becomes_a_selected_shape(
-    masks: MaskShapes, document: Document, view_state: ViewState, tmp_path: Path, qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
+    masks: MaskShapes, document: Document, view_state: ViewState, tmp_path: Path, qtbot: QtBot, chosen: list[Path]
 ) -> None:  # fmt: skip
     mask = np.zeros((80, 120), dtype=np.uint8)
     cv2.circle(mask, (60, 40), 25, 255, -1, cv2.LINE_AA)
-    answer(monkeypatch, written(tmp_path / "mask.png", mask))
+    chosen.append(written(tmp_path / "mask.png", mask))
     masks.handlers()["shape.from_mask"]()
     qtbot.waitUntil(lambda: bool(document.project.shapes), timeout=WAIT)
     (shape,) = document.project.shapes
@@ -70,8 +68,7 @@ def test_a_mask_that_gives_nothing_is_told(
     assert not document.project.shapes
 
 
-def test_no_choice_does_nothing(masks: MaskShapes, runner: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
-    answer(monkeypatch, "")
+def test_no_choice_does_nothing(masks: MaskShapes, runner: Runner) -> None:
     masks.choose()
     assert runner.is_idle
 
