@@ -159,11 +159,11 @@ class PlanarTrack(QObject):
             )
 
     def _guard(self, _ids: frozenset[str]) -> None:
-        """An edit or undo that takes the layer or a shape away, or the motion back, ends the run."""
+        """An edit or undo that takes the layer or a shape away, or the motion back, ends the run; so does a lock."""
         run, project = self._run, self._document.project
         if run is None:
             return
-        there = all(project.has(shape_id) for shape_id in run.shape_ids)
+        there = all(project.has(shape_id) and not project.is_locked(shape_id) for shape_id in run.shape_ids)
         if run.layer_id and there:
             layer = project.find(run.layer_id) if project.has(run.layer_id) else None
             there = isinstance(layer, Layer) and layer.transform == run.expected
@@ -257,8 +257,9 @@ def _track(report: Report, read: ReadFrame, work: Work) -> str:
         report.partial(found)
         done, least = done + 1, min(least, (found.confidence, found.frame))
         pace = tr("{pace:.0f} ms a frame", pace=1000 * (time.perf_counter() - began) / done)
-        told = f"frame {found.frame} of {last} · confidence {found.confidence:.2f}"
-        report.progress(done / max(total, 1), f"{name}: {told} · {pace}")
+        place = tr("frame {frame} of {last}", frame=found.frame, last=last)
+        trust = tr("confidence {confidence:.2f}", confidence=found.confidence)
+        report.progress(done / max(total, 1), f"{name}: {place} · {trust} · {pace}")
     if done == 0:
         return tr("There is no frame to track to.")
     return tr(

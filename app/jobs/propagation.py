@@ -203,14 +203,22 @@ class Propagation(QObject):
             self._view.set_frame(frame)
 
     def _guard(self, ids: frozenset[str]) -> None:
-        """An edit, undo or redo that touches the curves under work ends the run: its results would be of the past."""
+        """An edit, undo or redo that touches the curves under work ends the run: its results would be of the past.
+
+        So does a lock: nothing more may come into the shape, nor is anything left to be done for it.
+        """
         run = self._run
         if run is None:
             return
         touched = [shape for i, shape in run.expected.items() if i in ids and self._is_touched(shape)]
         touched += [shape for i, shape in run.beside.items() if i in ids and self._is_changed(shape)]
+        project = self._document.project  # a layer that is locked tells of itself alone
+        locked = [shape for i, shape in run.expected.items() if project.has(i) and project.is_locked(i)]
         if touched:
-            run.ended_by = touched[0].name
+            run.ended_by = tr("{name} was changed meanwhile.", name=touched[0].name)
+        elif locked:
+            run.ended_by = tr("{name} was locked meanwhile.", name=locked[0].name)
+        if touched or locked:
             self.drop()
 
     def _is_touched(self, expected: RotoShape) -> bool:
@@ -228,7 +236,7 @@ class Propagation(QObject):
         if run is None:
             return
         if ending is Ending.CANCELLED:
-            sentence = f"{run.stopped_sentence()} {run.reason()}".rstrip()
+            sentence = f"{run.stopped_sentence()} {run.ended_by}".rstrip()
         elif ending is Ending.DONE:
             sentence = f"{sentence} {run.doubt_sentence()}".rstrip()
         self.running_changed.emit()
@@ -259,7 +267,7 @@ class _Run:
         self.beside: dict[str, RotoShape] = {}
         self.reached: int | None = None
         self.ended_by = ""
-        """The name of the shape of which an edit ended the run; empty where none did."""
+        """What was done to which shape that ended the run; empty where nothing was."""
         self._doubtful: set[int] = set()
 
     def take_over(self, before: _Run) -> None:
@@ -278,10 +286,6 @@ class _Run:
         if self.reached is None:
             return tr("Filling stopped before a gap was finished.")
         return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
-
-    def reason(self) -> str:
-        """Why the run ended by itself; empty where the artist stopped it."""
-        return tr("{name} was changed meanwhile.", name=self.ended_by) if self.ended_by else ""
 
     def doubt_sentence(self) -> str:
         doubtful = len(self._doubtful)

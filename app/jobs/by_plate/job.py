@@ -39,7 +39,7 @@ class PlateJob(QObject):
         super().__init__(parent)
         self._document, self._runner, self._read = document, runner, read
         self._left = 0
-        """Shapes of the last job that were edited while it ran."""
+        """Shapes of the last job that were edited or locked while it ran."""
         document.replaced.connect(self.drop)
 
     def stop(self) -> None:
@@ -62,10 +62,10 @@ class PlateJob(QObject):
         self.progress.emit(0.0, saying)
 
     def _apply(self, before: Sequence[RotoShape], after: Sequence[RotoShape]) -> None:
-        """Put in what was found, but for shapes that were edited or taken away meanwhile."""
+        """Put in what was found, but for shapes that were edited, locked or taken away meanwhile."""
         project = self._document.project
         for old, new in zip(before, after, strict=True):
-            if not project.has(old.id) or project.shape(old.id) != old:
+            if not project.has(old.id) or project.is_locked(old.id) or project.shape(old.id) != old:
                 self._left += 1
             elif new != old:
                 project = project.with_shape(new)
@@ -76,5 +76,7 @@ class PlateJob(QObject):
         if ending is Ending.CANCELLED:
             sentence = tr(self.STOPPED)
         elif self._left:
-            sentence += tr(" {shapes} edited meanwhile: left as they are.", shapes=tr("%n shape(s)", "", self._left))
+            sentence += tr(
+                " {shapes} edited or locked meanwhile: left as they are.", shapes=tr("%n shape(s)", "", self._left)
+            )
         self.finished.emit(ending, sentence)

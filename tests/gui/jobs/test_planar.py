@@ -121,6 +121,19 @@ def test_backward_goes_on_with_the_same_layer(
     assert max(miss(document, frame) for frame in range(1, LAST + 1)) < 0.5
 
 
+def test_locking_the_shape_ends_the_track(
+    qtbot: QtBot, document: Document, track: PlanarTrack, verbs: PlanarTracking, plate: Plate
+) -> None:
+    plate.hold(3)
+    verbs.forward()
+    qtbot.waitUntil(lambda: document.project.has("layer-1") and layer(document).transform.frames[-1] == 3, timeout=WAIT)
+    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+    assert not track.is_running
+    plate.gate.release(10)
+    qtbot.waitUntil(lambda: track._runner.is_idle, timeout=WAIT)
+    assert layer(document).transform.frames == (1, 2, 3)
+
+
 def test_stop_keeps_what_is_finished(
     qtbot: QtBot, document: Document, track: PlanarTrack, verbs: PlanarTracking, plate: Plate
 ) -> None:

@@ -224,6 +224,24 @@ def test_a_run_that_an_edit_ends_says_of_what(
     assert finished.args == [Ending.CANCELLED, told]
 
 
+@pytest.mark.parametrize("is_in_layer", [False, True])
+def test_locking_a_shape_under_work_ends_its_run(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, is_in_layer: bool
+) -> None:
+    project, layer = edit.add_layer(Project())
+    project, _ = edit.new_shape(project, SQUARE, 1, layer_id=layer.id)
+    document.open(project, None)
+    run_to_the_third_frame(qtbot, propagation, document, engine)
+    locked = layer.id if is_in_layer else "shape-1"
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        document.apply("Lock", edit.set_properties(document.project, locked, locked=True))
+    told = "Tracking stopped at frame 3; the finished frames stay. Shape 1 was locked meanwhile."
+    assert finished.args == [Ending.CANCELLED, told]
+    engine.allow(2)
+    qtbot.waitUntil(lambda: propagation._runner.is_idle, timeout=WAIT)
+    assert solved(document, [2, 3])()
+
+
 def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:

@@ -86,7 +86,20 @@ def test_a_shape_that_is_edited_meanwhile_is_left_as_it_is(
         document.apply("Rename", edit.set_properties(document.project, "disc", name="Other"))
         plate.go.set()
     assert (document.project.shape("disc").name, document.project.shape("disc").motion_blur) == ("Other", None)
-    assert signal.args[1].endswith(" 1 shape edited meanwhile: left as they are.")
+    assert signal.args[1].endswith(" 1 shape edited or locked meanwhile: left as they are.")
+
+
+def test_a_shape_whose_layer_is_locked_meanwhile_is_left_as_it_is(
+    qtbot: QtBot, document: Document, softening: Softening, verb: PlateEdge, plate: Plate
+) -> None:
+    plate.go.clear()
+    with qtbot.waitSignal(softening.finished, timeout=WAIT) as signal:
+        verb.match()
+        assert plate.asked.wait(WAIT / 1000)
+        document.apply("Lock", edit.set_properties(document.project, "root", locked=True))
+        plate.go.set()
+    assert document.project.shape("disc").motion_blur is None
+    assert signal.args[1].endswith(" 1 shape edited or locked meanwhile: left as they are.")
 
 
 def test_stopped_changes_nothing(

@@ -143,7 +143,7 @@ def test_a_shape_that_is_edited_meanwhile_is_left_as_it_is(
         edited = document.project
         plate.go.set()
     assert document.project is edited
-    assert signal.args[1].endswith(" 1 shape edited meanwhile: left as they are.")
+    assert signal.args[1].endswith(" 1 shape edited or locked meanwhile: left as they are.")
 
 
 def test_stopped_changes_nothing(
