@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
-from roam_core.propagate.shapes.provenance import known_params
+from roam_core.propagate.shapes.provenance import MIN_POINTS, known_params
 from roam_core.review.findings import Finding, boiling_frames, worst_of_stretches
 from roam_core.roto import Layer, Project, RotoShape
 
@@ -202,11 +202,16 @@ class Tracking:
     def _trackable(self) -> list[RotoShape]:
         """Those that can be tracked; says why when there is none."""
         shapes, project = self.in_scope(), self._document.project
-        able = [shape for shape in shapes if shape.closed and not project.is_locked(shape.id)]
+        outlines = [shape for shape in shapes if shape.closed and shape.point_count >= MIN_POINTS]
+        able = [shape for shape in outlines if not project.is_locked(shape.id)]
         if not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able and project.is_locked(shapes[0].id):
             self._view.say(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
+        elif not able and shapes[0].closed:
+            self._view.say(
+                tr("{name} is a single point; draw an outline around the object to track it.", name=shapes[0].name)
+            )
         elif not able:
             self._view.say(
                 tr("{name} is open; close it (<points.toggle_closed> in the viewer) to track it.", name=shapes[0].name)

@@ -105,7 +105,7 @@ def fill(report: Report, request: FillRequest) -> str:
                 reason=failures[0],
             )
         )
-    return _sentence(wanted)
+    return _sentence(request, wanted)
 
 
 def _filled_apart(report: Report, request: FillRequest, wanted: Sequence[Gap], params: RoamParams) -> Collection[Gap]:
@@ -174,7 +174,7 @@ def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParam
         made = [key for key in keys.values() if key is not None]
         if not all(stamps.is_filled(shape, key, gap, params, request.alone) for key in made):
             return False
-        if lacking and (not made or next(frames_shown(request.read, shape, gap, lacking, params), None) is not None):
+        if lacking and next(frames_shown(request.read, shape, gap, lacking, params), None) is not None:
             return False
     return True
 
@@ -183,8 +183,12 @@ def _keys_in(shape: RotoShape, gap: Gap) -> tuple[Keyframe, ...]:
     return tuple(key for key in shape.keys if gap[0] < key.frame < gap[1] and key.origin is Origin.ENGINE)
 
 
-def _sentence(gaps: Sequence[Gap]) -> str:
+def _sentence(request: FillRequest, gaps: Sequence[Gap]) -> str:
+    """What was done: these of the gaps asked for were filled."""
     if not gaps:
+        asked = [shape for shape in request.shapes if shape.id in request.asked]
+        if not any(_keys_in(shape, gap) for shape in asked for gap in request.gaps):
+            return tr("No frame between these keys shows anything: there is nothing to fill.")
         return tr("Filled already: nothing that it depends on has changed.")
     if len(gaps) == 1:
         return tr("Filled the frames {first} to {last}.", first=gaps[0][0] + 1, last=gaps[0][1] - 1)

@@ -19,7 +19,7 @@ from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
 from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
-from roam_core.media import DamagedFrame
+from roam_core.media import DamagedFrame, MissingFrame
 from roam_core.propagate.between import span
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
@@ -29,6 +29,8 @@ SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 CLIP = Clip(Path("shot"), 1, 12, (64, 48))
 SIZE = 48, 64
 GAPS = [(1, 4), (4, 7)]
+RAMP = np.broadcast_to((4 * np.arange(SIZE[1]) % 256)[None, :, None], (*SIZE, 3)).astype(np.uint8)
+"""A picture that shows something."""
 
 
 class Engine:
@@ -50,7 +52,7 @@ class Engine:
         progress(0.5, "Half way")
         while not self.gate.acquire(timeout=0.01):
             token.check()
-        assert isinstance(images[start], np.ndarray) or images[start] == f"picture {start}"
+        assert isinstance(images[start], np.ndarray)
         self.asked.append((start, stop, tuple(shape.id for shape in shapes if shape.id in asked)))
         stamps = Stamps(shapes, clip, SIZE)
         filled = []
@@ -79,7 +81,7 @@ def propagation(document: Document, view_state: ViewState, runner: Runner, engin
     project, second = edit.new_shape(project, SQUARE, 1)
     project = project.with_shape(edit.key_here(edit.key_here(first, 4), 7)).with_shape(edit.key_here(second, 7))
     document.open(project, None)
-    return Propagation(document, view_state, runner, lambda frame: f"picture {frame}")
+    return Propagation(document, view_state, runner, lambda frame: RAMP)
 
 
 def engine_frames(document: Document, shape_id: str = "shape-1") -> list[int]:
@@ -137,7 +139,7 @@ def test_frames_that_a_fill_passed_over_are_not_solved_again(
     def read(frame: int) -> UInt8:
         if frame == 2:
             raise DamagedFrame("Frame 2 is damaged.")
-        return np.full((*SIZE, 3), 0 if frame == 6 else 4 * np.arange(SIZE[1])[:, None] % 256, np.uint8)
+        return np.zeros_like(RAMP) if frame == 6 else RAMP
 
     engine.allow(4)
     engine.passed_over = 2, 6
@@ -147,6 +149,25 @@ def test_frames_that_a_fill_passed_over_are_not_solved_again(
             looking.fill(["shape-1"], GAPS)
     assert [asked[:2] for asked in engine.asked] == GAPS
     assert engine_frames(document) == [3, 5]
+
+
+def test_a_gap_of_which_no_frame_shows_anything_is_not_solved_at_all(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, propagation: Propagation, engine: Engine
+) -> None:
+    def read(frame: int) -> UInt8:
+        if frame == 2:
+            raise MissingFrame("The plate has no frame 2.")
+        return np.zeros_like(RAMP) if frame == 3 else RAMP
+
+    looking = Propagation(document, view_state, runner, read)
+    with qtbot.waitSignal(looking.finished, timeout=WAIT) as finished:
+        looking.fill(["shape-1"], GAPS[:1])
+    assert not engine.asked
+    assert finished.args == [Ending.DONE, "No frame between these keys shows anything: there is nothing to fill."]
+    engine.allow(1)
+    with qtbot.waitSignal(looking.finished, timeout=WAIT):
+        looking.fill(["shape-1"], GAPS)
+    assert [asked[:2] for asked in engine.asked] == GAPS[1:]
 
 
 def test_shapes_keyed_inside_a_gap_are_left_out_of_it(
@@ -176,10 +197,10 @@ def test_stop_keeps_the_gaps_that_are_finished(
 def test_a_gap_that_cannot_be_filled_does_not_lose_the_others(
     qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, propagation: Propagation, engine: Engine
 ) -> None:
-    def read(frame: int) -> str:
+    def read(frame: int) -> UInt8:
         if frame == 1:
             raise DamagedFrame("Frame 1 is damaged.")
-        return f"picture {frame}"
+        return RAMP
 
     damaged = Propagation(document, view_state, runner, read)
     engine.allow(2)

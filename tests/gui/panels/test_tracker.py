@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
@@ -150,6 +151,12 @@ def test_what_cannot_be_tracked_is_said(
         document.apply("Change", edit.set_properties(document.project, "shape-1", **values))
         tracking.forward()
         assert word in view_state.message
+    project, _ = edit.new_shape(Project(CLIP), np.zeros((1, 3, 2)), 1001, name="Tip")
+    document.open(project, None)
+    for verb in (tracking.forward, tracking.fill):
+        view_state.say("")
+        verb()
+        assert view_state.message == "Tip is a single point; draw an outline around the object to track it."
     document.open(Project(CLIP), None)
     tracking.forward()
     assert view_state.message == "Draw a shape first: press B in the viewer."
