@@ -22,12 +22,17 @@ from .view_options import BackgroundForm, OnionForm, options_button
 
 PLATE_GAP, GAP, END = 12, 2, 6
 """Between the plate's name and the controls; between the buttons of views; right of them: in widget units."""
+MOST_WORDS = 280
+"""The room that what the plate is may take from the numbers, in widget units."""
+NUMBERS = 2
+"""How many of the controls that give way are numbers."""
 
 
 class ViewBar(QWidget):
     """`plate_v003 . 1001-1048 . 960x540 . sRGB`, how it is looked at, then a button for each view.
 
-    Where there is little room the plate's name is cut, then controls of looking are put behind a button (`fit`).
+    Where there is little room the numbers of looking are put behind a button, then what the plate is is cut, then the
+    other controls of looking go (`fit`).
     """
 
     def __init__(self, document: Document, canvas: CanvasView, actions: Actions, parent: QWidget | None = None) -> None:
@@ -92,9 +97,11 @@ class ViewBar(QWidget):
         return self._width_without(self._giving_way)
 
     def fit(self, width: int) -> None:
-        """Put away what does not fit in a width, and no more."""
+        """Put away what does not fit in a width, and no more; of numbers also what the plate's words have no room for."""
         ways = [self._giving_way[:count] for count in range(len(self._giving_way) + 1)]
-        away = next((away for away in ways if self._width_without(away) <= width), self._giving_way)
+        words = min(self._plate.sizeHint().width(), MOST_WORDS)
+        needed = [self._width_without(away) + (words if len(away) < NUMBERS else 0) for away in ways]
+        away = next((away for away, room in zip(ways, needed, strict=True) if room <= width), self._giving_way)
         if away != self._put_away:
             self._put_away = away
             for look in self._looks:
@@ -129,7 +136,7 @@ class ViewBar(QWidget):
             if step > 1 and step == self._canvas.viewing.proxy:
                 parts.append(self._actions[name].text())
         self._plate.setText("  ·  ".join(parts))
-        self._plate.setToolTip(str(clip.path))
+        self._plate.setToolTip(f"{self._plate.text()}\n{clip.path}")
 
 
 class PlateLabel(QLabel):

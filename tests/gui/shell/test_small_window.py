@@ -79,6 +79,20 @@ def test_what_is_put_away_is_in_the_menu_and_comes_back(window: MainWindow) -> N
     assert lefts == sorted(lefts)
 
 
+def test_numbers_of_looking_give_way_to_what_the_plate_is(window: MainWindow) -> None:
+    bar = window.view_bar
+    resize(window, 1500, 700)
+    assert bar._plate.width() >= bar._plate.sizeHint().width()
+    room = bar._width_without(()) + bar._plate.sizeHint().width()
+    for width, away in (
+        (room, ()),
+        (room - 1, (bar.gamma,)),
+        (bar._width_without((bar.gamma, bar.exposure)), (bar.gamma, bar.exposure)),
+    ):
+        bar.fit(width)
+        assert bar._put_away == away
+
+
 def test_menus_without_room_are_behind_a_mark(window: MainWindow) -> None:
     resize(window, NARROW, 700)
     menus = window.menuWidget().findChild(QMenuBar)

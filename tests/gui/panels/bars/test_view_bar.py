@@ -36,7 +36,7 @@ def test_the_plate_is_called_by_a_name_the_artist_knows(
     qtbot.addWidget(bar)
     document.open(Project(replace(CLIP, path=path)), None)
     assert bar._plate.text().split("  ·  ") == [name, "1001–1048", "960×540", "sRGB"]
-    assert bar._plate.toolTip() == str(path)
+    assert bar._plate.toolTip() == f"{bar._plate.text()}\n{path}"
 
 
 def test_a_proxy_is_named(qtbot: QtBot, document: Document, canvas: CanvasView) -> None:
