@@ -1,4 +1,4 @@
-"""Recovering: offers what a crash left, at the start and when its project is opened, and finds it in the File menu."""
+"""Recovering: offers what a crash left, at the start and with its project or clip, and finds it in the File menu."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Recovering(QObject):
 
     def offer(self) -> None:
         """Show what nobody answered for yet, if there is anything."""
-        self._look(lambda found: self._ask(recovery.offered(found)))
+        self._look(self._ask, recovery.offered)
 
     def show_all(self) -> None:
         """Show everything that journals hold, also what was declined, thrown away or saved."""
@@ -74,15 +74,21 @@ class Recovering(QObject):
     # ---- the rest is private
 
     def _offer_for(self, path: Path) -> None:
-        """The project that was opened: what a crash left of it."""
+        """What was opened: what a crash left of the project, or of work on the clip that has no file."""
         if path.suffix.lower() == PROJECT_SUFFIX:
-            self._look(lambda found: self._ask(recovery.offered(found, path)))
+            self._look(self._ask, lambda found: recovery.offered(found, path))
+        elif (plate := self._files.plate) is not None:
+            self._look(self._ask, lambda found: recovery.unsaved_on(found, plate.path))
 
-    def _look(self, then: Callable[[list[Recovery]], object]) -> None:
+    def _look(
+        self,
+        then: Callable[[list[Recovery]], object],
+        choose: Callable[[list[Recovery]], list[Recovery]] = list,
+    ) -> None:
         root, own = self._journal.root, self._journal.folder
 
         def work(report: Report) -> str:
-            report.partial(recovery.recoveries(root, own))
+            report.partial(choose(recovery.recoveries(root, own)))
             return ""
 
         self._runner.start("recoveries", work).partial.connect(then)

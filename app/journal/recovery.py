@@ -112,6 +112,19 @@ def offered(found: list[Recovery], path: Path | None = None) -> list[Recovery]:
     return [each for each in found if not each.settled and (path is None or _is_same(each.original, path))]
 
 
+def unsaved_on(found: list[Recovery], clip: Path) -> list[Recovery]:
+    """Those that nobody answered for yet of projects on the clip at this path that have no file."""
+
+    def is_on_it(each: Recovery) -> bool:
+        try:
+            held = load(each)[0].clip
+        except RoamError:
+            return False
+        return held is not None and _is_same(held.path, clip)
+
+    return [each for each in offered(found) if each.original is None and is_on_it(each)]
+
+
 def decline(recovery: Recovery) -> None:
     """Offer it no more by itself; raises `RoamError` when that cannot be remembered."""
     try:

@@ -47,10 +47,14 @@ def mine(tmp_path: Path) -> Path:
 
 
 def crash(root: Path, path: Path | None, edits: int) -> Project:
-    """A session with edits, on a saved project or none, that ended without closing."""
+    """A session with edits, on a saved project, a clip or nothing, that ended without closing."""
+    from app.files.reading import clip_project
+
     document = Document()
     journal = Journal(document, root)
-    if path is not None:
+    if path is not None and path.is_dir():
+        document.open(clip_project(path)[0], None)
+    elif path is not None:
         document.open(file.load(path), path, Fingerprint.of(path))
     for _ in range(edits):
         document.apply("Draw", edit.new_shape(document.project, SQUARE, FIRST)[0])
@@ -125,6 +129,22 @@ def test_a_project_that_is_opened_brings_its_own_and_no_others(
     with qtbot.waitSignal(window.files.opened, timeout=WAIT):
         window.files.open(mine)
     assert [row[0] for row in rows(asked(qtbot, window))] == ["mine.roam"]
+
+
+def test_a_clip_that_is_opened_brings_what_was_drawn_on_it_and_never_saved(
+    qtbot: QtBot, window: MainWindow, root: Path, mine: Path, tmp_path: Path
+) -> None:
+    crash(root, mine, 1)
+    crash(root, None, 1)
+    crash(root, write_clip(tmp_path / "other", 2), 1)
+    lost = crash(root, tmp_path / "plate", 2)
+    with qtbot.waitSignal(window.files.opened, timeout=WAIT):
+        window.files.open(tmp_path / "plate")
+    dialog = asked(qtbot, window)
+    assert [row[:2] for row in rows(dialog)] == [["untitled", "2 edits in 2 shapes"]]
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        qtbot.mouseClick(dialog.recover, Qt.MouseButton.LeftButton)
+    assert window.document.project == lost
 
 
 def test_declining_is_remembered_and_the_file_menu_still_has_it(qtbot: QtBot, window: MainWindow, root: Path) -> None:
