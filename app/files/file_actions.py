@@ -38,9 +38,11 @@ class FileActions(QObject):
     Signals
     -------
     refused_to_open() : the artist does not want to open a project after all.
+    leaving() : the project is saved to be left then: nothing may go on changing it.
     """
 
     refused_to_open = Signal()
+    leaving = Signal()
 
     def __init__(
         self,
@@ -161,7 +163,7 @@ class FileActions(QObject):
         if self._document.path is None:
             self.save_as()
         else:
-            self._files.save(self._document.path)
+            self._write(self._document.path)
 
     def save_as(self) -> None:
         """Ask where, and save there."""
@@ -170,7 +172,7 @@ class FileActions(QObject):
         if chosen is None or not self._may_save_to(path := questions.with_suffix(chosen, PROJECT_SUFFIX), chosen):
             self._disarm()
         else:
-            self._files.save(path)
+            self._write(path)
 
     def import_shapes(self) -> None:
         """Ask for a file of shapes, and read it."""
@@ -271,6 +273,11 @@ class FileActions(QObject):
             self._files.open_plate(path)
         else:
             self.leave_project(lambda: self._files.open(path))
+
+    def _write(self, path: Path) -> None:
+        if self._after_saving is not None:
+            self.leaving.emit()
+        self._files.save(path)
 
     def _lacks_clip(self) -> bool:
         """True, and said, where there is no clip for shapes to come into: told before anything is asked."""

@@ -26,6 +26,13 @@ class WritesFiles(Protocol):
     def is_writing(self) -> bool: ...
 
 
+@runtime_checkable
+class EditsProject(Protocol):
+    """Long work whose results come into the document while it goes on; `drop` ends that at once."""
+
+    def drop(self) -> None: ...
+
+
 class UnderWay(QObject):
     """Gathers the news of several kinds of work.
 
@@ -80,6 +87,12 @@ class UnderWay(QObject):
         for index, work in enumerate(self._works):
             if not self._writes(index):
                 work.stop()
+
+    def drop_edits(self) -> None:
+        """End at once what goes on changing the project; what has come into it stays."""
+        for work in self._works:
+            if isinstance(work, EditsProject):
+                work.drop()
 
     def _writes(self, index: int) -> bool:
         work = self._works[index]

@@ -261,6 +261,7 @@ class MainWindow(QMainWindow):
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
         self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
         self.under_way.changed.connect(self._pull_running)
+        self.file_actions.leaving.connect(self.under_way.drop_edits)
         self.planar.doubted.connect(view.say)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
@@ -441,8 +442,6 @@ class MainWindow(QMainWindow):
 
     def _shut_down(self) -> None:
         self.playback.pause()
-        self.propagation.drop()
-        self.planar.drop()
-        self.plate_jobs.drop()
+        self.under_way.drop_edits()
         for part in (self.solver, self.eye, self.reader, self.writer, self.saver, self.files.claim, self.journal):
             part.close()

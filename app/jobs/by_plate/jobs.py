@@ -1,4 +1,4 @@
-"""PlateJobs: the jobs of this room, as the window makes and drops them."""
+"""PlateJobs: the jobs of this room, as the window makes them."""
 
 from __future__ import annotations
 
@@ -30,8 +30,3 @@ class PlateJobs:
     def all(self) -> tuple[PlateJob, ...]:
         """All of them."""
         return self.softening, self.steadying
-
-    def drop(self) -> None:
-        """Stop all of them now."""
-        for job in self.all:
-            job.drop()

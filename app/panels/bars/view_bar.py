@@ -97,7 +97,7 @@ class ViewBar(QWidget):
         return self._width_without(self._giving_way)
 
     def fit(self, width: int) -> None:
-        """Put away what does not fit in a width, and no more; of numbers also what the plate's words have no room for."""
+        """Put away what does not fit in a width, and no more; numbers also where the plate's words would not fit."""
         ways = [self._giving_way[:count] for count in range(len(self._giving_way) + 1)]
         words = min(self._plate.sizeHint().width(), MOST_WORDS)
         needed = [self._width_without(away) + (words if len(away) < NUMBERS else 0) for away in ways]

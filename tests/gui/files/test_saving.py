@@ -13,11 +13,13 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.dialogs import questions
 from app.dialogs.questions import Contested, Doubted, Unsaved
 from app.shell.main_window import MainWindow
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, backups, edit, file, project_lock
+from tests.gui.engines import GlidingEngine, put_in
 from tests.gui.windows import WAIT, opened_window
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -326,3 +328,26 @@ def test_what_was_to_follow_a_save_is_forgotten_with_the_project(
     draw(window)
     saved(qtbot, window, tmp_path / "other.roam")
     assert left == []
+
+
+def test_a_run_ends_where_the_project_is_saved_to_be_left(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch, mine: Path
+) -> None:
+    """Else frames that came meanwhile would be asked about again, as long as it goes on."""
+    engine, gate = put_in(monkeypatch, GlidingEngine()), Gate(monkeypatch)
+    draw(window)
+    window.document.path = mine
+    engine.allow(1)
+    with qtbot.waitSignal(window.propagation.solved, timeout=WAIT):
+        window.propagation.start(["shape-1"], range(1, 9))
+    asked, left = list[str](), list[Project]()
+    monkeypatch.setattr(questions, "ask_unsaved", lambda _parent, name: asked.append(name) or Unsaved.SAVE)
+    window.file_actions.leave_project(lambda: left.append(window.document.project))
+    assert gate.reached.wait(WAIT / 1000)
+    engine.allow(7)
+    assert not window.propagation.is_running
+    gate.open.set()
+    qtbot.waitUntil(lambda: bool(left), timeout=WAIT)
+    assert asked == ["mine.roam"]
+    assert left == [file.load(mine)]
+    assert left[0].shapes[0].frames == (1, 2)
