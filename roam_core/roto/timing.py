@@ -8,6 +8,7 @@ from dataclasses import replace
 from roam_core.arrays import Array
 from roam_core.roto import edit
 from roam_core.roto.animated import Interpolation
+from roam_core.roto.control_points import settled
 from roam_core.roto.keying import reshape
 from roam_core.roto.project import Mark, Project
 from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
@@ -64,12 +65,17 @@ def copy_keys(project: Project, places: Iterable[Place], offset: int) -> Project
 def paste_keys(project: Project, keys: Mapping[str, Iterable[Keyframe]], offset: int = 0) -> Project:
     """The project with keys put into its shapes, `offset` frames on, as the artist's; what lies there gives way.
 
-    Shapes that are gone, and keys of another number of points than their shape has, are left out.
+    Shapes that are gone, and keys of another number of points than their shape has, are left out. A B-spline takes the
+    key of a Bezier as the nearest B-spline.
     """
     for shape_id, copied in keys.items():
         if project.has(shape_id):
             shape = project.shape(shape_id)
-            fitting = [key for key in copied if len(key.points) == shape.point_count]
+            fitting = [
+                replace(key, points=settled(key.points, shape))
+                for key in copied
+                if len(key.points) == shape.point_count
+            ]
             project = project.with_shape(shape.with_keys(_shifted(fitting, offset)))
     return project
 

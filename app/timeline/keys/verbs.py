@@ -60,15 +60,20 @@ class KeyVerbs:
                     mine()
                     return
                 if action_id in ("edit.copy", "edit.cut"):
-                    self._copied = {}  # what was copied last is what is pasted
+                    self._forget()
                 other()
 
             return call
 
-        return {action_id: chosen(action_id) for action_id in own}
+        def copy_here() -> None:
+            self._forget()
+            handlers["key.copy"]()
+
+        here = {"key.copy": copy_here} if "key.copy" in handlers else {}
+        return {action_id: chosen(action_id) for action_id in own} | here
 
     def _forget(self) -> None:
-        """Another project has other shapes, though their ids may be the same."""
+        """What was copied last is what is pasted; and shapes of another project may have the same ids."""
         self._copied = {}
 
     # ---- the verbs

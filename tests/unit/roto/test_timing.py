@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,20 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import clip_stamp, is_stale, stamp
-from roam_core.roto import Clip, Interpolation, Keyframe, Mark, Origin, Project, RotoShape, edit, file, timing
+from roam_core.roto import (
+    Clip,
+    Interpolation,
+    Keyframe,
+    Mark,
+    Origin,
+    Project,
+    RotoShape,
+    Spline,
+    control_points,
+    edit,
+    file,
+    timing,
+)
 
 SQUARE = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 CLIP = Clip(Path("shot"), 1, 60, (64, 48))
@@ -75,6 +89,13 @@ def test_pasted_keys_lose_what_the_engine_said_of_them(project: Project) -> None
 
 def test_keys_of_another_number_of_points_are_not_pasted(project: Project) -> None:
     assert timing.paste_keys(project, {"a": [Keyframe(30, SQUARE[:3])]}) == project
+
+
+def test_a_b_spline_takes_the_key_of_a_bezier_as_a_b_spline(project: Project) -> None:
+    rounded = control_points.with_spline(replace(project.shape("a"), keys=(Keyframe(10, SQUARE),)), Spline.BSPLINE)
+    pasted = timing.paste_keys(project.with_shape(rounded), {"a": [Keyframe(30, SQUARE)]}).shape("a").at(30)
+    np.testing.assert_allclose(pasted.points, control_points.settled(SQUARE, rounded))
+    assert not np.allclose(pasted.points, SQUARE)
 
 
 def test_deleting_spares_the_engines_keys_and_the_last_of_all(project: Project) -> None:

@@ -284,6 +284,17 @@ def test_copying_means_what_it_meant_elsewhere_without_the_keyboard_or_without_k
     assert asked[5:] == ["edit.paste"]  # the shapes were copied last
 
 
+def test_the_key_of_a_frame_that_was_copied_last_is_what_is_pasted(qtbot: QtBot, timeline: Timeline) -> None:
+    asked: list[str] = []
+    names = ("edit.copy", "edit.paste", "key.copy")
+    handlers = timeline.verbs.taking_over({name: lambda name=name: asked.append(name) for name in names})
+    take_keyboard(qtbot, timeline)
+    drag(timeline, place(timeline, 1025, 0) - QPoint(0, 8), place(timeline, 1032, 1))
+    for name in ("edit.copy", "key.copy", "edit.paste"):
+        handlers[name]()
+    assert asked == ["key.copy", "edit.paste"]
+
+
 def test_keys_that_were_copied_are_forgotten_with_their_project(
     qtbot: QtBot, timeline: Timeline, document: Document
 ) -> None:
