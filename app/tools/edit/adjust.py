@@ -87,12 +87,12 @@ class AdjustTool(GestureTool):
         self._hovered, self._is_over = None, False
 
     def layer(self) -> Layer | None:
-        """The innermost moving layer around the shapes in hand; None where there is none, or it is locked."""
+        """The innermost moving layer around the shapes in hand; None without one that is not locked."""
         project = self.document.project
         for shape in shapes_in_hand(project, self.view_state.selection):
             for layer in reversed(project.layers_above(shape.id)):
                 if layer.transform is not None:
-                    return None if layer.locked else layer
+                    return None if project.is_locked(layer.id) else layer
         return None
 
     def corners(self, project: Project, layer: Layer) -> Array:

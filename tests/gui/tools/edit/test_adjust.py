@@ -12,6 +12,7 @@ from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Layer, LayerTransform, Project, edit
 from roam_core.roto.following import followed, surface_at, with_moving_layer
+from roam_core.roto.layers import grouped
 from tests.gui.hand import Hand
 
 SQUARE = polygon_points([(100.0, 80.0), (220.0, 80.0), (220.0, 160.0), (100.0, 160.0)])
@@ -94,3 +95,11 @@ def test_without_a_track_it_says_what_to_do(hand: Hand, document: Document, view
     assert view_state.message.startswith("Select a shape whose plane is tracked")
     hand.click((50.0, 50.0))
     assert document.undo_stack.count() == 0
+
+
+def test_a_layer_that_lies_in_a_locked_one_is_not_adjusted(hand: Hand, document: Document, tracked: str) -> None:
+    project, group = grouped(document.project, [tracked])
+    locked = edit.set_properties(project, group.id, locked=True)
+    document.open(locked, None)
+    hand.drag((220.0, 160.0), (230.0, 166.0))
+    assert document.project is locked
