@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -166,12 +167,12 @@ class PlateReader(QObject):
 
     def engine_parts(self, frame: int) -> PartialPicture:
         """As `engine_frame`; of it is converted what is looked at."""
-        from roam_core.media.partial import PartialPicture
+        return _engine_parts(self._source, self._cache, frame)
 
-        if self._cache is None or self._source is None:
-            raise RoamError(tr("There is no plate to track in; open a clip first."))
-        width, height = self._source.size
-        return PartialPicture((height, width), self._source.colour_space, None, (0, 0), self._cache.read(frame))
+    def frames_of_this_plate(self) -> Callable[[int], Any]:
+        """What reads frames as `engine_frame` of the plate that is open now, and goes on to when another one is."""
+        source, cache = self._source, self._cache
+        return lambda frame: _engine_parts(source, cache, frame).whole
 
     def show(self, frame: int) -> None:
         """Ask for the picture of `frame`. While one is being decoded only the last wish counts.
@@ -282,6 +283,15 @@ class PlateReader(QObject):
             self._cache.close()
         self._source = self._cache = self._wanted = None
         self._ready = OrderedDict()
+
+
+def _engine_parts(source: PlateSource | None, cache: FrameCache[Image] | None, frame: int) -> PartialPicture:
+    from roam_core.media.partial import PartialPicture
+
+    if cache is None or source is None:
+        raise RoamError(tr("There is no plate to track in; open a clip first."))
+    width, height = source.size
+    return PartialPicture((height, width), source.colour_space, None, (0, 0), cache.read(frame))
 
 
 def _keep(ready: OrderedDict[int, Ready], frame: int, seen: Ready) -> None:

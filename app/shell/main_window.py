@@ -131,7 +131,7 @@ class MainWindow(QMainWindow):
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.plate_jobs = PlateJobs.of(self.document, self.solver, self.reader.engine_frame, self)
-        self.review_job = ReviewJob(self.document, self.writer, self.reader.engine_frame, self, asks[0])
+        self.review_job = ReviewJob(self.document, self.writer, self.reader.frames_of_this_plate, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
         self.under_way = UnderWay(*works, *self.plate_jobs.all, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)

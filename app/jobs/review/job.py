@@ -23,7 +23,10 @@ WRITING, MEASURING = "review", "boil"
 
 
 class ReviewJob(QObject):
-    """Writes what others look at, and measures. `read(frame)` gives plate frames in the engine's colours to the worker.
+    """Writes what others look at, and measures.
+
+    `reading()` gives what reads frames of the plate that is open, in the engine's colours, for the worker: what is
+    begun on one plate goes on with it while another one is open.
 
     Signals
     -------
@@ -44,12 +47,12 @@ class ReviewJob(QObject):
         self,
         document: Document,
         runner: Runner,
-        read: ReadFrame,
+        reading: Callable[[], ReadFrame],
         parent: QObject | None = None,
         may_overwrite: Callable[[Sequence[Path]], bool] = lambda _: False,
     ) -> None:
         super().__init__(parent)
-        self._document, self._runner, self._read, self._may_overwrite = document, runner, read, may_overwrite
+        self._document, self._runner, self._reading, self._may_overwrite = document, runner, reading, may_overwrite
 
     @property
     def is_writing(self) -> bool:
@@ -57,7 +60,7 @@ class ReviewJob(QObject):
 
     def start(self, request: ReviewRequest) -> None:
         """Write what is asked for; its project is the snapshot."""
-        self._start(_Writing(request, self._document.path))
+        self._start(_Writing(request, self._document.path, self._reading()))
 
     def stop(self) -> None:
         """Stop soon; finished pictures stay, a movie does not appear."""
@@ -67,7 +70,7 @@ class ReviewJob(QObject):
 
     def measure(self, shapes: Sequence[RotoShape]) -> None:
         """Measure how much shapes boil by the motion of the picture."""
-        asked, read = {shape.id: shape for shape in shapes}, self._read
+        asked, read = {shape.id: shape for shape in shapes}, self._reading()
 
         def work(report: Report) -> str:
             # OpenCV loads while the window is up already: that must not delay it.
@@ -83,11 +86,10 @@ class ReviewJob(QObject):
 
     def _start(self, writing: _Writing) -> None:
         foreign: list[Path] = []
-        read = self._read
 
         def work(report: Report) -> str:
             foreign.extend(_foreign(writing))
-            return "" if foreign else _write(report, writing, read)
+            return "" if foreign else _write(report, writing)
 
         def end(ending: Ending, sentence: str) -> None:
             if ending is Ending.DONE and foreign and self._may_overwrite(foreign):
@@ -107,10 +109,11 @@ class ReviewJob(QObject):
 
 @dataclass(frozen=True)
 class _Writing:
-    """What is asked for; `file` is the project's own."""
+    """What is asked for; `file` is the project's own, `read` reads its plate."""
 
     request: ReviewRequest
     file: Path | None
+    read: ReadFrame
     overwrites: bool = False
 
 
@@ -124,9 +127,9 @@ def _foreign(writing: _Writing) -> tuple[Path, ...]:
     return () if writing.overwrites else found.foreign
 
 
-def _write(report: Report, writing: _Writing, read: ReadFrame) -> str:
+def _write(report: Report, writing: _Writing) -> str:
     """The work, on the worker thread."""
     from roam_core.review.writing import write_review
 
     report.progress(0.0, tr("Writing {name} …", name=writing.request.path.name))
-    return write_review(writing.request, read, report.token, report.progress)
+    return write_review(writing.request, writing.read, report.token, report.progress)

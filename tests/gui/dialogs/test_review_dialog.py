@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -21,6 +22,8 @@ from app.model.view_state import ViewState
 from app.model.viewing import ViewMode
 from app.translation import SOURCE, speak
 from roam_core.arrays import UInt8
+from roam_core.media import open_clip
+from roam_core.review import writing
 from roam_core.review.boil import BOILING
 from roam_core.review.look import Burn, ReviewView
 from roam_core.review.movie import movie_length
@@ -69,10 +72,10 @@ def dialog(
     def ask(_: Sequence[Path]) -> bool:
         return answers.pop(0)
 
-    writing = ReviewJob(document, runner, plate.read, may_overwrite=ask)
+    job = ReviewJob(document, runner, lambda: plate.read, may_overwrite=ask)
     document.open(project_of(body([4.0 * k for k in range(10)])), None)
     view_state.set_play_range(1003, 1006)
-    dialog = ReviewDialog(document, view_state, writing, lambda suffix: tmp_path / f"shot{suffix}")
+    dialog = ReviewDialog(document, view_state, job, lambda suffix: tmp_path / f"shot{suffix}")
     qtbot.addWidget(dialog)
     with qtbot.waitExposed(dialog):
         dialog.show_for(Output.MOVIE, ViewMode.OVERLAY)
@@ -225,6 +228,36 @@ def test_window_and_command_line_write_the_same_pictures(
         assert np.array_equal(ours, theirs)
 
 
+def test_pictures_of_a_clip_are_its_own_though_another_one_is_opened_meanwhile(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = write_clip(tmp_path / "first", 2), write_clip(tmp_path / "second", 2)
+    for path in second.iterdir():
+        cv2.imwrite(str(path), 255 - cv2.imread(str(path)))
+    begun, opened = threading.Event(), threading.Event()
+    write = writing.write_review
+
+    def late(*arguments: Any) -> str:
+        begun.set()
+        assert opened.wait(WAIT / 1000)
+        return write(*arguments)
+
+    monkeypatch.setattr(writing, "write_review", late)
+    with opened_window(qtbot, first, tmp_path / "state") as window:
+        frames = tuple(window.document.project.require_clip().frame_range)
+        request = writing.ReviewRequest(window.document.project, frames, Output.PICTURES, tmp_path / "out")
+        window.review_job.start(request)
+        assert begun.wait(WAIT / 1000)
+        window.reader.open(open_clip(second))
+        with qtbot.waitSignal(window.review_job.finished, timeout=WAIT):
+            opened.set()
+    for frame in frames:
+        made, theirs = (
+            cv2.imread(str(path)) for path in (tmp_path / "out" / f"review.{frame}.png", first / f"plate.{frame}.png")
+        )
+        assert np.abs(made[60:, 80:].astype(int) - theirs[60:, 80:]).mean() < 2.0
+
+
 def test_n_stops_at_frames_that_boil_and_says_so(qtbot: QtBot, tmp_path: Path) -> None:
     with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
         project, shape = edit.new_shape(window.document.project, square(40.0) + 60.0, FIRST, name="Arm")
@@ -295,7 +328,7 @@ def test_in_german_the_target_is_a_place_and_no_frame(
 ) -> None:
     speak("de")
     try:
-        dialog = ReviewDialog(document, view_state, ReviewJob(document, runner, read), Path)
+        dialog = ReviewDialog(document, view_state, ReviewJob(document, runner, lambda: read), Path)
         qtbot.addWidget(dialog)
         words = [label.text() for label in dialog.findChildren(QLabel)]
     finally:

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.jobs.decode import PlateReader
 from app.model.viewing import Viewing
+from roam_core.errors import RoamError
 from roam_core.media import DamagedFrame, MissingFrame
 
 WAIT = 5000
@@ -168,6 +169,17 @@ def test_another_plate_lets_the_old_one_go(qtbot: QtBot, reader: PlateReader) ->
     assert reader.source is None
     assert reader.cached_frames() == frozenset()
     reader.show(2)  # no plate, no picture, no error
+
+
+def test_what_reads_a_plate_goes_on_with_it_when_another_one_is_open(reader: PlateReader) -> None:
+    reader.open(Plate())
+    read = reader.frames_of_this_plate()
+    reader.open(Large())
+    assert read(2).shape == (2, 4, 3)
+    reader.open(None)
+    assert read(2).shape == (2, 4, 3)
+    with pytest.raises(RoamError, match="no plate"):
+        reader.frames_of_this_plate()(2)
 
 
 class Large(Plate):
