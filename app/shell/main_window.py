@@ -116,11 +116,12 @@ class MainWindow(QMainWindow):
 
     def _build_state(self, journal_root: Path) -> None:
         self.document, self.view_state = Document(self), ViewState(self)
-        self.solver, self.writer = Runner("solver", self), Runner("writer", self)
-        self.saver, self.reader = Runner("saver", self), PlateReader(self)
+        names = "solver", "writer", "exporter", "saver"
+        self.solver, self.writer, self.exporter, self.saver = (Runner(name, self) for name in names)
+        self.reader = PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
         asks = partial(questions.ask_overwrite, self), partial(questions.ask_lossy, self)
-        self.export = Export(self.document, self.writer, self, *asks)
+        self.export = Export(self.document, self.exporter, self, *asks)
         self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
         self.journal = Journal(self.document, journal_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_parts, self)
@@ -131,7 +132,7 @@ class MainWindow(QMainWindow):
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.plate_jobs = PlateJobs.of(self.document, self.solver, self.reader.engine_frame, self)
-        self.review_job = ReviewJob(self.document, self.writer, self.reader.frames_of_this_plate, self, asks[0])
+        self.review_job = ReviewJob(self.document, self.exporter, self.reader.frames_of_this_plate, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
         self.under_way = UnderWay(*works, *self.plate_jobs.all, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)
@@ -443,5 +444,6 @@ class MainWindow(QMainWindow):
     def _shut_down(self) -> None:
         self.playback.pause()
         self.under_way.drop_edits()
-        for part in (self.solver, self.eye, self.reader, self.writer, self.saver, self.files.claim, self.journal):
+        runners = self.solver, self.eye, self.reader, self.writer, self.exporter, self.saver
+        for part in (*runners, self.files.claim, self.journal):
             part.close()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
 from app.dialogs.questions import Unsaved
+from app.jobs import export
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file
@@ -71,3 +73,17 @@ def test_what_was_given_up_before_is_not_asked_about_again(
         window.file_actions.open_chosen(write_clip(tmp_path / "other", 3))
     assert asked == ["a.roam"]
     assert window.document.project.shapes == ()
+
+
+def test_opening_does_not_wait_for_an_export(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done = threading.Event()
+    monkeypatch.setattr(export, "_export", lambda report, _request: str(done.wait(WAIT / 1000)))
+    window.document.save(tmp_path / "a.roam")
+    window.export.start("nuke", tmp_path / "a.nk")
+    with qtbot.waitSignal(window.files.opened, timeout=WAIT):
+        window.file_actions.open_chosen(write_clip(tmp_path / "other", 3))
+    assert window.export.is_writing
+    with qtbot.waitSignal(window.export.finished, timeout=WAIT):
+        done.set()

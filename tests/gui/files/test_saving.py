@@ -64,12 +64,13 @@ class Gate:
 
 def test_a_save_does_not_wait_for_other_work(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
     done = threading.Event()
-    window.writer.start("export", lambda report: str(done.wait(WAIT / 1000)))
+    for runner in (window.writer, window.exporter):
+        runner.start("other", lambda report: str(done.wait(WAIT / 1000)))
     draw(window)
     saved(qtbot, window, mine)
-    assert window.writer.running("export") is not None
+    assert window.writer.running("other") is not None
     done.set()
-    qtbot.waitUntil(lambda: window.writer.is_idle, timeout=WAIT)
+    qtbot.waitUntil(lambda: window.writer.is_idle and window.exporter.is_idle, timeout=WAIT)
 
 
 def test_leaving_while_a_save_is_under_way_waits_and_asks_about_what_came_after(

@@ -159,7 +159,7 @@ def test_closing_asks_about_what_is_being_written(
         ended_by = window.export.finished
         window.export.start("nuke", tmp_path / "a.nk")
     else:
-        ended_by = window.writer.start(kind, write).ended
+        ended_by = window.exporter.start(kind, write).ended
     window.close()
     assert asked == [("Stop the export and close?", "Keep it running")]
     if answer == "Keep it running":
