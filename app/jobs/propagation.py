@@ -223,12 +223,12 @@ class Propagation(QObject):
 
     def _is_touched(self, expected: RotoShape) -> bool:
         project = self._document.project
-        return not project.has(expected.id) or not _same_curves(project.shape(expected.id), expected)
+        return self._is_changed(expected) or not _same_curves(project.shape(expected.id), expected)
 
-    def _is_changed(self, beside: RotoShape) -> bool:
-        """Whether a shape that is solved with those under work is no longer as the artist drew it."""
+    def _is_changed(self, before: RotoShape) -> bool:
+        """Whether a shape that is solved is no longer as the artist drew it, or means another thing in its object."""
         project = self._document.project
-        return not project.has(beside.id) or decisive(project.shape(beside.id)) != decisive(beside)
+        return not project.has(before.id) or decisive(project.shape(before.id)) != decisive(before)
 
     def _end(self, ending: Ending, sentence: str) -> None:
         self._patience.stop()

@@ -15,7 +15,7 @@ from app.model.view_state import ViewState
 from app.tools.in_hand import ToolInHand
 from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
+from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit
 from tests.gui.engines import OUT_OF_DATE, GlidingEngine, put_in
 
 WAIT = 5000
@@ -212,6 +212,16 @@ def test_an_edit_of_a_shape_that_is_solved_along_ends_the_run(
     qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
     document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 4)))
     assert propagation.is_running is alone
+
+
+@pytest.mark.parametrize("values", [{"blend": BlendMode.SUBTRACT}, {"link": "hero"}, {"lifetime": (1, 4)}])
+def test_what_decides_how_a_shape_is_solved_ends_its_run(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, values: dict[str, object]
+) -> None:
+    """What the run found from then on would be out of date as it came."""
+    run_to_the_third_frame(qtbot, propagation, document, engine)
+    document.apply("Change", edit.set_properties(document.project, "shape-1", **values))
+    assert not propagation.is_running
 
 
 def test_a_run_that_an_edit_ends_says_of_what(
