@@ -89,18 +89,22 @@ class FileActions(QObject):
         }
 
     def leave_project(self, then: Callable[[], object]) -> None:
-        """Do `then` once nothing is lost by it: at once, after saving, or never."""
+        """Do `then` once nothing is lost by it: at once, after saving, or never.
+
+        A shape that is half drawn counts, and is finished where the artist wants it saved.
+        """
         if self._files.is_saving:
             self._after_saving = lambda: self.leave_project(then)
             self._view.say(tr("The project is being saved …"))
             return
-        if not self._document.is_modified:
+        if not self._document.is_modified and not self._view.is_in_use:
             then()
             return
         answer = questions.ask_unsaved(self._window, self.title)
         if answer is Unsaved.DISCARD:
             then()
         elif answer is Unsaved.SAVE:
+            self._view.set_tool("select")
             # What was edited while it was saved is asked about again.
             self._after_saving = lambda: self.leave_project(then)
             self.save()

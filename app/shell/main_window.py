@@ -433,6 +433,7 @@ class MainWindow(QMainWindow):
 
     def leave_unasked(self) -> None:
         """Close without a question, because the desktop or the terminal says so; unsaved work waits for recovery."""
+        self.view_state.set_tool("select")  # what is half drawn is finished
         self.journal.leave_for_recovery()
         self._leave()
 

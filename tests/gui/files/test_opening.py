@@ -12,9 +12,11 @@ from pytestqt.qtbot import QtBot
 from app.dialogs import questions
 from app.dialogs.questions import Unsaved
 from app.jobs import export
+from app.journal import recovery
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file
+from tests.gui.hand import Hand
 from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -87,3 +89,35 @@ def test_opening_does_not_wait_for_an_export(
     assert window.export.is_writing
     with qtbot.waitSignal(window.export.finished, timeout=WAIT):
         done.set()
+
+
+@pytest.mark.parametrize("answer", Unsaved)
+def test_a_shape_that_is_half_drawn_is_asked_about(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, answer: Unsaved
+) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: asked.append(name) or answer)
+    window.document.save(tmp_path / "a.roam")
+    window.view_state.set_tool("polygon")
+    for corner in ((40.0, 30.0), (80.0, 30.0), (80.0, 70.0)):
+        Hand(window.canvas).click(corner)
+    left: list[bool] = []
+    window.file_actions.leave_project(lambda: left.append(True))
+    assert asked == ["a.roam"]
+    if answer is Unsaved.CANCEL:
+        assert len(window.canvas.tool.points) == 3
+    else:
+        qtbot.waitUntil(lambda: left == [True], timeout=WAIT)
+        assert len(file.load(tmp_path / "a.roam").shapes) == (2 if answer is Unsaved.SAVE else 1)
+
+
+def test_what_is_half_drawn_waits_for_recovery_where_the_desktop_closes_the_window(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    window.view_state.set_tool("polygon")
+    for corner in ((40.0, 30.0), (80.0, 30.0), (80.0, 70.0)):
+        Hand(window.canvas).click(corner)
+    window.leave_unasked()
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
+    (found,) = recovery.offered(recovery.recoveries(tmp_path / "journal"))
+    assert len(recovery.load(found)[0].shapes) == 2
