@@ -24,12 +24,15 @@ from ..model.document import PROJECT_SUFFIX, Document
 from ..model.last_folders import LastFolders, Purpose
 from ..model.personal import Personal
 from ..model.view_state import ViewState
-from ..translation import tr
+from ..translation import N_, tr
 from .files import Files
 
 if TYPE_CHECKING:
     from ..dialogs.clip_dialog import ClipDialog
     from ..dialogs.export_dialog import ExportDialog
+
+
+NOTHING_TO_EXPORT = N_("There is nothing to export yet; open a clip first.")
 
 
 class FileActions(QObject):
@@ -222,9 +225,12 @@ class FileActions(QObject):
         self._export_dialog.activateWindow()
 
     def export_nuke(self) -> None:
-        self._export_file("nuke", tr("Export to Nuke"))
+        if not self._lacks_clip(tr(NOTHING_TO_EXPORT)):
+            self._export_file("nuke", tr("Export to Nuke"))
 
     def export_mattes(self) -> None:
+        if self._lacks_clip(tr(NOTHING_TO_EXPORT)):
+            return
         folder = questions.choose_folder(
             self._window, tr("Export mattes to a folder"), self._start_folder(Purpose.EXPORT)
         )
@@ -283,10 +289,10 @@ class FileActions(QObject):
             self.leaving.emit()
         self._files.save(path)
 
-    def _lacks_clip(self) -> bool:
-        """True, and said, where there is no clip for shapes to come into: told before anything is asked."""
+    def _lacks_clip(self, sentence: str = "") -> bool:
+        """True, and said, where there is no clip for shapes to come into, or out of: told before anything is asked."""
         if self._document.project.clip is None:
-            self._view.say(tr("Open a clip first: shapes come into its frames and pixels."))
+            self._view.say(sentence or tr("Open a clip first: shapes come into its frames and pixels."))
             return True
         return False
 

@@ -96,7 +96,7 @@ def test_the_next_window_knows_them(
 ) -> None:
     window.file_actions.folders.note(Purpose.EXPORT, tmp_path)
     window.keep_settings(tmp_path / "window.ini")
-    with opened_window(qtbot, None, tmp_path / "other") as other:
+    with opened_window(qtbot, tmp_path / "show" / "plate", tmp_path / "other") as other:
         other.restore_settings(tmp_path / "window.ini")
         other.file_actions.export_mattes()
     assert starts["choose_folder"] == [tmp_path]

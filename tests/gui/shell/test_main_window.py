@@ -268,11 +268,15 @@ def test_the_menu_imports_files_and_folders_of_masks(
     assert "masks" in finished.args[1]
 
 
-@pytest.mark.parametrize("name", ["file.import_shapes", "file.import_masks"])
+@pytest.mark.parametrize("name", ["file.import_shapes", "file.import_masks", "file.export_nuke", "file.export_mattes"])
 def test_without_a_clip_nothing_is_asked_before_it_is_told(window: MainWindow, name: str) -> None:
     window.document.open(Project(), None)
     window.actions_by_id[name].trigger()  # a chooser would wait for an answer
-    assert window.status.sentence.text() == "Open a clip first: shapes come into its frames and pixels."
+    assert window.status.sentence.text() == (
+        "There is nothing to export yet; open a clip first."
+        if "export" in name
+        else "Open a clip first: shapes come into its frames and pixels."
+    )
 
 
 def test_an_older_project_whose_shapes_are_summed_says_so(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
