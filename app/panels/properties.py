@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from roam_core.roto import MotionBlur, RotoShape
+from roam_core.roto import MotionBlur, RotoShape, edit
 from roam_core.roto.animated import Animated, value_at
 from roam_core.roto.edit import MIN_POINTS_CLOSED
 from roam_core.roto.properties import begin_at, end_at, limit_lifetime, set_motion_blur
@@ -241,7 +241,10 @@ class PropertiesPanel(QWidget):
             box.show_value(shared(getattr(shape, name) for shape in shapes))
 
         self._fields.append(Field(box, show, works_locked=name in FREE_OF_LOCKS))
-        box.clicked.connect(lambda on: self.push(_switched(name, on), **{name: on}))
+        if name == "closed":  # of a B-spline other points follow from it
+            box.clicked.connect(lambda on: self.push_each(_switched(name, on), lambda shape: _as_closed(shape, on)))
+        else:
+            box.clicked.connect(lambda on: self.push(_switched(name, on), **{name: on}))
 
     # ---- widget to model
 
@@ -316,6 +319,10 @@ class PropertiesPanel(QWidget):
             self.name.show_name(shapes[0].name)
         else:
             self.name.show_name("", tr("{count} shapes", count=len(shapes)))
+
+
+def _as_closed(shape: RotoShape, on: bool) -> RotoShape:
+    return shape if shape.closed is on else edit.toggle_closed(shape)
 
 
 def _here(tip: str) -> QToolButton:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QPalette, QWheelEvent
@@ -19,8 +20,8 @@ from app.panels.colour_row import OTHER
 from app.panels.properties import PropertiesPanel
 from app.widgets.controls import ChoiceBox
 from app.widgets.fields import NumberField, ScrubLabel
-from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import BlendMode, Clip, MotionBlur, Project, RotoShape, edit
+from roam_core.geometry.bezier import ANCHOR, polygon_points
+from roam_core.roto import BlendMode, Clip, MotionBlur, Project, RotoShape, Spline, edit
 from roam_core.roto.project import PALETTE
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -120,6 +121,20 @@ def test_a_locked_shape_cannot_be_edited(panel: PropertiesPanel, document: Docum
     document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
     assert not panel.opacity.isEnabled()
     assert not panel.closed.isEnabled()
+
+
+def test_a_b_spline_that_is_opened_or_closed_stays_one(
+    panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    project, shape = edit.new_shape(document.project, SQUARE, 1, spline=Spline.BSPLINE)
+    document.open(project, None)
+    view_state.select(frozenset({shape.id}))
+    panel.closed.click()
+    opened = document.project.shape(shape.id)
+    assert opened == edit.toggle_closed(shape)
+    np.testing.assert_allclose(opened.at(1).control_points[:, ANCHOR], SQUARE[:, ANCHOR], atol=1e-9)
+    panel.closed.click()
+    np.testing.assert_allclose(document.project.shape(shape.id).at(1).points, shape.at(1).points, atol=1e-9)
 
 
 def test_two_points_cannot_be_closed(panel: PropertiesPanel, document: Document, view_state: ViewState) -> None:
