@@ -120,9 +120,11 @@ class ObjectForm(QWidget):
         choices |= {f"{OF_LINK}{link}": tr("As one: {link}", link=link) for link in held if link not in alone}
         chosen = shared(_choice_of(shape.link, alone) for shape in shapes)
         with QSignalBlocker(self.solve):
-            self.solve.clear()
-            for choice, word in choices.items():
-                self.solve.addItem(word, choice)
+            # Frames of a run come while the list is open: what is chosen in it stays under the hand.
+            if choices != {self.solve.itemData(row): self.solve.itemText(row) for row in range(self.solve.count())}:
+                self.solve.clear()
+                for choice, word in choices.items():
+                    self.solve.addItem(word, choice)
             self.solve.setCurrentIndex(-1 if chosen is None else self.solve.findData(chosen))
 
 

@@ -129,3 +129,13 @@ def test_showing_is_no_edit(form: ObjectForm, document: Document, view_state: Vi
         view_state.select(frozenset(chosen))
         view_state.set_frame(view_state.frame + 1)
     assert document.undo_stack.count() == 0
+
+
+def test_the_open_list_stays_as_it_is_while_frames_of_a_run_come(form: ObjectForm, document: Document) -> None:
+    renewed: list[object] = []
+    form.solve.model().rowsRemoved.connect(lambda *_: renewed.append("removed"))
+    form.solve.model().modelReset.connect(lambda: renewed.append("reset"))
+    document.apply("Move", document.project.with_shape(edit.key_here(document.project.shape(B), 4)))
+    assert not renewed
+    document.apply("Link", linked(document.project, [A, B]))
+    assert renewed
