@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QObject, Signal
@@ -62,13 +63,17 @@ class PlateJob(QObject):
         self.progress.emit(0.0, saying)
 
     def _apply(self, before: Sequence[RotoShape], after: Sequence[RotoShape]) -> None:
-        """Put in what was found, but for shapes that were edited, locked or taken away meanwhile."""
+        """Put in what was found, but for shapes that were edited, locked or taken away meanwhile.
+
+        A name, a colour or an eye that was changed stays so.
+        """
         project = self._document.project
         for old, new in zip(before, after, strict=True):
-            if not project.has(old.id) or project.is_locked(old.id) or project.shape(old.id) != old:
+            now = project.shape(old.id) if project.has(old.id) else None
+            if now is None or project.is_locked(old.id) or _looking_as(now, old) != old:
                 self._left += 1
             elif new != old:
-                project = project.with_shape(new)
+                project = project.with_shape(_looking_as(new, now))
         if project is not self._document.project:
             self._document.apply(tr(self.STEP), project)
 
@@ -80,3 +85,8 @@ class PlateJob(QObject):
                 " {shapes} edited or locked meanwhile: left as they are.", shapes=tr("%n shape(s)", "", self._left)
             )
         self.finished.emit(ending, sentence)
+
+
+def _looking_as(shape: RotoShape, other: RotoShape) -> RotoShape:
+    """The shape with what of another one no job goes by."""
+    return replace(shape, name=other.name, colour=other.colour, visible=other.visible)

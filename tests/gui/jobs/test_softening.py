@@ -83,10 +83,25 @@ def test_a_shape_that_is_edited_meanwhile_is_left_as_it_is(
     with qtbot.waitSignal(softening.finished, timeout=WAIT) as signal:
         verb.match()
         assert plate.asked.wait(WAIT / 1000)
-        document.apply("Rename", edit.set_properties(document.project, "disc", name="Other"))
+        document.apply("Key", document.project.with_shape(edit.delete_keys(document.project.shape("disc"), [2])))
         plate.go.set()
-    assert (document.project.shape("disc").name, document.project.shape("disc").motion_blur) == ("Other", None)
+    assert (document.project.shape("disc").frames, document.project.shape("disc").motion_blur) == ((1, 3), None)
     assert signal.args[1].endswith(" 1 shape edited or locked meanwhile: left as they are.")
+
+
+def test_what_a_shape_is_called_and_whether_it_is_seen_may_change_meanwhile(
+    qtbot: QtBot, document: Document, softening: Softening, verb: PlateEdge, plate: Plate
+) -> None:
+    plate.go.clear()
+    looks = {"name": "Other", "visible": False, "colour": (1.0, 0.0, 0.0)}
+    with qtbot.waitSignal(softening.finished, timeout=WAIT):
+        verb.match()
+        assert plate.asked.wait(WAIT / 1000)
+        document.apply("Rename", edit.set_properties(document.project, "disc", **looks))
+        plate.go.set()
+    shape = document.project.shape("disc")
+    assert shape.motion_blur is not None
+    assert {name: getattr(shape, name) for name in looks} == looks
 
 
 def test_a_shape_whose_layer_is_locked_meanwhile_is_left_as_it_is(

@@ -139,7 +139,7 @@ def test_a_shape_that_is_edited_meanwhile_is_left_as_it_is(
     with qtbot.waitSignal(steadying.finished, timeout=WAIT) as signal:
         accept(verb)
         assert plate.asked.wait(WAIT / 1000)
-        document.apply("Rename", edit.set_properties(document.project, "body", name="Other"))
+        document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("body"), FRAMES[1])))
         edited = document.project
         plate.go.set()
     assert document.project is edited
