@@ -18,10 +18,17 @@ from PySide6.QtWidgets import (
 from .. import style
 from ..jobs.thumbnails import empty_picture
 from ..journal.recovery import Recovery
-from ..translation import tr
+from ..translation import N_, tr
 from ..widgets.controls import weak_label
 
 PICTURE = QSize(128, 72)
+FATES = {
+    "saved": N_("saved"),
+    "discarded": N_("thrown away"),
+    "recovered": N_("recovered"),
+    "declined": N_("not to be offered"),
+}
+"""What became of work that is settled, as a row says it."""
 
 
 class RecoveryDialog(QDialog):
@@ -106,7 +113,7 @@ class RecoveryDialog(QDialog):
 
 def _row(recovery: Recovery) -> QListWidgetItem:
     """Picture, name, what would come back, and when it was."""
-    fate = f" · {recovery.settled}" if recovery.settled else ""
+    fate = f" · {tr(FATES.get(recovery.settled, recovery.settled))}" if recovery.settled else ""
     item = QListWidgetItem(f"{recovery.name}\n{recovery.sentence}\n{recovery.day}{fate}")
     item.setIcon(QIcon(empty_picture(PICTURE)))
     item.setToolTip(str(recovery.original or recovery.journal))

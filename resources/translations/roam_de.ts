@@ -5270,6 +5270,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>nicht installiert</translation>
     </message>
     <message>
+        <source>not to be offered</source>
+        <translation>soll nicht angeboten werden</translation>
+    </message>
+    <message>
         <source>not tracked</source>
         <translation>nicht getrackt</translation>
     </message>
@@ -5410,6 +5414,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>aus einer Datei zwischen zweien ihrer Keyframes gelesen</translation>
     </message>
     <message>
+        <source>recovered</source>
+        <translation>wiederhergestellt</translation>
+    </message>
+    <message>
         <source>recovered work</source>
         <translation>wiederhergestellte Arbeit</translation>
     </message>
@@ -5456,6 +5464,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>roto node script write output</source>
         <translation>roto node skript schreiben ausgabe</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
     </message>
     <message>
         <source>seam free contrast boundary outline kinds dashed dotted</source>
@@ -5596,6 +5608,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>through time</source>
         <translation>durch die Zeit</translation>
+    </message>
+    <message>
+        <source>thrown away</source>
+        <translation>verworfen</translation>
     </message>
     <message>
         <source>to</source>

@@ -157,7 +157,7 @@ def test_declining_is_remembered_and_the_file_menu_still_has_it(qtbot: QtBot, wi
     assert window.recovering.dialog is None
     window.actions_by_id["file.recover"].trigger()
     dialog = asked(qtbot, window)
-    assert rows(dialog)[0][2].endswith("declined")
+    assert rows(dialog)[0][2].endswith("not to be offered")
     with qtbot.waitSignal(window.files.finished, timeout=WAIT):
         qtbot.mouseClick(dialog.recover, Qt.MouseButton.LeftButton)
     assert window.document.project == lost
