@@ -271,10 +271,11 @@ class Files(QObject):
 
         What they do until it comes is theirs to decide about again.
         """
-        left = self._document.project
+        left, was_drawing = self._document.project, self._view.is_in_use
 
         def take(found: Found | Holder) -> Callable[[], object] | None:
-            if not self._document.is_modified or self._document.project is left:
+            draws = self._view.is_in_use and not was_drawing
+            if not draws and (not self._document.is_modified or self._document.project is left):
                 self._take(found, origin)
                 return None
             return lambda: self._take(found, origin)
@@ -323,6 +324,8 @@ class Files(QObject):
         if sitting != self._document.sitting:
             return
         view, clip = self._view, found.project.require_clip()
+        if view.is_in_use:
+            view.set_tool("select")  # a shape that is half drawn is finished: with another clip it would be dropped
         frame, selection, layers = view.frame, view.selection, view.layers
         before, (first, stop) = self._document.project.require_clip().frame_range, view.play_range
         self._reader.open(None)

@@ -34,6 +34,13 @@ def draw(window: MainWindow) -> None:
     window.document.apply("Draw", edit.new_shape(window.document.project, SQUARE, FIRST)[0])
 
 
+def half_drawn(window: MainWindow) -> None:
+    """Three points of a polygon are placed, and it is not finished."""
+    window.view_state.set_tool("polygon")
+    for corner in ((40.0, 30.0), (80.0, 30.0), (80.0, 70.0)):
+        Hand(window.canvas).click(corner)
+
+
 @pytest.mark.parametrize("answer", Unsaved)
 @pytest.mark.parametrize("is_project", [False, True])
 def test_what_is_drawn_while_something_opens_is_asked_about(
@@ -98,9 +105,7 @@ def test_a_shape_that_is_half_drawn_is_asked_about(
     asked: list[str] = []
     monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: asked.append(name) or answer)
     window.document.save(tmp_path / "a.roam")
-    window.view_state.set_tool("polygon")
-    for corner in ((40.0, 30.0), (80.0, 30.0), (80.0, 70.0)):
-        Hand(window.canvas).click(corner)
+    half_drawn(window)
     left: list[bool] = []
     window.file_actions.leave_project(lambda: left.append(True))
     assert asked == ["a.roam"]
@@ -114,10 +119,33 @@ def test_a_shape_that_is_half_drawn_is_asked_about(
 def test_what_is_half_drawn_waits_for_recovery_where_the_desktop_closes_the_window(
     qtbot: QtBot, window: MainWindow, tmp_path: Path
 ) -> None:
-    window.view_state.set_tool("polygon")
-    for corner in ((40.0, 30.0), (80.0, 30.0), (80.0, 70.0)):
-        Hand(window.canvas).click(corner)
+    half_drawn(window)
     window.leave_unasked()
     qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
     (found,) = recovery.offered(recovery.recoveries(tmp_path / "journal"))
     assert len(recovery.load(found)[0].shapes) == 2
+
+
+def test_a_shape_that_is_begun_while_something_opens_is_asked_about(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: asked.append(name) or Unsaved.CANCEL)
+    window.document.save(tmp_path / "a.roam")
+    gate = Gate(monkeypatch, "clip_project")
+    window.file_actions.open_chosen(write_clip(tmp_path / "other", 3))
+    assert gate.reached.wait(WAIT / 1000)
+    half_drawn(window)
+    gate.open.set()
+    qtbot.waitUntil(lambda: bool(asked), timeout=WAIT)
+    assert len(window.canvas.tool.points) == 3
+    assert window.document.path == tmp_path / "a.roam"
+
+
+def test_a_shape_that_is_half_drawn_stays_when_the_plate_is_linked_anew(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    half_drawn(window)
+    with qtbot.waitSignal(window.document.replaced, timeout=WAIT):
+        window.files.open_plate(write_clip(tmp_path / "v002", 3))
+    assert [shape.point_count for shape in window.document.project.shapes] == [4, 3]
