@@ -38,6 +38,7 @@ class _Run:
     """What is known of the run under way.
 
     `expected` is the layer's motion as the run left it in the document, `counts` how many points each shape had.
+    `keeps_undone`: nothing was undone when it began, so what is undone since is the artist's to do again.
     """
 
     job: Job
@@ -52,6 +53,7 @@ class _Run:
     expected: LayerTransform | None = None
     warned: bool = False
     reached: int | None = None
+    keeps_undone: bool = False
 
 
 class PlanarTrack(QObject):
@@ -114,6 +116,7 @@ class PlanarTrack(QObject):
         merge_key = f"planar-{next(_run_numbers)}"
         counts = {shape.id: shape.point_count for shape in shapes}
         self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, "", points, vertices, counts)
+        self._run.keeps_undone = not self._document.undo_stack.canRedo()
         self.progress.emit(0.0, tr("Starting the planar track …"))
         self.running_changed.emit()
 
@@ -135,7 +138,8 @@ class PlanarTrack(QObject):
         if run is None:
             return
         if run.vertices:
-            self._document.amend(tr("Point track"), partial(_with_vertices, run, found), run.merge_key)
+            moved = partial(_with_vertices, run, found)
+            self._document.amend(tr("Point track"), moved, run.merge_key, keeps_undone=run.keeps_undone)
             if run.points is not None:
                 self._view.track_points = run.points.carried(found.matrix, frame)
         else:
@@ -143,7 +147,7 @@ class PlanarTrack(QObject):
             layer = change(self._document.project).find(run.layer_id)
             assert isinstance(layer, Layer)
             run.expected = layer.transform
-            self._document.amend(tr("Planar track"), change, run.merge_key)
+            self._document.amend(tr("Planar track"), change, run.merge_key, keeps_undone=run.keeps_undone)
         run.reached = frame
         if self._view.frame == run.shown_frame and not self._view.is_in_use:
             run.shown_frame = frame

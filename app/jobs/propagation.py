@@ -166,6 +166,7 @@ class Propagation(QObject):
 
     def _begin(self, run: _Run, sentence: str) -> None:
         self._run = run
+        run.keeps_undone = not self._document.undo_stack.canRedo()
         run.job.progress.connect(self.progress)
         run.job.ended.connect(self._end)
         self.progress.emit(0.0, sentence)
@@ -194,7 +195,12 @@ class Propagation(QObject):
         run.expected = {shape_id: project.shape(shape_id) for shape_id in run.expected}
         for found in made.values():
             run.note(found)
-        self._document.amend(tr(run.verb), lambda project: _with_engine_keys(project, made), run.merge_key)
+        self._document.amend(
+            tr(run.verb),
+            lambda project: _with_engine_keys(project, made),
+            run.merge_key,
+            keeps_undone=run.keeps_undone,
+        )
 
     def _follow(self, run: _Run, frame: int) -> None:
         """Take the playhead along, unless the artist went to look at another frame, or drags or draws on this one."""
@@ -266,6 +272,8 @@ class _Run:
         self.merge_key, self.frames, self.config, self.alone = merge_key, frames, config, alone
         self.beside: dict[str, RotoShape] = {}
         self.reached: int | None = None
+        self.keeps_undone = False
+        """Whether nothing was undone when it began: then what is, is so since, and the artist's to do again."""
         self.ended_by = ""
         """What was done to which shape that ended the run; empty where nothing was."""
         self._doubtful: set[int] = set()

@@ -74,16 +74,21 @@ class Document(QObject):
         if self._held_at_most > self.undo_bytes:
             self._forget_oldest()
 
-    def amend(self, text: str, change: Callable[[Project], Project], merge_key: str) -> None:
+    def amend(
+        self, text: str, change: Callable[[Project], Project], merge_key: str, *, keeps_undone: bool = False
+    ) -> None:
         """Make a change part of the undo step with `merge_key`, wherever that lies below later steps.
 
         So a run in the background stays one step, and what the artist does meanwhile stays theirs, each in its place.
         `change` must not care what those steps did: it is made to the projects between them, too. Where there is no
-        such step the change becomes one, named `text`.
+        such step the change becomes one, named `text`; with `keeps_undone` what is undone can be done again after it.
         """
         stack = self.undo_stack
         steps = [stack.command(index) for index in range(stack.count())]
         own = [i for i in range(stack.index()) if isinstance(s := steps[i], ProjectEdit) and s.merge_key == merge_key]
+        if not own and keeps_undone and stack.canRedo():
+            self._insert(text, change, merge_key)
+            return
         if not own:
             self.apply(text, change(self._project), merge_key)
             return
@@ -153,6 +158,21 @@ class Document(QObject):
         self.rebased.emit(fate, beginning)
         self.replaced.emit()
         self.path_changed.emit()
+
+    def _insert(self, text: str, change: Callable[[Project], Project], merge_key: str) -> None:
+        """Make a change the last step that is done, and part of those that are undone."""
+        stack, once = self.undo_stack, _once(change)
+        steps = [step.copy() for i in range(stack.count()) if isinstance(step := stack.command(i), ProjectEdit)]
+        done, after = stack.index(), once(self._project)
+        if after == self._project:
+            return
+        for step in steps[done:]:
+            step.change(once, begins_changed=True)
+        own = ProjectEdit(self._project, after, text, merge_key, self._show)
+        self._held_at_most += own.most_bytes
+        self._keep_steps([*steps[:done], own, *steps[done:]], done + 1)
+        self._show(after)
+        self._forget_oldest()
 
     def _forget_oldest(self) -> None:
         """Drop the oldest steps where all together hold more than they may; the newest stays in any case."""

@@ -283,6 +283,45 @@ def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
     assert shape(document).colour == (1.0, 0.0, 0.0)
 
 
+def test_what_is_undone_before_the_first_frame_comes_can_be_done_again(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    before = document.project
+    document.apply(
+        "Move", document.project.with_shape(edit.set_key(document.project.shape("shape-2"), 1, SQUARE + 7.0))
+    )
+    moved = document.project.shape("shape-2")
+    propagation.start(["shape-1"], range(1, 6), alone=True)
+    document.undo_stack.undo()
+    engine.allow(2)
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    assert (document.undo_stack.undoText(), document.undo_stack.redoText()) == ("Track", "Move")
+    document.undo_stack.redo()
+    engine.allow(2)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert solved(document, [2, 3, 4, 5])()
+    assert document.project.shape("shape-2") == moved
+    document.undo_stack.setIndex(0)
+    assert document.project == before
+    document.undo_stack.setIndex(2)
+    assert solved(document, [2, 3, 4, 5])()
+    assert document.project.shape("shape-2") == moved
+
+
+def test_what_was_undone_before_a_run_began_is_gone_with_it_as_with_any_step(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    document.apply(
+        "Move", document.project.with_shape(edit.set_key(document.project.shape("shape-2"), 1, SQUARE + 7.0))
+    )
+    document.undo_stack.undo()
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.start(["shape-1"], range(1, 6))
+    assert not document.undo_stack.canRedo()
+
+
 def test_a_change_taken_into_the_run_joins_its_step_below_what_the_artist_did(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
