@@ -19,6 +19,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.propagate.between import span
 from roam_core.roto import Clip, Project, edit
 from tests.conftest import ROOT
+from tests.gui.jobs.test_filling import RAMP
 from tests.unit.studio.shots import put_gaps, put_plate
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -54,7 +55,7 @@ def test_few_frames_are_filled_here(
     document.open(project.with_shape(shape), None)
     monkeypatch.setattr(span, "fill_span", lambda *_: [])
     monkeypatch.setattr(spreading, "spread", lambda *_, **__: pytest.fail("processes were started"))
-    propagation = Propagation(document, view_state, runner, lambda frame: None)
+    propagation = Propagation(document, view_state, runner, lambda frame: RAMP)
     propagation.processes = 8
     gaps = filling.gaps_of([shape])
     assert sum(last - first - 1 for first, last in gaps) < filling.WORTH_PROCESSES
