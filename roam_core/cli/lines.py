@@ -31,6 +31,21 @@ def flush_output() -> None:
         sys.stdout.flush()
 
 
+def open_missing_streams() -> None:
+    """Have the null device stand for each standard stream that this process was started without, as some daemons do.
+
+    Otherwise the next files that are opened have their numbers, and what libraries print goes into those files.
+    """
+    for number, name, mode in ((0, "stdin", "r"), (1, "stdout", "w"), (2, "stderr", "w")):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # has the lowest number that is free: this one
+            os.set_inheritable(number, True)
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(number, mode, encoding="utf-8", errors="backslashreplace", closefd=False))
+
+
 @contextmanager
 def _told() -> Iterator[None]:
     try:

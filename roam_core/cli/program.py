@@ -10,6 +10,7 @@ from types import ModuleType
 
 from roam_core import __version__
 from roam_core.cli.environment import decoding_apart
+from roam_core.cli.lines import open_missing_streams
 from roam_core.cli.main import COMMANDS, INTERRUPTED
 from roam_core.cli.main import main as command_line
 from roam_core.errors import RoamError
@@ -24,6 +25,8 @@ roam COMMAND --help describes each of them.
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, or no window or display."""
+    if argv is None:
+        open_missing_streams()
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
         return command(arguments) if argv is not None else command_as_process(arguments)
@@ -44,6 +47,7 @@ def command(arguments: Sequence[str]) -> int:
 
 def command_as_process(arguments: Sequence[str]) -> int:
     """`command`, as all that this process does: what signals say at its very end is no matter for a traceback."""
+    open_missing_streams()
     status = command(arguments)
     if status >= SIGNALLED:
         signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
+import cv2
+import numpy as np
 import pytest
 
 import roam_core
 from roam_core import installation
 from roam_core.cli import COMMANDS, program
+from roam_core.roto import file
+from tests.conftest import ROOT
 
 
 @pytest.fixture
@@ -59,6 +65,26 @@ sys.exit(program.main())
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (-signal.SIGINT, "")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="its shell closes no streams")
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
+def test_a_command_runs_without_standard_streams(closed: str, tmp_path: Path) -> None:
+    (tmp_path / "plate").mkdir()
+    for frame in (1001, 1002):
+        cv2.imwrite(str(tmp_path / "plate" / f"plate.{frame}.png"), np.full((40, 60, 3), 90, np.uint8))
+    white = np.zeros((40, 60), np.uint8)
+    white[10:30, 20:40] = 255
+    cv2.imwrite(str(tmp_path / "mask.png"), white)
+    command = [sys.executable, "-m", "roam_core", "track", "plate", "--init", "mask.png", "--config", "baseline"]
+    command += ["--matte", "mattes", "--save", "p.roam", "--json"]
+    shell = ["sh", "-c", f'exec "$@" {closed}', "sh", *command]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(shell, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert [path.name for path in sorted((tmp_path / "mattes").iterdir())] == ["plate.1001.png", "plate.1002.png"]
+    assert file.load(tmp_path / "p.roam").shapes[0].frames == (1001, 1002)
 
 
 @pytest.mark.parametrize(("arguments", "status"), [(["--help"], 0), (["--version"], 0), (["--versio"], 2)])
