@@ -8,7 +8,7 @@ from 0, the clip's first. A polygon with `keyframe="1"` was set by somebody, CVA
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import is_feathered
@@ -89,6 +89,8 @@ class _Writer(ShapeWriter):
                 sentence("CVAT has no layers of masks: {name!r} loses {lost}.", name=layer.name, lost=listed(lost))
             )
         for child in layer.children:
+            if not layer.visible:
+                child = replace(child, visible=False)
             if isinstance(child, Layer):
                 self.add(child, label or child.name)
             else:

@@ -8,7 +8,7 @@ always closed; an object gives splines by frames, counted from the filter's firs
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -69,6 +69,8 @@ class _Writer(ShapeWriter):
     def add(self, layer: Layer) -> None:
         self._tell_layer(layer)
         for child in layer.children:
+            if not layer.visible:
+                child = replace(child, visible=False)
             if isinstance(child, Layer):
                 self.add(child)
             else:

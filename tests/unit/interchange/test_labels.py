@@ -223,6 +223,17 @@ def test_only_what_a_layer_has_is_said_to_be_lost(name: str, values: Any, lost: 
     assert f"{name.upper()} has no layers of masks: 'Body' {lost}" in refusal.value.losses
 
 
+@pytest.mark.parametrize(("name", "suffix"), [("cvat", "xml"), ("mlt", "json")])
+def test_a_shape_in_a_hidden_layer_is_told_as_a_hidden_one_is(name: str, suffix: str, tmp_path: Path) -> None:
+    inner = Layer("l2", "Inner", (car(),))
+    one, other = (
+        EXPORTERS[name].export(project(made), tmp_path / f"p.{suffix}")
+        for made in (replace(car(), visible=False), Layer("l", "Outer", (inner,), visible=False))
+    )
+    assert len(one) > len(EXPORTERS[name].export(project(car()), tmp_path / f"p.{suffix}"))
+    assert set(one) <= set(other)
+
+
 def test_images_of_cvat_become_shapes_of_a_frame(tmp_path: Path) -> None:
     path = tmp_path / "a.xml"
     path.write_text(IMAGES)
