@@ -22,6 +22,8 @@ from roam_core.roto.project import PALETTE
 
 LABELS = 16
 """Integers up to this are labels, not shades."""
+NARROWER = (255.0, 1023.0, 4095.0)
+"""White of 8, 10 and 12 bits."""
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
 
@@ -150,9 +152,10 @@ def _white_of(dtype: np.dtype[Any], top: float) -> float:
     """The integer that is white in a mask whose largest value is `top`.
 
     A mask of zeros and ones (or other small labels) is white at its largest value, a picture of 8 or 16 bits where its
-    type ends. Wider integers come of arithmetic with such a picture.
+    type ends; one of 16 bits whose largest value is just that of 8, 10 or 12 bits holds such a picture. Wider integers
+    come of arithmetic with one.
     """
-    if top <= LABELS:
+    if top <= LABELS or (dtype == np.uint16 and top in NARROWER):
         return max(top, 1.0)
     if dtype in (np.uint8, np.uint16):
         return float(np.iinfo(dtype).max)

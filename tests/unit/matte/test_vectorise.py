@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -239,5 +240,20 @@ def test_integers_that_arithmetic_made_of_a_mask_are_white_where_it_was(kind: ty
     np.testing.assert_array_equal(coverage_of((mask // 255).astype(kind) * kind(white)), mask / 255.0)
 
 
-def test_a_dark_picture_of_sixteen_bits_is_no_mask() -> None:
-    assert shapes_from_mask(box((20, 20, 60, 50)).astype(np.uint16)) == []
+@pytest.mark.parametrize("brightest", [17, 200, 254, 256, 1000, 16383])
+def test_a_dark_picture_of_sixteen_bits_is_no_mask(brightest: int) -> None:
+    assert shapes_from_mask((box((20, 20, 60, 50)) > 0).astype(np.uint16) * np.uint16(brightest)) == []
+
+
+@pytest.mark.parametrize("white", [255, 1023, 4095])
+def test_sixteen_bits_that_hold_a_mask_of_fewer_are_white_where_it_was(white: int) -> None:
+    mask = box((20, 20, 60, 50))
+    np.testing.assert_array_equal(coverage_of((mask // 255).astype(np.uint16) * np.uint16(white)), mask / 255.0)
+
+
+@pytest.mark.parametrize("size", [[4, 4], np.array([4, 4]), (np.int64(4), 4.0)])
+def test_the_size_of_a_mask_may_be_any_pair_of_whole_numbers(tmp_path: Path, size: Any) -> None:
+    cv2.imwrite(str(tmp_path / "mask.png"), np.zeros((4, 4), np.uint8))
+    assert read_mask(tmp_path / "mask.png", size).shape == (4, 4, 1)
+    with pytest.raises(ValueError, match="height, width"):
+        read_mask(tmp_path / "mask.png", (4, 4, 1))  # type: ignore[arg-type]
