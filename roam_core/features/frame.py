@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arguments import pixels_of
 from roam_core.arrays import Array, Float32, UInt8
 from roam_core.media.partial import PartialPicture
 
@@ -247,6 +248,7 @@ class _MappedFrame(PreparedFrame):
 
 def _kept(image: NDArray[Any]) -> UInt8:
     """An image in the engine's form that stays as it is when the caller decodes the next one into the same array."""
+    image = pixels_of(image)
     known = as_uint8(image)
     return known.copy() if _may_change(image) and np.may_share_memory(known, image) else known
 
@@ -270,12 +272,12 @@ def as_uint8(image: NDArray[Any]) -> UInt8:
     if image.dtype == np.uint8:
         return np.ascontiguousarray(image)
     if not np.issubdtype(image.dtype, np.floating):
-        raise ValueError(f"an image has type {image.dtype}, neither uint8 nor float")
+        raise ValueError(f"an image has type {image.dtype}, neither uint8 nor float; roam_core.to_engine converts it")
     levels = np.multiply(image, np.float32(255.0), dtype=np.float32)
     with np.errstate(invalid="ignore"):
         mean = float(levels.mean()) / 255.0
     if BRIGHTEST < mean < np.inf:
-        raise ValueError(f"an image of floats lies in [0, 1], the mean of this one is {mean:.0f}")
+        raise ValueError(f"an image of floats lies in [0, 1], the mean of this one is {mean:.0f}; divide it by 255")
     if not np.isfinite(mean):
         levels = np.nan_to_num(levels, nan=0.0, posinf=255.0, neginf=0.0)
     levels += np.float32(0.5)

@@ -11,6 +11,7 @@ from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np
 
+from roam_core.arguments import shown
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.bake_layers import BY_LAYER, bake_layers
@@ -68,6 +69,11 @@ class ExportOptions:
     lossy: bool = False
     progress: Progress | None = None
     token: CancelToken | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "keys", KeyChoice(self.keys))
+        if not isinstance(self.frames, range | None):
+            raise ValueError(f"the frames to export are a range, such as range(1001, 1011), not {shown(self.frames)}")
 
     def frames_of(self, clip: Clip) -> range:
         """The frames that are written; a `RoamError` where they are none of the clip's, or numbered absurdly."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from roam_core.arguments import shown
 from roam_core.errors import RoamError
 from roam_core.interchange.after_effects.exporter import AfterEffectsExporter
 from roam_core.interchange.blender.exporter import BlenderExporter
@@ -100,10 +101,16 @@ def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) ->
 
     Raises
     ------
+    ValueError
+        when the clip is none.
     RoamError
         when the suffix is not known, the file cannot be read, is none of its format, or is too large.
     """
     path = Path(path)
+    if not isinstance(clip, Clip):
+        raise ValueError(
+            f"shapes are read into the pixels of a Clip, such as Clip.of(open_clip(path)), not {shown(clip)}"
+        )
     return importer_for(path).read(path, clip, options)
 
 
@@ -124,9 +131,13 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
 
     Raises
     ------
+    ValueError
+        when the project is none.
     LossyExport
         when the mattes would differ in the other program, and the options are not `lossy`.
     RoamError
         when the format is not known, the project has no clip, or the file cannot be written.
     """
+    if not isinstance(project, Project):
+        raise ValueError(f"shapes are written of a Project, as edit.add_shape makes it, not of {shown(project)}")
     return exporter_for(name).export(project, Path(path), options)

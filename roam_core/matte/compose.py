@@ -6,9 +6,11 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
+from roam_core.arguments import moment, size_of
 from roam_core.arrays import Matte
 from roam_core.matte.rasterise import Patch, has_area, shape_patch
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.shape import shapes_of
 
 Draw = Callable[[RotoShape, float, tuple[int, int]], Patch]
 """Fills one shape at one frame in a picture of `(h, w)`: `shape_patch`, or what remembers its answers."""
@@ -53,7 +55,10 @@ BLENDS: dict[BlendMode, Callable[[Matte, Matte], Matte]] = {
 
 
 def render_matte(
-    shapes: Project | Layer | Iterable[RotoShape], frame: float, size: tuple[int, int], drawn: Draw = shape_patch
+    shapes: Project | Layer | RotoShape | Iterable[RotoShape],
+    frame: float,
+    size: tuple[int, int],
+    drawn: Draw = shape_patch,
 ) -> Matte:
     """The joint matte of shapes at one frame.
 
@@ -72,13 +77,19 @@ def render_matte(
     Returns
     -------
     (h, w) float32 in [0, 1].
+
+    Raises
+    ------
+    ValueError
+        when an argument is not what it should be.
     """
+    frame, size = moment(frame), size_of(size)
     if isinstance(shapes, Project):
         shapes = shapes.plate_root
     if isinstance(shapes, Layer):
         shapes = shapes.in_plate_space()
         return _layer_matte(shapes, frame, size, drawn) if shapes.visible else np.zeros(size, dtype=np.float32)
-    return _join(shapes, frame, size, drawn)
+    return _join(shapes_of(shapes), frame, size, drawn)
 
 
 def _layer_matte(layer: Layer, frame: float, size: tuple[int, int], drawn: Draw) -> Matte:

@@ -11,6 +11,7 @@ import numpy as np
 from contourpy import FillType, contour_generator
 from numpy.typing import NDArray
 
+from roam_core.arguments import frame_number, pixels_of, size_of
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
@@ -44,9 +45,12 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None
 
     Raises
     ------
+    ValueError
+        when the mask holds no numbers, or the frame is no whole one.
     RoamError
         when the mask is no image.
     """
+    mask, frame = pixels_of(mask), frame_number(frame)
     if mask.size == 0:
         return []
     require_image(mask)
@@ -179,6 +183,7 @@ def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[
     mask = read_channels(path)
     if mask is None:
         raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")
+    size = None if size is None else size_of(size)
     if size is not None and mask.shape[:2] != size:
         raise RoamError(
             f"The mask {path} is {mask.shape[1]}x{mask.shape[0]}, the clip is {size[1]}x{size[0]}; "

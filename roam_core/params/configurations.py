@@ -6,6 +6,7 @@ import math
 import re
 from functools import lru_cache
 
+from roam_core.arguments import shown
 from roam_core.dials import DIALS, turn
 from roam_core.errors import RoamError
 from roam_core.params.appearance import AppearanceParams
@@ -101,6 +102,8 @@ def params_for(config: str | RoamParams) -> RoamParams:
     """
     if isinstance(config, RoamParams):
         return config
+    if not isinstance(config, str):
+        raise ValueError(f"a configuration is a name, such as {DEFAULT_CONFIG!r}, or RoamParams, not {shown(config)}")
     return CONFIGS[config] if config in CONFIGS else _changed(config)
 
 

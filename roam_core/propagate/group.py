@@ -66,7 +66,7 @@ class GroupTracker:
     def standing(self) -> Standing:
         """Where the group stands; a `RuntimeError` before `start`."""
         if self._standing is None:
-            raise RuntimeError("the tracker was not started")
+            raise RuntimeError("the tracker was not started; call start(image, shape, frame) first")
         return self._standing
 
     def start(

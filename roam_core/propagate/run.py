@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
+from roam_core.arguments import frame_number, names_of, shown
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
@@ -19,6 +20,7 @@ from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
+from roam_core.roto.shape import shapes_of
 from roam_core.threads import each
 
 
@@ -51,11 +53,16 @@ def track(
     ------
     Cancelled
         at a safe point after `token` was cancelled.
+    ValueError
+        when an argument is not what it should be, such as an id in `only` that no shape has.
     MissingFrame, RoamError
         as `read` raises them for the first frame, and where that is blank and holds no key; a gap later on, or a blank
         frame, is passed over and reported as MISSING_FRAME.
     """
-    shapes, frames = tuple(shapes), frames if isinstance(frames, range) else tuple(frames)
+    shapes, frames = shapes_of(shapes), frames if isinstance(frames, range) else _numbers(frames)
+    if not callable(read):
+        raise ValueError(f"`read` gives the picture of a frame, as the method `read` of a plate, but is {shown(read)}")
+    only = names_of(only, (shape.id for shape in shapes))
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:
         raise RoamError("There is no shape to track; draw one, or select one, first.")
@@ -147,6 +154,12 @@ def _regrouped(
         tracker.start(picture, [now.get(j, stamps.shapes[j]) for j in members], frame, forward=forward)
         result.append(_Run(tracker, members, asked))
     return sorted(result, key=lambda run: (run.members, run.asked))
+
+
+def _numbers(frames: Sequence[int]) -> tuple[int, ...]:
+    if not isinstance(frames, Iterable):
+        raise ValueError(f"frames are several numbers, the first one to begin on, not {shown(frames)}")
+    return tuple(map(frame_number, frames))
 
 
 def _stepped(picture: PreparedFrame, frame: int, token: CancelToken | None, run: _Run) -> tuple[TrackResult, ...]:

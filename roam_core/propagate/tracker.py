@@ -6,6 +6,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from roam_core.arguments import frame_number, shown
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams
@@ -56,10 +57,12 @@ class Tracker:
 
         Raises
         ------
+        ValueError
+            when the image is none, the shape no `RotoShape` or the frame no whole number.
         RoamError
             when the shape is open or a single point: only a closed curve has an inside to follow.
         """
-        self._group.start(image, [shape], frame)
+        self._group.start(image, [_one(shape)], frame_number(frame))
 
     def given(self) -> TrackResult:
         """The shape on the frame where the tracker stands, as it was given there, with what was learned of it."""
@@ -75,12 +78,18 @@ class Tracker:
         Cancelled
             when `token` was cancelled; the tracker then still stands on the frame before.
         """
-        return self._group.step(image, frame, token)[0]
+        return self._group.step(image, frame_number(frame), token)[0]
 
     def skip(self, frame: int) -> TrackResult:
         """Pass over a frame whose picture is missing, or blank: no key is made there, the next step bridges the gap."""
-        return self._group.skip(frame)[0]
+        return self._group.skip(frame_number(frame))[0]
 
     def correct(self, shape: RotoShape) -> None:
         """Take over the artist's edit on the current frame (an ARTIST key there); the next step starts from it."""
-        self._group.correct([shape])
+        self._group.correct([_one(shape)])
+
+
+def _one(shape: RotoShape) -> RotoShape:
+    if not isinstance(shape, RotoShape):
+        raise ValueError(f"a tracker carries one RotoShape, not {shown(shape)}; roam_core.track carries several")
+    return shape

@@ -52,6 +52,9 @@ class Clip:
     layer: str = ""
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "path", Path(self.path))
+
     @classmethod
     def of(cls, source: PlateSource) -> Clip:
         """The reference to a plate that is open."""

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from roam_core.arguments import frame_number, shown
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, value_at
@@ -135,6 +136,10 @@ class Keyframe:
         points = frozen_array(self.points)
         if points.ndim != 3 or points.shape[1:] != (3, 2):
             raise ValueError(f"a key's points have shape {points.shape}, not (P, 3, 2)")
+        object.__setattr__(self, "frame", frame_number(self.frame))
+        if not (isinstance(self.origin, Origin) and isinstance(self.interpolation, Interpolation)):
+            object.__setattr__(self, "origin", Origin(self.origin))
+            object.__setattr__(self, "interpolation", Interpolation(self.interpolation))
         object.__setattr__(self, "points", points)
         if self.feather is not None:
             feather = frozen_array(self.feather)
@@ -227,6 +232,9 @@ class RotoShape:
     def __post_init__(self) -> None:
         keys = tuple(sorted(self.keys, key=lambda key: key.frame))
         object.__setattr__(self, "keys", keys)
+        if not (isinstance(self.blend, BlendMode) and isinstance(self.spline, Spline)):
+            object.__setattr__(self, "blend", BlendMode(self.blend))
+            object.__setattr__(self, "spline", Spline(self.spline))
         if not keys:
             raise ValueError(f"shape {self.name!r} has no key")
         if len({len(key.points) for key in keys}) != 1:
@@ -326,6 +334,23 @@ class RotoShape:
             for key in self.keys
         )
         return replace(self, keys=keys)
+
+
+def shapes_of(shapes: RotoShape | Iterable[RotoShape]) -> tuple[RotoShape, ...]:
+    """The shapes that a call of the library is given; one alone may be given as it is.
+
+    Raises
+    ------
+    ValueError
+        when one of them is no shape.
+    """
+    several = (shapes,) if isinstance(shapes, RotoShape) or not isinstance(shapes, Iterable) else tuple(shapes)
+    for shape in several:
+        if not isinstance(shape, RotoShape):
+            raise ValueError(
+                f"a shape is a RotoShape, as shapes_from_mask and load_project give them, not {shown(shape)}"
+            )
+    return several
 
 
 def placed(shape: RotoShape, placement: Placement) -> RotoShape:

@@ -9,8 +9,10 @@ from functools import cached_property, partial
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arguments import frame_number, names_of, shown
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
@@ -33,11 +35,12 @@ from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
+from roam_core.roto.shape import shapes_of
 from roam_core.threads import each
 
 
 def fill_span(
-    images: Mapping[int, NDArray[Any] | PartialPicture],
+    images: Mapping[int, NDArray[Any] | PartialPicture] | Sequence[NDArray[Any]],
     shapes: Sequence[RotoShape],
     start: int,
     stop: int,
@@ -63,19 +66,24 @@ def fill_span(
     Parameters
     ----------
     images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for about four times
-        for every object, in no particular order, by one thread at a time. A `MissingFrame` is passed over.
+        for every object, in no particular order, by one thread at a time. A `MissingFrame` is passed over. A sequence
+        holds one for each frame from `start` to `stop`.
     only : the ids of the shapes that get keys; None: all. The others take part all the same.
     alone : each shape is filled as if there were no others.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
 
     Raises
     ------
+    ValueError
+        when an argument is not what it should be, such as an id in `only` that no shape has.
     RoamError
         when no shape that is wanted has artist keys on two frames of the range, or one to be filled is open or a point.
     Cancelled
         at a safe point after `token` was cancelled.
     """
-    shapes = tuple(shapes)
+    shapes, start, stop = shapes_of(shapes), frame_number(start), frame_number(stop)
+    images = _by_frame(images, start, stop)
+    only = names_of(only, (shape.id for shape in shapes))
     asked = [only is None or shape.id in only for shape in shapes]
     gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
     if not gaps and any(
@@ -95,6 +103,19 @@ def fill_span(
             result[k] = set_engine_keys(result[k], keys)
     meter.end()
     return result
+
+
+def _by_frame(
+    images: Mapping[int, NDArray[Any] | PartialPicture] | Sequence[NDArray[Any]], start: int, stop: int
+) -> Mapping[int, NDArray[Any] | PartialPicture]:
+    """The pictures of a span by their frames."""
+    if isinstance(images, list | tuple | np.ndarray):
+        if len(images) != stop - start + 1:
+            raise ValueError(f"there are {len(images)} images for the frames {start} to {stop}; give one for each")
+        return dict(zip(range(start, stop + 1), images, strict=True))
+    if not hasattr(images, "__getitem__"):
+        raise ValueError(f"images are a mapping from frames to pictures, or a list of them, not {shown(images)}")
+    return images  # type: ignore[return-value]
 
 
 def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int, int, list[int]]]:

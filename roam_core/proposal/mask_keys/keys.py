@@ -8,6 +8,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from roam_core.arguments import frame_number, pixels_of
 from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.matte.vectorise import compound_of, outlines, require_image, spline_around, tolerance_for
@@ -17,7 +18,7 @@ from roam_core.proposal.mask_keys.pairing import covered, paired, poses
 from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
 from roam_core.roto.control_points import settled
 from roam_core.roto.project import PALETTE
-from roam_core.roto.shape import lifetime_of
+from roam_core.roto.shape import lifetime_of, shapes_of
 from roam_core.roto.sight import is_shut, opened
 
 
@@ -31,9 +32,10 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     which they have grown together. A part without a partner begins on `frame` as a new shape, above the others (a hole
     just above the shapes that it is cut out of). It is of the compound of the shapes that take part where they share
     one, else of the mask's, and so is then a lone outline beside which it begins. A shape without a part ends before
-    `frame`; one with keys after `frame` too goes on behind it as a twin with those keys. A hole that another shape of
-    its part now covers ends too, and a new one begins above; so may a shape that was a speck and has too few points
-    for what it would become. No key of the artist's on another frame is changed or deleted.
+    `frame`, or is gone where it began there; one with keys after `frame` too goes on behind it as a twin with those
+    keys. A hole that another shape of its part now covers ends too, and a new one begins above; so may a shape that was
+    a speck and has too few points for what it would become. No key of the artist's on another frame is changed or
+    deleted.
 
     Shapes that are open or invisible, do not exist on `frame`, or join by INTERSECT or DIFFERENCE take no part. Locked
     ones keep their part of the mask and stay as they are.
@@ -50,9 +52,12 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
 
     Raises
     ------
+    ValueError
+        when an argument is not what it should be.
     RoamError
         when the mask has no pixels or is no image.
     """
+    mask, shapes, frame = pixels_of(mask), shapes_of(shapes), frame_number(frame)
     require_image(mask)
     result = list(shapes)
     parts = _parts(mask)
@@ -65,7 +70,7 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
         pose = _keyed(result, members, wanted, mask.shape[:2], frame, pose)
         for new in (part for part in wanted if not part.owners):
             _begin(result, new, mask.shape[:2], frame, compound)
-            if len(taking_part) == 1:
+            if len(taking_part) == 1 and any(shape.id == taking_part[0].id for shape in result):
                 place = _place(result, taking_part[0].id)
                 result[place] = replace(result[place], compound=compound)
     return result
@@ -162,9 +167,17 @@ def _place(shapes: list[RotoShape], shape_id: str) -> int:
 
 
 def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
-    """The shape without `frame` in its lifetime: it ends before, begins after, or is two, one for each side."""
+    """The shape without `frame` in its lifetime: it ends before, begins after, or is two, one for each side.
+
+    One that began on `frame` and has no other key is none any more.
+    """
     start, stop = shape.lifetime or (None, None)
     after = tuple(key for key in shape.keys if key.frame > frame)
+    if start is not None and start >= frame:
+        if after:
+            return [replace(shape, lifetime=lifetime_of(frame + 1, stop))]
+        if shape.frames == (frame,):
+            return []
     if not after:
         return [replace(shape, lifetime=lifetime_of(start, frame))]
     if len(after) == len(shape.keys):

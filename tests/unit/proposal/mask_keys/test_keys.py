@@ -215,6 +215,22 @@ def test_no_shape_and_no_mask() -> None:
         keys_from_mask([], np.zeros((0, 8)), 1)
 
 
+def test_what_began_on_a_frame_is_gone_again_when_the_mask_there_is_black() -> None:
+    first = shapes_from_mask(solid((20, 20, 60, 70)), 1)
+    white, black = solid((90, 60, 140, 110)), solid()
+    ended = keys_from_mask(first, black, 5)
+    for _ in range(2):
+        begun = keys_from_mask(ended, white, 5)
+        assert [shape.frames for shape in begun] == [(1,), (5,)]
+        assert keys_from_mask(begun, black, 5) == ended
+    (later,) = keys_from_mask(keys_from_mask([begun[1]], white, 9), black, 5)
+    assert later.frames == (5, 9)
+    assert later.lifetime is not None
+    assert later.lifetime[0] == 6
+    (other,) = keys_from_mask([begun[1]], solid((2, 2, 12, 12)), 5)
+    assert other.frames == (5,)
+
+
 def test_two_runs_give_the_same_bits() -> None:
     a, b = (keys_from_mask([STAR.shape()], STAR.matte(1002), 1002) for _ in range(2))
     assert a == b

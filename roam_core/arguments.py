@@ -1,0 +1,122 @@
+"""Arguments of the library's calls: taken for what they plainly mean, or refused in one sentence.
+
+They come from programs, not from an artist at the screen, so what is wrong with them is a `ValueError`.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+import os
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+MOST_SHOWN = 60
+"""Letters of a wrong argument that a sentence shows."""
+
+
+def frame_number(frame: Any) -> int:
+    """A frame's number as a plain `int`: of any integer type, or of floating point without a fraction.
+
+    Raises
+    ------
+    ValueError
+        when it is none.
+    """
+    if type(frame) is int:
+        return frame
+    if not isinstance(frame, bool | np.bool_):
+        try:
+            return operator.index(frame)
+        except TypeError:
+            if isinstance(frame, float | np.floating) and float(frame).is_integer():
+                return int(frame)
+    raise ValueError(f"a frame is a whole number such as 1001, not {shown(frame)}")
+
+
+def moment(frame: Any) -> float:
+    """A moment of a shot: a frame's number, or one between two frames.
+
+    Raises
+    ------
+    ValueError
+        when it is no finite number.
+    """
+    try:
+        if math.isfinite(frame):
+            return frame  # type: ignore[no-any-return]
+    except (TypeError, ValueError):
+        pass
+    raise ValueError(f"a frame is a number such as 1001, not {shown(frame)}")
+
+
+def size_of(size: Any) -> tuple[int, int]:
+    """The size (h, w) of a picture as plain `int`s.
+
+    Raises
+    ------
+    ValueError
+        when it is no pair of whole numbers from 0 on.
+    """
+    try:
+        height, width = (frame_number(length) for length in size)
+    except (TypeError, ValueError):
+        height = width = -1
+    if min(height, width) < 0:
+        raise ValueError(f"a size is (height, width) in whole pixels, as image.shape[:2], not {shown(size)}")
+    return height, width
+
+
+def pixels_of(image: Any) -> NDArray[Any]:
+    """The array of an image or a mask: itself, or what nested lists and other libraries' arrays hold.
+
+    Whole numbers in lists that 8 bits hold are 8-bit values.
+
+    Raises
+    ------
+    ValueError
+        when it holds no numbers.
+    """
+    if isinstance(image, np.ndarray):
+        array = image
+    else:
+        if image is None or isinstance(image, str | bytes | os.PathLike):
+            raise ValueError(
+                f"an image is an array of pixels, not {shown(image)}; read files with open_clip or read_mask"
+            )
+        try:
+            array = np.asarray(image)
+        except ValueError:
+            raise ValueError("an image is an array of pixels; in these lists the rows differ in length") from None
+        if array.dtype.kind in "iu" and array.size and array.min() >= 0 and array.max() <= np.iinfo(np.uint8).max:
+            array = array.astype(np.uint8)
+    if array.dtype.kind not in "biuf":
+        raise ValueError(f"an image holds numbers, not values of the type {array.dtype}")
+    return array
+
+
+def names_of(only: Iterable[str] | None, known: Iterable[str]) -> frozenset[str] | None:
+    """The ids that are wanted of those that are `known`, None for all; one alone may be given as it is.
+
+    Raises
+    ------
+    ValueError
+        when one is not known.
+    """
+    if only is None:
+        return None
+    wanted, there = frozenset([only] if isinstance(only, str) else only), frozenset(known)
+    for name in wanted - there:
+        raise ValueError(f"`only` holds ids of the shapes ({', '.join(sorted(there))}), not {shown(name)}")
+    return wanted
+
+
+def shown(value: Any) -> str:
+    """A wrong argument as a sentence names it: short, and arrays by their shape."""
+    if isinstance(value, np.ndarray) and value.ndim:
+        return f"an array of shape {value.shape}"
+    text = repr(value)
+    return text if len(text) <= MOST_SHOWN else f"a {type(value).__name__}"

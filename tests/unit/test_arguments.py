@@ -1,0 +1,253 @@
+"""The library's calls take an argument for what it plainly means, and refuse what is none in one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roam_core import (
+    BlendMode,
+    Clip,
+    ExportOptions,
+    KeyChoice,
+    Keyframe,
+    Layer,
+    Origin,
+    Project,
+    RotoShape,
+    Tracker,
+    fill_span,
+    keys_from_mask,
+    load_project,
+    read_shapes,
+    render_matte,
+    save_project,
+    shapes_from_mask,
+    track,
+    write_shapes,
+)
+from roam_core.arguments import frame_number, moment, names_of, pixels_of, shown, size_of
+from tests.golden.shots import gliding, square
+
+SHOT = gliding(square(24.0), 4, (40.0, 38.0), (1.5, 0.5), size=(72, 96))
+FIRST, LAST = SHOT.frames[0], SHOT.frames[-1]
+SIZE = SHOT.size
+IMAGES = [SHOT.read(frame) for frame in SHOT.frames]
+MASK = SHOT.matte(FIRST)
+SHAPE = shapes_from_mask(MASK, FIRST)[0]
+KEYED = keys_from_mask([SHAPE], SHOT.matte(LAST), LAST)
+NAMED = [replace(SHAPE, id=name) for name in ("shape-1", "shape-12")]
+
+
+def tracked(image: Any = IMAGES[0], shape: Any = SHAPE, frame: Any = FIRST, following: Any = FIRST + 1) -> RotoShape:
+    tracker = Tracker("baseline")
+    tracker.start(image, shape, frame)
+    return tracker.step(IMAGES[1], following).shape
+
+
+def carried(
+    read: Any = SHOT.read, shapes: Any = SHAPE, frames: Any = (FIRST, FIRST + 1), only: Any = None
+) -> list[str]:
+    (result,) = track(read, shapes, frames, "baseline", only=only)
+    return [each.shape.id for each in result.results]
+
+
+def filled(images: Any = IMAGES, shapes: Any = KEYED, start: Any = FIRST, stop: Any = LAST) -> list[RotoShape]:
+    return fill_span(images, shapes, start, stop, "baseline")
+
+
+@pytest.mark.parametrize("number", [1002, np.int64(1002), np.uint16(1002), np.float32(1002.0), 1002.0, np.array(1002)])
+def test_a_frame_is_a_plain_integer_whatever_type_it_had(number: Any) -> None:
+    assert type(frame_number(number)) is int
+    assert [type(frame) for frame in tracked(following=number).frames] == [int, int]
+    assert tracked(following=number) == tracked()
+
+
+@pytest.mark.parametrize("number", [1002.5, "1002", None, True, np.nan, [1002], np.bool_(True)])
+def test_what_is_no_frame_is_refused(number: Any) -> None:
+    calls: list[Callable[[], object]] = [
+        lambda: tracked(frame=number),
+        lambda: tracked(following=number),
+        lambda: shapes_from_mask(MASK, number),
+        lambda: keys_from_mask([SHAPE], MASK, number),
+        lambda: carried(frames=[FIRST, number]),
+        lambda: filled(stop=number),
+        lambda: Keyframe(number, SHAPE.keys[0].points),
+    ]
+    for call in calls:
+        with pytest.raises(ValueError, match="a frame is a whole number such as 1001, not"):
+            call()
+
+
+@pytest.mark.parametrize("frame", ["1001", None, np.nan, np.inf])
+def test_what_is_no_moment_is_refused(frame: Any) -> None:
+    assert moment(1001.25) == 1001.25
+    with pytest.raises(ValueError, match="a frame is a number such as 1001"):
+        render_matte([SHAPE], frame, SIZE)
+
+
+def test_lists_are_pictures_and_masks() -> None:
+    assert tracked(IMAGES[0].tolist()) == tracked()
+    assert pixels_of([[0, 256]]).dtype != np.uint8
+    for mask in (MASK.tolist(), (MASK.astype(np.uint8) * 255).tolist(), memoryview(MASK)):
+        (made,) = shapes_from_mask(mask, FIRST)  # type: ignore[arg-type]
+        assert made.keys == SHAPE.keys
+        (keyed,) = keys_from_mask([SHAPE], mask, FIRST)  # type: ignore[arg-type]
+        assert keyed.frames == (FIRST,)
+
+
+@pytest.mark.parametrize(
+    ("image", "reason"),
+    [
+        (None, "not None; read files with"),
+        ("plate.png", "not 'plate.png'; read files with"),
+        (Path("plate.png"), "read files with"),
+        ([[1, 2], [3]], "rows differ in length"),
+        (np.full((4, 4), "x"), "holds numbers"),
+        (np.zeros((4, 4), complex), "holds numbers"),
+    ],
+)
+def test_what_is_no_picture_is_refused(image: Any, reason: str) -> None:
+    for call in (tracked, shapes_from_mask, lambda image: keys_from_mask([SHAPE], image, FIRST)):
+        with pytest.raises(ValueError, match=reason):
+            call(image)
+    with pytest.raises(ValueError, match=reason):
+        carried(read=lambda _: image)
+
+
+def test_a_shape_alone_is_a_list_of_one() -> None:
+    assert carried(SHOT.read, SHAPE) == carried(SHOT.read, [SHAPE]) == carried(SHOT.read, iter([SHAPE]))
+    assert filled(shapes=KEYED[0]) == filled() == filled(shapes=iter(KEYED))
+    assert keys_from_mask(SHAPE, MASK, FIRST) == keys_from_mask([SHAPE], MASK, FIRST)  # type: ignore[arg-type]
+    np.testing.assert_array_equal(render_matte(SHAPE, FIRST, SIZE), render_matte([SHAPE], FIRST, SIZE))
+
+
+@pytest.mark.parametrize("shape", [None, "a.roam", [None], SHAPE.keys[0].points, Project()])
+def test_what_is_no_shape_is_refused(shape: Any) -> None:
+    for call in (carried, filled, lambda shapes: keys_from_mask(shapes, MASK, FIRST)):
+        with pytest.raises(ValueError, match="a shape is a RotoShape"):
+            call(shapes=shape)
+    tracker = Tracker("baseline")
+    for argument in (shape, [SHAPE]):
+        with pytest.raises(ValueError, match="carries one RotoShape"):
+            tracker.start(IMAGES[0], argument, FIRST)
+    tracker.start(IMAGES[0], SHAPE, FIRST)
+    with pytest.raises(ValueError, match="carries one RotoShape"):
+        tracker.correct(shape)
+    if not isinstance(shape, Project):
+        with pytest.raises(ValueError, match="a shape is a RotoShape"):
+            render_matte(shape, FIRST, SIZE)
+
+
+def test_a_tracker_that_was_not_started_says_what_to_do() -> None:
+    with pytest.raises(RuntimeError, match="call start"):
+        Tracker("baseline").step(IMAGES[0], FIRST)
+    with pytest.raises(ValueError, match="a configuration is a name, such as 'best'"):
+        Tracker(None)  # type: ignore[arg-type]
+
+
+def test_only_may_be_one_id_and_no_other_than_there_are() -> None:
+    for only in ("shape-12", ["shape-12"], iter(["shape-12"])):
+        assert carried(shapes=NAMED, only=only) == ["shape-12"]
+    assert carried(shapes=NAMED) == ["shape-1", "shape-12"]
+    for wrong in ("shape", ["shape-12", "shape-3"], [NAMED[0]]):
+        with pytest.raises(ValueError, match=r"ids of the shapes \(shape-1, shape-12\), not"):
+            carried(shapes=NAMED, only=wrong)
+    two = [replace(KEYED[0], id=name) for name in ("shape-1", "shape-12")]
+    first, second = fill_span(IMAGES, two, FIRST, LAST, "baseline", only="shape-12")
+    assert first == two[0]
+    assert len(second.frames) == len(IMAGES)
+    assert names_of(None, ["a"]) is None
+
+
+def test_frames_and_their_reader_are_what_they_should_be() -> None:
+    with pytest.raises(ValueError, match="frames are several numbers"):
+        carried(frames=FIRST)
+    for read in (None, IMAGES, dict(zip(SHOT.frames, IMAGES, strict=True))):
+        with pytest.raises(ValueError, match="`read` gives the picture of a frame"):
+            carried(read=read)
+
+
+def test_a_span_is_filled_from_a_list_of_its_pictures() -> None:
+    by_frame = filled(dict(zip(SHOT.frames, IMAGES, strict=True)))
+    assert filled(IMAGES) == filled(tuple(IMAGES)) == filled(np.stack(IMAGES)) == by_frame
+    with pytest.raises(ValueError, match=f"3 images for the frames {FIRST} to {LAST}"):
+        filled(IMAGES[1:])
+    for images in (None, iter(IMAGES), SHOT.read):
+        with pytest.raises(ValueError, match="a mapping from frames to pictures"):
+            filled(images)
+
+
+@pytest.mark.parametrize("size", [list(SIZE), np.array(SIZE), (np.int32(SIZE[0]), float(SIZE[1]))])
+def test_a_size_is_any_pair_of_whole_numbers(size: Any) -> None:
+    assert [type(length) for length in size_of(size)] == [int, int]
+    np.testing.assert_array_equal(render_matte([SHAPE], FIRST, size), render_matte([SHAPE], FIRST, SIZE))
+
+
+@pytest.mark.parametrize("size", [(72, 96, 3), (-72, 96), (72.5, 96), 72, None, "ab", ()])
+def test_what_is_no_size_is_refused(size: Any) -> None:
+    with pytest.raises(ValueError, match=r"a size is \(height, width\)"):
+        render_matte([SHAPE], FIRST, size)
+
+
+def test_words_stand_for_the_kinds_that_they_name() -> None:
+    points = SHAPE.keys[0].points
+    key = Keyframe(1, points, origin="engine", interpolation="hold")  # type: ignore[arg-type]
+    assert key.origin is Origin.ENGINE
+    assert RotoShape("a", "A", (key,), blend="subtract").blend is BlendMode.SUBTRACT  # type: ignore[arg-type]
+    assert ExportOptions(keys="reduced").keys is KeyChoice.REDUCED  # type: ignore[arg-type]
+    for call in (
+        lambda: Keyframe(1, points, origin="nobody"),  # type: ignore[arg-type]
+        lambda: RotoShape("a", "A", (key,), blend="cut"),  # type: ignore[arg-type]
+        lambda: ExportOptions(keys="few"),  # type: ignore[arg-type]
+        lambda: ExportOptions(frames=(1, 9)),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(ValueError, match=r"is not a valid|are a range"):
+            call()
+
+
+CLIP = Clip("/plates/plate.%04d.exr", FIRST, LAST, (96, 72))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    "project",
+    [
+        Project(CLIP, Layer("root", "Root", (SHAPE, SHAPE))),
+        Project(CLIP, Layer("root", "Root", (replace(SHAPE, id=5),))),  # type: ignore[arg-type]
+        Project(CLIP, Layer("root", "Root", (replace(SHAPE, name=5),))),  # type: ignore[arg-type]
+        Project(CLIP, Layer("root", "Root", (replace(SHAPE, opacity="1"),))),  # type: ignore[arg-type]
+        Project(CLIP, Layer("root", "Root", (replace(SHAPE, lifetime=(1.5, 3)),))),  # type: ignore[arg-type]
+        Project(CLIP, Layer("root", "Root", (RotoShape("a", "A", (Keyframe(1, SHAPE.keys[0].points * np.nan),)),))),
+        Project(CLIP, Layer("root", "Root", (RotoShape("a", "A", (Keyframe(10**12, SHAPE.keys[0].points),)),))),
+        Project(replace(CLIP, first=LAST + 1)),
+    ],
+    ids=["twice", "id", "name", "opacity", "lifetime", "nan", "far", "clip"],
+)
+def test_a_project_that_could_not_be_opened_again_is_not_written(tmp_path: Path, project: Project) -> None:
+    path = tmp_path / "p.roam"
+    save_project(Project(CLIP, Layer("root", "Root", (SHAPE,))), path)
+    before = path.read_bytes()
+    with pytest.raises(ValueError, match="could not be opened again: "):
+        save_project(project, path)
+    assert path.read_bytes() == before
+    assert load_project(path).shapes == (SHAPE,)
+
+
+def test_files_are_made_of_projects_and_read_for_clips(tmp_path: Path) -> None:
+    for call in (save_project, lambda shapes, path: write_shapes(shapes, path, "nuke")):
+        with pytest.raises(ValueError, match="Project"):
+            call([SHAPE], tmp_path / "p.nk")
+    with pytest.raises(ValueError, match=r"such as Clip\.of"):
+        read_shapes(tmp_path / "p.nk", "plates")  # type: ignore[arg-type]
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_wrong_argument_is_shown_in_few_letters() -> None:
+    assert shown(np.zeros((4, 5))) == "an array of shape (4, 5)"
+    assert shown("x" * 1000) == "a str"
+    assert shown(3) == "3"
