@@ -36,7 +36,7 @@ if TYPE_CHECKING:
         edit,
     )
     from roam_core.roto.file import load as load_project
-    from roam_core.roto.file import save as save_project
+    from roam_core.roto.file import save_checked as save_project
 
 __all__ = [
     "BlendMode",
@@ -105,6 +105,6 @@ _ROOMS = {
 _RENAMED = {
     "edit": ("roam_core.roto.edit", ""),
     "load_project": ("roam_core.roto.file", "load"),
-    "save_project": ("roam_core.roto.file", "save"),
+    "save_project": ("roam_core.roto.file", "save_checked"),
 }
 __getattr__, __dir__ = offered(__name__, _ROOMS, _RENAMED)

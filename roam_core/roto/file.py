@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from roam_core.arguments import shown
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto.backups import backup_path
@@ -20,7 +21,7 @@ from roam_core.roto.migrate import VERSION, migrate
 from roam_core.roto.project import Project
 from roam_core.roto.to_json import pieces
 
-__all__ = ["MAX_BYTES", "DamagedProject", "digest", "dumps", "load", "load_versioned", "loads", "save"]
+__all__ = ["MAX_BYTES", "DamagedProject", "digest", "dumps", "load", "load_versioned", "loads", "save", "save_checked"]
 
 MAX_BYTES = 448 << 20
 """Larger files are neither read nor written: with what is made of it, it fits into a gigabyte of memory."""
@@ -31,6 +32,8 @@ MAX_NAMES = 2_000_000
 MAX_MEMORY = 920 << 20
 """Bytes that reading may take: two for each of the file's, and `VALUE_COST` for each value in it."""
 VALUE_COST = 64
+UNREADABLE = (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+"""What reading raises where a field is missing or holds what it may not."""
 _EMPTY = re.compile(rb"[\0\s]*")
 _BEGINNING = re.compile(rb'\s*\{\s*"type"\s*:\s*"roam\.Project"')
 
@@ -52,6 +55,30 @@ def save(project: Project, path: str | Path) -> None:
     """
     path = Path(path)
     write_atomically(path, _limited(_encoded(pieces(project, path.parent))))
+
+
+def save_checked(project: Project, path: str | Path) -> None:
+    """Write `project` to `path` as `save` does, in one step, but nothing that could not be opened again.
+
+    What artists do and what files say is checked where it comes in; what a script puts together is checked here.
+
+    Raises
+    ------
+    ValueError
+        when the project holds what no project file may, such as two shapes of one id.
+    RoamError
+        when the folder is missing or may not be written to, or the project is too large.
+    """
+    path = Path(path)
+    if not isinstance(project, Project):
+        raise ValueError(f"a project file holds a Project, not {shown(project)}")
+    try:
+        content = b"".join(_limited(_encoded(pieces(project, path.parent))))
+        document = json.loads(content, parse_float=_finite, parse_constant=_finite)
+        read_project(migrate(document, VERSION), path.parent)
+    except UNREADABLE as error:
+        raise ValueError(f"the project cannot be saved, for it could not be opened again: {_reason(error)}") from None
+    write_atomically(path, content)
 
 
 def load(path: str | Path) -> Project:
@@ -182,7 +209,7 @@ def _read(document: Any, folder: Path, name: str) -> Project:
         )
     try:
         return read_project(migrate(document, version), folder)
-    except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
+    except UNREADABLE as error:
         raise DamagedProject(f"{name} is damaged: {_reason(error)}.") from None
 
 
