@@ -158,13 +158,17 @@ class PartialFrames:
         """
         size, space = self._source.size[::-1], self._source.colour_space
         expected = self._expected(frame)
-        looked_at = self._looked_at.setdefault(frame, LookedAt())
         areas = self._source.areas(frame) if expected else None
         if areas is None or expected is None:
-            return PartialPicture(size, space, None, (0, 0), self._source.read(frame), looked_at)
+            whole = self._source.read(frame)
+            return PartialPicture(size, space, None, (0, 0), whole, self._kept(frame))
         area = with_columns_beside(whole_strips(expected, size, space), size)
-        failed = partial(self._failed, frame)
-        return PartialPicture(size, space, areas, (area.top, area.left), areas.read(area), looked_at, failed)
+        held, failed = areas.read(area), partial(self._failed, frame)
+        return PartialPicture(size, space, areas, (area.top, area.left), held, self._kept(frame), failed)
+
+    def _kept(self, frame: int) -> LookedAt:
+        """What is looked at of a frame that could be read: of the many that a long gap lacks nothing is kept."""
+        return self._looked_at.setdefault(frame, LookedAt())
 
     def _expected(self, frame: int) -> Area | None:
         """What was looked at of the frame nearest to one, or of itself; None where of no frame anything was."""

@@ -16,7 +16,7 @@ from roam_core.media import DamagedFrame, FrameCache, MissingFrame, open_clip
 from roam_core.media.area import Area
 from roam_core.media.colour import to_engine
 from roam_core.media.curves import COLOUR_SPACES
-from roam_core.media.partial import COLUMNS_AT_ONCE, PartialFrames, PartialPicture
+from roam_core.media.partial import COLUMNS_AT_ONCE, LookedAt, PartialFrames, PartialPicture
 from roam_core.media.source import PlateSource
 from tests.unit.media.conftest import write_image, write_parts
 
@@ -149,6 +149,19 @@ def test_of_the_next_frame_those_rows_are_decoded_that_were_looked_at(tmp_path: 
     frames.read(2)  # or the frame itself
     frames.read(1)
     assert plate.reads[3:] == [Area(0, 96, 0, WIDTH), Area(0, 96, 0, WIDTH), Area(64, 96, 0, WIDTH)]
+
+
+def test_of_the_frames_that_a_long_gap_lacks_nothing_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for frame in (1, 200_000):
+        write_image(tmp_path / f"p.{frame}.exr", noise(frame, "half"), "half", compression="zips")
+    made: list[LookedAt] = []
+    monkeypatch.setattr("roam_core.media.partial.LookedAt", lambda: made.append(LookedAt()) or made[-1])
+    frames = PartialFrames(open_clip(tmp_path), unheard)
+    frames.read(1).within(70, 72, 0, 9)
+    for frame in range(2, 9):
+        with pytest.raises(MissingFrame):
+            frames.read(frame)
+    assert len(made) == 1
 
 
 @pytest.fixture
