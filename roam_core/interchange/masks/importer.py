@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +42,8 @@ class MaskImporter:
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Fit shapes to the masks of a sequence; its pictures are numbered as the clip's frames.
 
+        One picture alone, that bears no number of these, is of the first of them.
+
         A part of the masks is one shape for as long as it is one part: it begins where it comes up or parts from
         another, and ends where it vanishes or joins a larger one. All keys are the artist's. What was achieved is told
         in a sentence a shape: keys, and how near the curves lie to the masks.
@@ -50,8 +52,10 @@ class MaskImporter:
 
     def measured(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> tuple[Imported, tuple[Fitted, ...]]:
         """As `read`, with the figures of each shape in their order."""
-        reader = ShapeReader(path, clip, options)
         source = open_clip(path)
+        reader = ShapeReader(path, clip, _placed(options, source, clip))
+        if reader.options is not options:
+            reader.note(f"The mask bears no number of the clip's frames: its key stands on the first, {clip.first}.")
         wanted = _wanted(options.masks, source)
         tracker = _followed(source, reader, wanted)
         if not tracker.tracks:
@@ -61,6 +65,13 @@ class MaskImporter:
         if source.missing:
             reader.note(f"{len(source.missing)} masks are missing between the first and the last; no keys stand there.")
         return reader.finished(tuple(shapes), source.size), parts
+
+
+def _placed(options: ImportOptions, source: PlateSource, clip: Clip) -> ImportOptions:
+    """The options, by which one mask that has no number, or none of the clip's, is of the clip's first frame."""
+    if options.frame_offset or len(source.frames) > 1 or source.frames[0] in clip.frame_range:
+        return options
+    return replace(options, frame_offset=source.frames[0] - clip.first)
 
 
 def _wanted(asked: MaskOptions, source: PlateSource) -> Wanted:

@@ -61,6 +61,17 @@ def test_masks_of_another_size_are_scaled_and_the_offset_is_taken_off(tmp_path: 
     assert "scaled" in imported.notes[-1]
 
 
+@pytest.mark.parametrize(("name", "frame"), [("mask.png", 1001), ("mask_v2.png", 1001), ("mask.1002.png", 1002)])
+def test_one_mask_that_bears_no_number_of_the_clip_is_of_its_first_frame(tmp_path: Path, name: str, frame: int) -> None:
+    cv2.imwrite(str(tmp_path / name), discs((60, 50)))
+    imported = read_shapes(tmp_path / name, CLIP)
+    (shape,) = imported.layer.shapes()
+    assert shape.frames == (frame,)
+    assert any("its key stands on the first, 1001" in note for note in imported.notes) == (frame == 1001)
+    (shifted,) = read_shapes(tmp_path / name, CLIP, ImportOptions(frame_offset=-1)).layer.shapes()
+    assert shifted.frames == ({"mask.png": 2, "mask_v2.png": 3, "mask.1002.png": 1003}[name],)
+
+
 def test_black_masks_are_one_sentence(tmp_path: Path) -> None:
     with pytest.raises(RoamError, match="Nothing is white"):
         read_shapes(write(tmp_path / "masks", discs()), CLIP)
