@@ -60,7 +60,7 @@ def lifetime_steps(shape: RotoShape) -> list[tuple[int, bool]]:
     if shape.lifetime is None:
         return []
     start, stop = shape.lifetime
-    return [(start - 1, False), (start, True), (stop, False)]
+    return [(start - 1, False), (start, True), (stop, False)] if start < stop else [(stop, False)]
 
 
 def straight_keys(value: Animatable) -> tuple[ValueKey, ...]:
@@ -91,6 +91,8 @@ def opacity_keys(shape: RotoShape) -> tuple[ValueKey, ...]:
     if shape.lifetime is None:
         return keys
     (start, stop), hold = shape.lifetime, Interpolation.HOLD
+    if start >= stop:  # it exists on no frame
+        return (ValueKey(stop, 0.0, hold),)
     before = [key for key in keys if key.frame <= start]
     first = ValueKey(start, shape.opacity_at(start), before[-1].interpolation if before else hold)
     inside = [first, *(key for key in keys if start < key.frame < stop)]

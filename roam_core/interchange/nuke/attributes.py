@@ -185,7 +185,7 @@ class Attributes:
             return min(clip.first, first), first + 1
         if kind == FROM_FRAME:
             return first, max(clip.last, first) + 1
-        return first, max(last, first) + 1
+        return first, max(last + 1, first)  # one that ends before it begins holds no frame
 
 
 def _by_tangents(curve: Curve, frame: Callable[[float], int]) -> Animated | None:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from roam_core.interchange.flatten import branched, hidden_notes
-from roam_core.interchange.timing import moments, opacity_keys, without_holds
+from roam_core.interchange.registry import read_shapes, write_shapes
+from roam_core.interchange.timing import lifetime_steps, moments, opacity_keys, without_holds
 from roam_core.matte import render_matte
-from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Layer, Project, RotoShape, ValueKey
 from tests.unit.interchange.conftest import animated
 from tests.unit.matte.conftest import rectangle
 
@@ -80,6 +82,24 @@ def test_lifetimes_become_steps_of_the_opacity() -> None:
     keys = opacity_keys(block(1, 0.0, opacity=0.25, lifetime=(5, 9)))
     assert [(key.frame, key.value) for key in keys] == [(4, 0.0), (5, 0.25), (9, 0.0)]
     assert {key.interpolation for key in keys} == {Interpolation.HOLD}
+
+
+@pytest.mark.parametrize("lifetime", [(5, 5), (9, 5)])
+@pytest.mark.parametrize("opacity", [0.5, Animated((ValueKey(1, 0.0), ValueKey(12, 1.0)))])
+def test_a_shape_that_exists_on_no_frame_is_seen_in_no_program(
+    lifetime: tuple[int, int], opacity: float | Animated, tmp_path: Path
+) -> None:
+    gone = block(1, 0.0, opacity=opacity, lifetime=lifetime)
+    assert [(key.frame, key.value) for key in opacity_keys(gone)] == [(5, 0.0)]
+    assert lifetime_steps(gone) == [(5, False)]
+    made = Project(Clip(Path("plate"), 1, 12, SIZE[::-1]), Layer("root", "Root", (gone, block(2, 10.0))))
+    for name, suffix in (("nuke", "nk"), ("silhouette", "fxs"), ("fusion", "setting")):
+        path = tmp_path / f"p.{suffix}"
+        assert write_shapes(made, path, name) == ()
+        back = read_shapes(path, made.require_clip())
+        for frame in (1, 5, 9, 12):
+            seen, expected = (render_matte(each, frame, SIZE) for each in (back.layer, made))
+            np.testing.assert_allclose(seen, expected, atol=1e-3)
 
 
 def test_keys_of_the_opacity_count_within_the_lifetime() -> None:
