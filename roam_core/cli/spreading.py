@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 import shutil
 import sys
 import tempfile
@@ -92,11 +93,13 @@ def spread(
 def working_folder() -> Iterator[Path]:
     """A temporary folder of this process for the length of a `with` block.
 
-    A process that was killed cannot tidy up: what such ones left goes first.
+    A process that was killed cannot tidy up: what such ones of this machine left goes first. Of other machines, and of
+    containers, that have the same folder for temporary files nobody here knows whether they run.
     """
+    mine = f"{FOLDER}-{platform.node()}"
     for left in Path(tempfile.gettempdir()).glob(f"{FOLDER}-*-*"):
-        process = left.name.removeprefix(f"{FOLDER}-").partition("-")[0]
-        if process.isdecimal() and not is_alive(int(process)):
+        owner, _, process = left.name.rpartition("-")[0].rpartition("-")
+        if owner == mine and process.isdecimal() and not is_alive(int(process)):
             shutil.rmtree(left, ignore_errors=True)  # that of another user stays
-    with tempfile.TemporaryDirectory(prefix=f"{FOLDER}-{os.getpid()}-") as folder:
+    with tempfile.TemporaryDirectory(prefix=f"{mine}-{os.getpid()}-") as folder:
         yield Path(folder)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 import subprocess
 import sys
 from pathlib import Path
@@ -21,8 +22,10 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_what_a_killed_process_left_goes_and_nothing_else(place: Path) -> None:
     dead = subprocess.Popen([sys.executable, "-c", ""])
     dead.wait()
-    kept = [f"roam-fill-{os.getpid()}-a", f"roam-other-{dead.pid}-a", "roam-fill-mine-a", "roam-fill-old"]
-    for name in (*kept, f"roam-fill-{dead.pid}-a"):
+    here = f"roam-fill-{platform.node()}"
+    elsewhere = [f"roam-other-{dead.pid}-a", f"roam-fill-{dead.pid}-a", f"roam-fill-render-07-{dead.pid}-a"]
+    kept = [f"{here}-{os.getpid()}-a", f"{here}-mine-a", "roam-fill-old", *elsewhere]
+    for name in (*kept, f"{here}-{dead.pid}-a"):
         (place / name).mkdir()
         (place / name / "given.roam").write_text("{}")
     with working_folder() as folder:
