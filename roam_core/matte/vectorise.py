@@ -11,7 +11,7 @@ import numpy as np
 from contourpy import FillType, contour_generator
 from numpy.typing import NDArray
 
-from roam_core.arguments import frame_number, pixels_of, size_of
+from roam_core.arguments import frame_number, pixels_of, shown, size_of
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
@@ -25,6 +25,8 @@ LABELS = 16
 """Integers up to this are labels, not shades."""
 NARROWER = (255.0, 1023.0, 4095.0)
 """White of 8, 10 and 12 bits."""
+PICTURES = (255.0, 65535.0)
+"""White of the integers in which pictures are mostly held."""
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
 
@@ -35,6 +37,7 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None
     Parameters
     ----------
     mask : (h, w) or (h, w, c); bool, integer or float; white inside. A grey antialiased edge is met at half intensity.
+        White is 1 in floating point, but 255 or 65535 where the largest value is that of such a picture.
     frame : the frame of the shapes' one artist key.
     tolerance : pixels by which the spline may stray from the mask's outline; None: one, as the engine sees a picture
         of that size (`params.enlargement_for`).
@@ -51,6 +54,8 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None
         when the mask is no image.
     """
     mask, frame = pixels_of(mask), frame_number(frame)
+    if tolerance is not None and not tolerance >= 0.0:
+        raise ValueError(f"a tolerance is a number of pixels, 0 or more, not {shown(tolerance)}")
     if mask.size == 0:
         return []
     require_image(mask)
@@ -149,7 +154,16 @@ def _shares(mask: NDArray[Any]) -> Array:
     top = float(values.max()) if values.size else 0.0
     if np.issubdtype(mask.dtype, np.integer):
         return np.clip(values / _white_of(mask.dtype, top), 0.0, 1.0)
-    return np.clip(np.nan_to_num(values), 0.0, 1.0)
+    values = np.nan_to_num(values, nan=0.0, posinf=1.0, neginf=0.0)
+    return np.clip(values / _white_of_floats(float(values.max(initial=0.0))), 0.0, 1.0)
+
+
+def _white_of_floats(top: float) -> float:
+    """What is white in a mask of floating point whose largest value is `top`: 1, unless it holds a picture's integers.
+
+    Coverage may overshoot 1, and light many times; but at half of what 8 or 16 bits hold it is neither.
+    """
+    return next((white for white in PICTURES if white / 2.0 <= top < white + 0.5), 1.0)
 
 
 def _white_of(dtype: np.dtype[Any], top: float) -> float:
@@ -163,7 +177,7 @@ def _white_of(dtype: np.dtype[Any], top: float) -> float:
         return max(top, 1.0)
     if dtype in (np.uint8, np.uint16):
         return float(np.iinfo(dtype).max)
-    return next((white for white in (255.0, 65535.0) if top <= white), top)
+    return next((white for white in PICTURES if top <= white), top)
 
 
 def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[Any]:

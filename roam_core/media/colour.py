@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arguments import pixels_of
 from roam_core.arrays import Float32, Image, UInt8
 from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear
 
@@ -59,6 +60,7 @@ def to_engine(image: Image, colour_space: str) -> Image:
     RoamError
         when the colour space is not known.
     """
+    image = pixels_of(image)
     if colour_space not in COLOUR_SPACES:
         return _converted(image, colour_space, _engine_table(LINEAR))
     if colour_space == SRGB:

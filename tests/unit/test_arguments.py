@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ from roam_core import (
     render_matte,
     save_project,
     shapes_from_mask,
+    to_engine,
     track,
     write_shapes,
 )
@@ -91,6 +93,12 @@ def test_what_is_no_moment_is_refused(frame: Any) -> None:
         render_matte([SHAPE], frame, SIZE)
 
 
+@pytest.mark.parametrize("tolerance", [-1.0, np.nan])
+def test_a_tolerance_is_no_less_than_nothing(tolerance: float) -> None:
+    with pytest.raises(ValueError, match="a tolerance is a number of pixels"):
+        shapes_from_mask(MASK, FIRST, tolerance)
+
+
 def test_lists_are_pictures_and_masks() -> None:
     assert tracked(IMAGES[0].tolist()) == tracked()
     assert pixels_of([[0, 256]]).dtype != np.uint8
@@ -113,7 +121,12 @@ def test_lists_are_pictures_and_masks() -> None:
     ],
 )
 def test_what_is_no_picture_is_refused(image: Any, reason: str) -> None:
-    for call in (tracked, shapes_from_mask, lambda image: keys_from_mask([SHAPE], image, FIRST)):
+    for call in (
+        tracked,
+        shapes_from_mask,
+        partial(to_engine, colour_space="sRGB"),
+        lambda image: keys_from_mask([SHAPE], image, FIRST),
+    ):
         with pytest.raises(ValueError, match=reason):
             call(image)
     with pytest.raises(ValueError, match=reason):

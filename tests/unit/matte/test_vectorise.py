@@ -251,6 +251,20 @@ def test_sixteen_bits_that_hold_a_mask_of_fewer_are_white_where_it_was(white: in
     np.testing.assert_array_equal(coverage_of((mask // 255).astype(np.uint16) * np.uint16(white)), mask / 255.0)
 
 
+@pytest.mark.parametrize(("white", "kind"), [(255.0, np.float32), (255.0, np.float64), (65535.0, np.float64)])
+def test_a_soft_mask_in_floats_of_a_picture_is_met_at_half_of_its_white(white: float, kind: type) -> None:
+    soft = cv2.GaussianBlur(box((20, 20, 60, 50)).astype(np.float64) / 255.0, (0, 0), 4.0)
+    np.testing.assert_allclose(coverage_of((soft * white).astype(kind)), soft, atol=1e-6)
+    np.testing.assert_allclose(coverage_of(soft * 0.7 * white), soft * 0.7, atol=1e-6)
+    for light in (1.2, 16.0, 100.0, 5000.0):  # coverage that overshoots, and light of a scene
+        np.testing.assert_array_equal(coverage_of(soft * light), np.clip(soft * light, 0.0, 1.0))
+
+
+def test_what_is_no_number_is_black_and_the_infinite_white() -> None:
+    values = np.array([[np.nan, np.inf, -np.inf, -3.0], [0.5, 1.0, 0.0, 0.25]])
+    np.testing.assert_array_equal(coverage_of(values), [[0.0, 1.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.25]])
+
+
 @pytest.mark.parametrize("size", [[4, 4], np.array([4, 4]), (np.int64(4), 4.0)])
 def test_the_size_of_a_mask_may_be_any_pair_of_whole_numbers(tmp_path: Path, size: Any) -> None:
     cv2.imwrite(str(tmp_path / "mask.png"), np.zeros((4, 4), np.uint8))
