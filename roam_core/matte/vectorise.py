@@ -145,7 +145,17 @@ def coverage_of(mask: NDArray[Any]) -> Array:
 
 
 def _shares(mask: NDArray[Any]) -> Array:
-    """The values of one channel (h, w) as shares, in [0, 1], of white."""
+    """The values of one channel (h, w) as shares, in [0, 1], of white; of two tones the brighter one is white.
+
+    That is how data sets colour their objects: (128, 0, 0). At half of white such an outline would lie half a pixel
+    within.
+    """
+    shares = _shares_of_white(mask)
+    top = float(shares.max(initial=0.0))
+    return shares / top if 0.5 <= top < 1.0 and bool(((shares == 0.0) | (shares == top)).all()) else shares
+
+
+def _shares_of_white(mask: NDArray[Any]) -> Array:
     if mask.ndim != 2:
         raise ValueError(f"a mask has shape {mask.shape}, not (h, w)")
     values = mask.astype(np.float64)

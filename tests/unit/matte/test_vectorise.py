@@ -260,6 +260,18 @@ def test_a_soft_mask_in_floats_of_a_picture_is_met_at_half_of_its_white(white: f
         np.testing.assert_array_equal(coverage_of(soft * light), np.clip(soft * light, 0.0, 1.0))
 
 
+@pytest.mark.parametrize("tone", [128, 200, 254])
+def test_the_brighter_of_two_tones_is_white(tone: int) -> None:
+    mask = box((20, 20, 60, 50)) // 255
+    for two in (mask * np.uint8(tone), mask * np.uint16(tone * 257), mask * np.float32(tone / 255.0)):
+        np.testing.assert_array_equal(coverage_of(two), mask)
+    np.testing.assert_array_equal(coverage_of(np.dstack([mask * np.uint8(tone), 0 * mask, 0 * mask])), mask)
+    assert coverage_of(mask * np.uint8(127)).max() < 0.5
+    grey = mask * np.uint8(tone)
+    grey[0, 0] = 64  # a third tone: these are shades
+    assert coverage_of(grey).max() == tone / 255.0
+
+
 def test_what_is_no_number_is_black_and_the_infinite_white() -> None:
     values = np.array([[np.nan, np.inf, -np.inf, -3.0], [0.5, 1.0, 0.0, 0.25]])
     np.testing.assert_array_equal(coverage_of(values), [[0.0, 1.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.25]])
