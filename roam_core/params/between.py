@@ -48,6 +48,7 @@ class SpanParams:
     alike : pixels of a 480-line image, in the mean, up to which the poses from both ends are taken for the same
         one.
     sure_cost : what is added to the cost of a pose: even the best may be wrong.
+    sure_share : share of the region that even parts that lie along with the union are taken to miss.
     unposed : what an outline that was not carried by its pose is taken to cost. arrived : overlap with the other key
         from which a pass by poses has come to it. likely : confidence from which a pose is believed.
     apart : pixels of a 480-line image between the estimates of a point at which half the trust in it is gone.
@@ -72,6 +73,7 @@ class SpanParams:
     likely: float = 0.5
     apart: float = 4.0
     places: int = later(64)
+    sure_share: float = later(0.01)
     steadiness: float = later(STEADINESS.strength)
     endpoint_consistency: EndpointConsistencyParams = later(EndpointConsistencyParams())
     key_colours: KeyColoursParams = later(KeyColoursParams())

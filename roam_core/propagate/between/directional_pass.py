@@ -52,6 +52,15 @@ class Stop:
         return replace(self, points=points)
 
     @property
+    def of_union(self) -> Stop | None:
+        """That of the union of an object's parts; None where it has none."""
+        union = None if self.motion.figure is None else self.motion.figure.union
+        if union is None:
+            return None
+        points = tuple(part.points for part in union.parts)
+        return Stop(points, (union.trust,) * len(points), union.key.to_now, Motion.by_region(union))
+
+    @property
     def posed(self) -> Stop | None:
         """The same, if the pose is believed all the way; None without one."""
         by_pose = self.motion.by_pose
@@ -81,7 +90,16 @@ class DirectionalPass:
     @property
     def posed(self) -> DirectionalPass | None:
         """The same, if the pose of the lone shape is believed all the way; None where it has none."""
-        stops = {frame: stop.posed for frame, stop in self.stops.items()}
+        return self._all(lambda stop: stop.posed)
+
+    @property
+    def of_union(self) -> DirectionalPass | None:
+        """That of the union of an object's parts; None where it has none."""
+        return self._all(lambda stop: stop.of_union)
+
+    def _all(self, of: Callable[[Stop], Stop | None]) -> DirectionalPass | None:
+        """The same with what each stop gives; None where one gives nothing."""
+        stops = {frame: of(stop) for frame, stop in self.stops.items()}
         known = {frame: stop for frame, stop in stops.items() if stop is not None}
         return DirectionalPass(known, self.picture) if len(known) == len(stops) else None
 

@@ -136,6 +136,21 @@ class Span:
         return None if onwards is None or back is None else replace(self, onwards=onwards, back=back)
 
     @cached_property
+    def union(self) -> Span | None:
+        """The same of the union of an object's parts, each key with outlines of its own; None where it has none."""
+        ahead, behind = (None if way is None else way.of_union for way, _, _ in self._ways)
+        if ahead is None or behind is None:
+            return None
+        first, last = (_union_on(way, key.frame) for way, key in ((self.onwards, self.first), (self.back, self.last)))
+        return replace(
+            self,
+            first=replace(self.first, parts=(*first, *(None for _ in last))),
+            last=replace(self.last, parts=(*(None for _ in first), *last)),
+            onwards=ahead,
+            back=behind,
+        )
+
+    @cached_property
     def residuals(self) -> tuple[Residual, Residual, Residual, Residual] | None:
         """Of the pass onwards, of the one back, and of planar motion at the last and the first key.
 
@@ -319,6 +334,13 @@ class Span:
             for k, part in enumerate(key.parts)
         )
         return Residual(grid, around, points, loss)
+
+
+def _union_on(way: DirectionalPass | None, frame: int) -> tuple[Part, ...]:
+    """The outlines of the union of an object's parts on the key that a pass began on."""
+    stop = stop_at(way, frame)
+    figure = None if stop is None else stop.motion.figure
+    return () if figure is None or figure.union is None else figure.union.drawn
 
 
 def stop_at(directional_pass: DirectionalPass | None, frame: int) -> Stop | None:

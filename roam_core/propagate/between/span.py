@@ -24,7 +24,8 @@ from roam_core.params.steadiness import STEADINESS
 from roam_core.propagate.between.both_keys import as_on_another, as_on_both
 from roam_core.propagate.between.directional_pass import DirectionalPass, ReadPicture, directional_pass
 from roam_core.propagate.between.endpoint_consistency import Key, Span
-from roam_core.propagate.between.merge import Colours, Merged, merged
+from roam_core.propagate.between.merge import Merged, merged
+from roam_core.propagate.between.merged_region import Colours
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.engines.view import EngineView

@@ -51,7 +51,14 @@ class PartsEngine:
     def motion(self) -> Motion:
         """That of what is not in parts behind the occluders, where that is one object."""
         count, limb = len(self.state.parts), self.state.whole
-        by_poses = Motion(None, None, (False,) * count, pose_costs=self.state.pose_costs, at_poses=self.state.at_poses)
+        by_poses = Motion(
+            None,
+            None,
+            (False,) * count,
+            pose_costs=self.state.pose_costs,
+            at_poses=self.state.at_poses,
+            figure=self.state,
+        )
         if limb is None or limb.whole is None:
             return by_poses
         return replace(

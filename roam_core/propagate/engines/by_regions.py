@@ -50,17 +50,7 @@ class RegionEngine:
 
     @property
     def motion(self) -> Motion:
-        state, count = self.state, len(self.state.parts)
-        return Motion(
-            state.key.to_now,
-            state.region,
-            (True,) * count,
-            state.agreement_as_one_piece is not None,
-            (None,) * count,
-            (False,) * count,
-            self._by_pose,
-            state.key,
-        )
+        return replace(Motion.by_region(self.state), by_pose=self._by_pose)
 
     @property
     def _by_pose(self) -> ByPose | None:

@@ -15,6 +15,8 @@ from roam_core.landmarks.pool import Pool
 from roam_core.motion.pose import Pose
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
+from roam_core.propagate.parts.figure import FigureState
+from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.evidence import Field, KeyMemory
 
 Terms = Mapping[str, Array]
@@ -52,7 +54,8 @@ class Motion:
     pose_costs : for each outline what its pose costs; None where it was not carried by its pose alone.
     gone : for each outline whether its pose is carried along without being seen. by_pose : of a lone shape.
     key : of the region, carried to the frame. at_poses : for each outline of an object in parts its points by its pose
-        alone, free edges not yet drawn to the border of the region; None where it has none.
+        alone, free edges not yet drawn to the border of the region; None where it has none, or does not lie by it.
+    figure : the object in parts itself; None where it is none.
     """
 
     since_key: Array | None
@@ -64,6 +67,16 @@ class Motion:
     by_pose: ByPose | None = None
     key: KeyMemory | None = None
     at_poses: tuple[Array | None, ...] = ()
+    figure: FigureState | None = None
+
+    @classmethod
+    def by_region(cls, state: RegionState) -> Motion:
+        """That of an object all of whose outlines are fitted to its region."""
+        count, as_one_piece = len(state.parts), state.agreement_as_one_piece is not None
+        return cls(
+            state.key.to_now, state.region, (True,) * count, as_one_piece, (None,) * count, (False,) * count,
+            key=state.key,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

@@ -122,10 +122,12 @@ class FigureState:
 
     @property
     def at_poses(self) -> tuple[Array | None, ...]:
-        """The points of each shape by its pose alone, in their order; None where it has none."""
+        """The points of each shape by its pose alone, in their order; None where it has none, or goes along with the
+        union.
+        """
         outlines: list[tuple[Array | None, ...]] = [
             (None,) * len(limb.unit.members)
-            if limb.pose is None
+            if limb.pose is None or limb.goes_along
             else tuple(part.points for part in posed.carried(limb.pose, limb.drawn))
             for limb in self.limbs
         ]

@@ -10,6 +10,7 @@ import hashlib
 import json
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ import pytest
 
 from roam_core import fill_span, shapes_from_mask, track
 from roam_core.arrays import UInt8
-from roam_core.params import CONFIGS
+from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.shapes.provenance import REVISION
 from roam_core.roto import Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
@@ -69,6 +70,14 @@ def filled() -> Points:
     return _points(fill_span(dict(enumerate(figure.pictures)), figure.shapes(0, 4), 0, 4, "best"))
 
 
+def along_filled() -> Points:
+    """Two parts of what bends as no pose does, between two keys; their passes leave them to their poses."""
+    figure, params = flame(), params_for("best")
+    assert params.region is not None
+    by_poses = replace(params, region=replace(params.region, figure=replace(params.region.figure, unfit=np.inf)))
+    return _points(fill_span(dict(enumerate(figure.pictures)), figure.shapes(0, 7), 0, 7, by_poses))
+
+
 def posed() -> Points:
     """A limb on its own, of the colours of what it lies on."""
     figure = arm_like_its_body(4)
@@ -116,7 +125,8 @@ def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
 
 
 RUNS: dict[str, Callable[[], Points]] = {
-    each.__name__: each for each in (lone, parts, along, filled, posed, held, hidden, hidden_filled, panned, dimmed)
+    each.__name__: each
+    for each in (lone, parts, along, filled, along_filled, posed, held, hidden, hidden_filled, panned, dimmed)
 }
 
 

@@ -16,7 +16,8 @@ from roam_core.params import RegionParams, scale_for
 from roam_core.params.evidence import BackgroundParams
 from roam_core.propagate.between.directional_pass import DirectionalPass, Stop
 from roam_core.propagate.between.endpoint_consistency import Key, Span
-from roam_core.propagate.between.merge import Colours, merged
+from roam_core.propagate.between.merge import merged
+from roam_core.propagate.between.merged_region import Colours
 from roam_core.propagate.engines.protocol import Motion
 from roam_core.propagate.frame.covering import learned_colours
 from roam_core.propagate.frame.result import Part

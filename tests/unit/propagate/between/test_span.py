@@ -18,7 +18,8 @@ from roam_core.media.source import MissingFrame
 from roam_core.params import CONFIGS
 from roam_core.params.steadiness import RESIDUAL
 from roam_core.propagate.between.endpoint_consistency import Span
-from roam_core.propagate.between.merge import Colours, Merged, merged
+from roam_core.propagate.between.merge import Merged, merged
+from roam_core.propagate.between.merged_region import Colours
 from roam_core.propagate.between.span import Reader, spans
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.steadiness.boil import boil
