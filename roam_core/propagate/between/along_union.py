@@ -29,7 +29,6 @@ from roam_core.propagate.frame.covering import covered
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.parts.along import UnionMotion
 from roam_core.propagate.shapes.objects import Role
-from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.evidence import Field
 
 
@@ -64,11 +63,11 @@ def along_union(moment: Moment, outlines: Mapping[int, Part], colours: Colours |
 def _units(moment: Moment, outlines: Mapping[int, Part], role: Role) -> dict[tuple[int, ...], tuple[Part, ...]]:
     """What has a role in the object of the `outlines`, by the outlines that each is made of."""
     made = (
-        tuple(key.members[k] for k in limb.unit.members)
+        tuple(key.members[k] for k in unit.members)
         for stop, key in _ways(moment)
-        if stop.motion.figure is not None
-        for limb in stop.motion.figure.limbs
-        if limb.unit.role is role
+        if stop.motion.in_parts is not None
+        for unit in stop.motion.in_parts.units
+        if unit.role is role
     )
     ours = outlines.keys() - moment.of_region
     return {unit: tuple(outlines[k] for k in unit) for unit in made if ours.issuperset(unit)}
@@ -97,7 +96,8 @@ class _Laying:
 
     def _filling(self, stop: Stop) -> tuple[Part, ...]:
         """The outlines of the union in a pass, fitted to the region."""
-        union = _union(stop)
+        union = stop.union
+        assert union is not None
         placed = fitted(union.parts, union.constraints, self._region, self._scale, self._params)
         return tuple(replace(part, points=points) for part, (points, _) in zip(union.parts, placed, strict=True))
 
@@ -106,7 +106,10 @@ class _Laying:
 
         Patches of the union do not count: they may have followed something else, as their pass did.
         """
-        motion = UnionMotion(replace(_union(stop), parts=filling, patches=None), self._params.figure)
+        assert stop.union is not None
+        assert stop.union.motion.since_key is not None
+        to_now = stop.union.motion.since_key
+        motion = UnionMotion(stop.union.drawn, filling, to_now, self._scale, self._params.figure)
         return {k: part.points for k, part in zip(key.members, motion.carried(key.drawn), strict=True)}
 
     def chosen(self, parts: Mapping[tuple[int, ...], tuple[Part, ...]]) -> dict[int, Along]:
@@ -164,8 +167,8 @@ class _Laying:
         said = np.clip(self._region.values, -clip, clip)
         for (stop, key), near in zip(_ways(self._moment), self._nearness, strict=True):
             colours = None
-            if unit[0] in key.members and stop.motion.figure is not None:
-                colours = stop.motion.figure.limb_of(key.members.index(unit[0])).colours
+            if unit[0] in key.members and stop.motion.in_parts is not None:
+                colours = stop.motion.in_parts.colours_of(key.members.index(unit[0]))
             if colours is not None:
                 said = said + np.float32(near) * colours.log_ratio(self._picture, clip, self._params.unseen)
         moved = enclosed(after, grid) - enclosed(before, grid)
@@ -191,10 +194,3 @@ def _seen(grid: Grid, covers: Sequence[Array]) -> Bools:
     """Which cells no occluder covers."""
     hidden = covered(covers, grid)
     return np.ones(grid.shape, dtype=bool) if hidden is None else ~hidden
-
-
-def _union(stop: Stop) -> RegionState:
-    """The union of the object's parts in a pass, which has one."""
-    assert stop.motion.figure is not None
-    assert stop.motion.figure.union is not None
-    return stop.motion.figure.union

@@ -15,7 +15,7 @@ from roam_core.geometry import bezier
 from roam_core.media.source import MissingFrame
 from roam_core.motion.klt import similarity_warp
 from roam_core.params import RoamParams, scale_for
-from roam_core.propagate.engines.protocol import Engine, Motion
+from roam_core.propagate.engines.protocol import Engine, Motion, Union
 from roam_core.propagate.frame.result import Part
 
 ReadPicture = Callable[[int], PreparedFrame]
@@ -54,11 +54,16 @@ class Stop:
     @property
     def of_union(self) -> Stop | None:
         """That of the union of an object's parts; None where it has none."""
-        union = None if self.motion.figure is None else self.motion.figure.union
-        if union is None:
+        union = self.union
+        if union is None or union.motion.since_key is None:
             return None
         points = tuple(part.points for part in union.parts)
-        return Stop(points, (union.trust,) * len(points), union.key.to_now, Motion.by_region(union))
+        return Stop(points, (union.trust,) * len(points), union.motion.since_key, union.motion)
+
+    @property
+    def union(self) -> Union | None:
+        """The parts of an object as one; None where it is in no parts."""
+        return None if self.motion.in_parts is None else self.motion.in_parts.union
 
     @property
     def posed(self) -> Stop | None:

@@ -339,8 +339,7 @@ class Span:
 def _union_on(way: DirectionalPass | None, frame: int) -> tuple[Part, ...]:
     """The outlines of the union of an object's parts on the key that a pass began on."""
     stop = stop_at(way, frame)
-    figure = None if stop is None else stop.motion.figure
-    return () if figure is None or figure.union is None else figure.union.drawn
+    return () if stop is None or stop.union is None else stop.union.drawn
 
 
 def stop_at(directional_pass: DirectionalPass | None, frame: int) -> Stop | None:

@@ -8,6 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
+from roam_core.appearance.global_model import GlobalModel
 from roam_core.arrays import Array, Indices
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
@@ -15,9 +16,10 @@ from roam_core.landmarks.pool import Pool
 from roam_core.motion.pose import Pose
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
-from roam_core.propagate.parts.figure import FigureState
+from roam_core.propagate.shapes.objects import Unit
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.evidence import Field, KeyMemory
+from roam_core.proposal.outline.contour import KeyConstraints
 
 Terms = Mapping[str, Array]
 
@@ -55,7 +57,7 @@ class Motion:
     gone : for each outline whether its pose is carried along without being seen. by_pose : of a lone shape.
     key : of the region, carried to the frame. at_poses : for each outline of an object in parts its points by its pose
         alone, free edges not yet drawn to the border of the region; None where it has none, or does not lie by it.
-    figure : the object in parts itself; None where it is none.
+    in_parts : how an object in parts lies; None where it is none.
     """
 
     since_key: Array | None
@@ -67,7 +69,7 @@ class Motion:
     by_pose: ByPose | None = None
     key: KeyMemory | None = None
     at_poses: tuple[Array | None, ...] = ()
-    figure: FigureState | None = None
+    in_parts: InParts | None = None
 
     @classmethod
     def by_region(cls, state: RegionState) -> Motion:
@@ -77,6 +79,41 @@ class Motion:
             state.key.to_now, state.region, (True,) * count, as_one_piece, (None,) * count, (False,) * count,
             key=state.key,
         )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Union:
+    """The parts of an object as one that is carried by regions (no picture is kept).
+
+    `drawn` are its outlines on the key, `parts` as they lie, `constraints` what they keep of the key; `trust` is the
+    IoU to be expected.
+    """
+
+    drawn: tuple[Part, ...]
+    parts: tuple[Part, ...]
+    constraints: tuple[KeyConstraints, ...]
+    trust: float
+    motion: Motion
+
+    @classmethod
+    def of(cls, state: RegionState) -> Union:
+        """What is known of it after a frame."""
+        return cls(state.drawn, state.parts, state.constraints, state.trust, Motion.by_region(state))
+
+
+@dataclass(frozen=True, eq=False)
+class InParts:
+    """An object in parts: its `units`, what `colours` each has on its key, None without a look, and the `union` of
+    those that are parts; None where that is nothing.
+    """
+
+    units: tuple[Unit, ...]
+    colours: tuple[GlobalModel | None, ...]
+    union: Union | None
+
+    def colours_of(self, k: int) -> GlobalModel | None:
+        """Those of the unit that an outline belongs to."""
+        return next(colours for unit, colours in zip(self.units, self.colours, strict=True) if k in unit.members)
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,17 +23,35 @@ from roam_core.propagate.whole.state import RegionState
 
 
 class UnionMotion:
-    """How the union of an object's parts went from its key to the frame: its outlines, and the patches inside."""
+    """How the union of an object's parts went from its key to the frame: its outlines, and the patches inside.
 
-    def __init__(self, union: RegionState, params: FigureParams) -> None:
-        self._scale, self._params = scale_for(union.frame.size), params
-        self._to_now = union.key.to_now[:2]
-        known = [self._outline(*each) for each in zip(union.drawn, union.parts, strict=True)]
+    The outlines `drawn` on the key lie `now` elsewhere; `to_now (3, 3)` is the similarity by which all went as one.
+    `inside`, if any, are places of the key, where they lie now, `(K, 2)` each, and how much each is heard.
+    """
+
+    def __init__(
+        self,
+        drawn: Sequence[Part],
+        now: Sequence[Part],
+        to_now: Array,
+        scale: float,
+        params: FigureParams,
+        inside: tuple[Array, Array, Array] | None = None,
+    ) -> None:
+        self._scale, self._params, self._to_now = scale, params, to_now[:2]
+        known = [self._outline(*each) for each in zip(drawn, now, strict=True)]
+        if inside is not None:
+            known.append(inside)
+        self._sources, self._targets, self._weights = (np.concatenate(each) for each in zip(*known, strict=True))
+
+    @classmethod
+    def of(cls, union: RegionState, params: FigureParams) -> UnionMotion:
+        """That of a union which was carried to a frame."""
+        inside = None
         if union.patches is not None and union.patch_motion is not None:
             patches, motion = union.patches, union.patch_motion
-            centres = patches.templates.centres, motion.affines[:, :2]
-            known.append((*centres, patches.radius * patches.weights(motion)))
-        self._sources, self._targets, self._weights = (np.concatenate(each) for each in zip(*known, strict=True))
+            inside = patches.templates.centres, motion.affines[:, :2], patches.radius * patches.weights(motion)
+        return cls(union.drawn, union.parts, union.key.to_now, scale_for(union.frame.size), params, inside)
 
     def _outline(self, drawn: Part, now: Part) -> tuple[Array, Array, Array]:
         """Places along an outline of the key `(K, 2)`, where they lie now, and the length that each stands for."""

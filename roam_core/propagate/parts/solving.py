@@ -163,7 +163,7 @@ class _Solving:
         asked = [k for k in self.limbs if missed or self.state.limbs[k].goes_along]
         if not asked:
             return
-        motion = UnionMotion(union, self.region_params.figure)
+        motion = UnionMotion.of(union, self.region_params.figure)
         for k in filter(self._is_unfit, asked):
             limb = self.limbs[k]
             parts = motion.carried(limb.laid)

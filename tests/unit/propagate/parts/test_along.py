@@ -112,7 +112,7 @@ def on_key(bending: Figure) -> FigureState:
 
 def test_where_the_whole_rests_its_parts_rest(on_key: FigureState) -> None:
     assert on_key.union is not None
-    motion = UnionMotion(on_key.union, FigureParams())
+    motion = UnionMotion.of(on_key.union, FigureParams())
     for limb in on_key.limbs:
         (found,) = motion.carried(limb.laid)
         npt.assert_allclose(found.points, limb.parts[0].points, atol=1e-6)
@@ -120,7 +120,7 @@ def test_where_the_whole_rests_its_parts_rest(on_key: FigureState) -> None:
 
 def test_what_shrank_away_is_lost_to_the_whole(on_key: FigureState) -> None:
     assert on_key.union is not None
-    motion, laid = UnionMotion(on_key.union, FigureParams()), on_key.limbs[0].laid
+    motion, laid = UnionMotion.of(on_key.union, FigureParams()), on_key.limbs[0].laid
     assert motion.keeps(laid, laid)
     for share, is_there in ((0.8, True), (0.6, False)):  # of its height and width
         assert motion.keeps([replace(part, points=share * part.points) for part in laid], laid) is is_there
@@ -131,7 +131,9 @@ def test_an_outline_that_would_cross_itself_stays_simple(on_key: FigureState) ->
     (outline,) = on_key.union.parts
     folded = outline.points.copy()
     folded[..., 0] = np.abs(folded[..., 0] - 70.0) + 70.0  # laid on itself
-    motion = UnionMotion(replace(on_key.union, parts=(replace(outline, points=folded),), patches=None), FigureParams())
+    motion = UnionMotion.of(
+        replace(on_key.union, parts=(replace(outline, points=folded),), patches=None), FigureParams()
+    )
     for limb in on_key.limbs:
         (found,) = motion.carried(limb.laid)
         assert np.isfinite(found.points).all()
