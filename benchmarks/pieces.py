@@ -58,9 +58,9 @@ def measured(job: tuple[str, str]) -> list[tuple[float, float, float, float]]:
     shot = shots.load(name)
     masks = [_inside(shot, frame) for frame in shot.frames[START : START + APART + 1]]
     whole = [(masks[0],), (masks[-1],)]
-    axes = [_axis(masks[0])]
+    axes = [long_axis(masks[0])]
     for mask in masks[1:]:
-        axes.append(_axis(mask, axes[-1]))
+        axes.append(long_axis(mask, axes[-1]))
     ways = [whole, *([cut(masks[k], share, axes[k]) for k in (0, -1)] for share in CUTS)]
     return [(*_tracked(shot, first, config), *_filled(shot, first, last, config)) for first, last in ways]
 
@@ -79,7 +79,7 @@ def cut(inside: Bools, share: float, axis: Array) -> tuple[Bools, Bools]:
     return pieces[0], pieces[1]
 
 
-def _axis(inside: Bools, before: Array | None = None) -> Array:
+def long_axis(inside: Bools, before: Array | None = None) -> Array:
     """The long axis `(2,)` of what is `inside`, in rows and columns; in the sense that it had `before`."""
     places = np.argwhere(inside).astype(np.float64)
     away = places - places.mean(axis=0)
