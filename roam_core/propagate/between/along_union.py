@@ -14,7 +14,7 @@ from itertools import chain
 
 import numpy as np
 
-from roam_core.arrays import Array, Bools, Float32
+from roam_core.arrays import Array, Bools
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
 from roam_core.geometry.simple import simplified
@@ -24,7 +24,7 @@ from roam_core.propagate.between.merged_confidence import features_together
 from roam_core.propagate.between.merged_region import Colours, merged_region
 from roam_core.propagate.between.moment import Moment, apart, mean
 from roam_core.propagate.frame.confidence import SpanFeatures, overlap
-from roam_core.propagate.frame.contour_fit import enclosed, fitted
+from roam_core.propagate.frame.contour_fit import enclosed, enclosed_by_any, fitted
 from roam_core.propagate.frame.covering import covered
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.parts.along import UnionMotion
@@ -172,22 +172,14 @@ class _Laying:
             if colours is not None:
                 said = said + np.float32(near) * colours.log_ratio(self._picture, clip, self._params.unseen)
         moved = enclosed(after, grid) - enclosed(before, grid)
-        free = (1.0 - _enclosed(others, grid)) * _seen(grid, self._covers)
+        free = (1.0 - enclosed_by_any(others, grid)) * _seen(grid, self._covers)
         return float((said * moved * free).sum(dtype=np.float64))
 
 
 def _overlap(parts: Iterable[Sequence[Part]], region: Field, covers: Sequence[Array]) -> float:
     """That of all parts together with a region, where no occluder lies."""
     seen = _seen(region.grid, covers)
-    return overlap((_enclosed(parts, region.grid) > 0.5) & seen, region.inside & seen)
-
-
-def _enclosed(parts: Iterable[Sequence[Part]], grid: Grid) -> Float32:
-    """The share of each cell that any of the parts encloses, each given by its outlines."""
-    inside = np.zeros(grid.shape, np.float32)
-    for part in parts:
-        inside = np.maximum(inside, enclosed(part, grid))
-    return inside
+    return overlap((enclosed_by_any(parts, region.grid) > 0.5) & seen, region.inside & seen)
 
 
 def _seen(grid: Grid, covers: Sequence[Array]) -> Bools:

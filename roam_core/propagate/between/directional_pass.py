@@ -15,7 +15,7 @@ from roam_core.geometry import bezier
 from roam_core.media.source import MissingFrame
 from roam_core.motion.klt import similarity_warp
 from roam_core.params import RoamParams, scale_for
-from roam_core.propagate.engines.protocol import Engine, Motion, Union
+from roam_core.propagate.engines.protocol import Engine, Motion, UnionOfParts
 from roam_core.propagate.frame.result import Part
 
 ReadPicture = Callable[[int], PreparedFrame]
@@ -61,7 +61,7 @@ class Stop:
         return Stop(points, (union.trust,) * len(points), union.motion.since_key, union.motion)
 
     @property
-    def union(self) -> Union | None:
+    def union(self) -> UnionOfParts | None:
         """The parts of an object as one; None where it is in no parts."""
         return None if self.motion.in_parts is None else self.motion.in_parts.union
 

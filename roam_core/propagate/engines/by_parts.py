@@ -11,7 +11,7 @@ from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate.engines.by_regions import account_of, region_params
-from roam_core.propagate.engines.protocol import Account, InParts, Motion, Union, by_pose
+from roam_core.propagate.engines.protocol import Account, InParts, Motion, UnionOfParts, by_pose
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.propagate.parts import figure, solving
@@ -74,7 +74,7 @@ class PartsEngine:
     def _in_parts(self) -> InParts:
         limbs, union = self.state.limbs, self.state.union
         units, colours = tuple(limb.unit for limb in limbs), tuple(limb.colours for limb in limbs)
-        return InParts(units, colours, None if union is None else Union.of(union))
+        return InParts(units, colours, None if union is None else UnionOfParts.of(union))
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> PartsStep:
         return PartsStep(solving.step(self.state, picture, region_params(self.params), order, token), self.params)

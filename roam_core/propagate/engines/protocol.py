@@ -82,7 +82,7 @@ class Motion:
 
 
 @dataclass(frozen=True, eq=False)
-class Union:
+class UnionOfParts:
     """The parts of an object as one that is carried by regions (no picture is kept).
 
     `drawn` are its outlines on the key, `parts` as they lie, `constraints` what they keep of the key; `trust` is the
@@ -96,7 +96,7 @@ class Union:
     motion: Motion
 
     @classmethod
-    def of(cls, state: RegionState) -> Union:
+    def of(cls, state: RegionState) -> UnionOfParts:
         """What is known of it after a frame."""
         return cls(state.drawn, state.parts, state.constraints, state.trust, Motion.by_region(state))
 
@@ -109,7 +109,7 @@ class InParts:
 
     units: tuple[Unit, ...]
     colours: tuple[GlobalModel | None, ...]
-    union: Union | None
+    union: UnionOfParts | None
 
     def colours_of(self, k: int) -> GlobalModel | None:
         """Those of the unit that an outline belongs to."""

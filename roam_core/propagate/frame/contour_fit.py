@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import cv2
 import numpy as np
@@ -31,6 +31,14 @@ def enclosed(parts: Sequence[Part], grid: Grid) -> Float32:
         cover = spline_coverage(part.points, grid)
         share = share * (1.0 - cover) if part.subtracts else np.maximum(share, cover)
     return share
+
+
+def enclosed_by_any(objects: Iterable[Sequence[Part]], grid: Grid) -> Float32:
+    """The share of each cell that any of several objects encloses, each given by its outlines."""
+    inside = np.zeros(grid.shape, np.float32)
+    for parts in objects:
+        inside = np.maximum(inside, enclosed(parts, grid))
+    return inside
 
 
 def fitted(

@@ -24,7 +24,7 @@ from roam_core.geometry.joints import Joint, joints
 from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.motion.pose import Pose
 from roam_core.params import PoseParams, RegionParams, scale_for
-from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.contour_fit import enclosed, enclosed_by_any
 from roam_core.propagate.frame.covering import visible
 from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.propagate.shapes.objects import Role, Unit
@@ -231,10 +231,7 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
         return None
     hidden = [part for limb in limbs if limb.is_occluder for part in limb.parts]
     grid = Grid.over(window, 1.0)
-    covered = np.zeros(grid.shape, np.float32)
-    for limb in limbs:
-        if limb.unit.role is Role.PART:
-            covered = np.maximum(covered, enclosed(limb.parts, grid))
+    covered = enclosed_by_any((limb.parts for limb in limbs if limb.unit.role is Role.PART), grid)
     for part in hidden:
         covered *= 1.0 - enclosed([Part(part.points)], grid)
     outlines = tuple(

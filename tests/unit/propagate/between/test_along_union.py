@@ -79,6 +79,12 @@ def test_parts_whose_poses_fit_keep_to_them() -> None:
     assert [keys_of(_unstamped(shape)) for shape in found] == [keys_of(_unstamped(shape)) for shape in stiffly]
 
 
+def test_what_both_passes_brought_to_one_place_stays_also_where_the_region_is_missed() -> None:
+    stiff = body_with_arms(LAST + 1)
+    found, stiffly = filled(stiff, by_poses(np.inf)), filled(stiff, by_poses())
+    assert [keys_of(_unstamped(shape)) for shape in found] == [keys_of(_unstamped(shape)) for shape in stiffly]
+
+
 def test_a_part_that_begins_on_a_key_tells_where_the_object_is(bending: Figure) -> None:
     lower, upper = bending.shapes(FIRST, LAST)
     begun = replace(upper, keys=upper.keys[1:])
