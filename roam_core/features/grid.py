@@ -73,10 +73,19 @@ class Grid:
     def _averaged(self, pixels: NDArray[Any]) -> NDArray[Any]:
         return np.asarray(cv2.resize(pixels, (self.columns, self.rows), interpolation=cv2.INTER_AREA))
 
-    def warped(self, image: NDArray[Any], transform: Array) -> NDArray[Any]:
-        """A picture carried into the image by `transform (3, 3)`, seen in cells; zero where nothing was."""
+    def warped(self, image: NDArray[Any], transform: Array, is_continued: bool = False) -> NDArray[Any]:
+        """A picture carried into the image by `transform (3, 3)`, seen in cells.
+
+        Beyond it is zero, or, `is_continued`, what is at its edge.
+        """
         centred = (TO_CENTRES @ (self.map_from_image @ transform) @ FROM_CENTRES)[:2]
-        return np.asarray(cv2.warpAffine(image, centred, (self.columns, self.rows), flags=cv2.INTER_LINEAR))
+        beyond, size = beyond_edge(is_continued), (self.columns, self.rows)
+        return np.asarray(cv2.warpAffine(image, centred, size, flags=cv2.INTER_LINEAR, borderMode=beyond))
+
+
+def beyond_edge(is_continued: bool) -> int:
+    """How OpenCV is told that beyond the edge of a picture is zero, or, `is_continued`, what is at its edge."""
+    return cv2.BORDER_REPLICATE if is_continued else cv2.BORDER_CONSTANT
 
 
 def _constant(values: ArrayLike) -> Array:

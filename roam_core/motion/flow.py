@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
-from roam_core.features.grid import Grid
+from roam_core.features.grid import Grid, beyond_edge
 from roam_core.geometry import similarity
 
 LEAST_SIDE = 48
@@ -74,9 +74,13 @@ def on_grid(flow: Float32, grid: Grid, coarse: Grid) -> Float32:
     return np.asarray(smaller * (coarse.factor / grid.factor).astype(np.float32))
 
 
-def carried_by_flow(before: NDArray[Any], backward: Float32) -> NDArray[Any]:
-    """What was `(rows, columns, ...)` on the frame before, where `backward (rows, columns, 2)` takes it; 0 beyond."""
+def carried_by_flow(before: NDArray[Any], backward: Float32, is_continued: bool = False) -> NDArray[Any]:
+    """What was `(rows, columns, ...)` on the frame before, where `backward (rows, columns, 2)` takes it.
+
+    Beyond it is zero, or, `is_continued`, what is at its edge.
+    """
     rows, columns = before.shape[:2]
     x = backward[..., 0] + np.arange(columns, dtype=np.float32)
     y = backward[..., 1] + np.arange(rows, dtype=np.float32)[:, None]
-    return np.asarray(cv2.remap(before, x, y, interpolation=cv2.INTER_LINEAR))
+    beyond = beyond_edge(is_continued)
+    return np.asarray(cv2.remap(before, x, y, interpolation=cv2.INTER_LINEAR, borderMode=beyond))

@@ -90,8 +90,8 @@ def observed(
     last = state.region.on(grid)
     expected = Expectation(
         last,
-        state.region.on(grid, moved) > 0.5,
-        carried_by_flow(last, back) > 0.5,
+        state.region.continued_on(grid, moved, frame.size) > 0.5,
+        carried_by_flow(last, back, is_continued=True) > 0.5,
         key.region.on(grid, key.to_now),
         misfit.left_behind(agreement, params),
     )
@@ -104,7 +104,7 @@ def observed(
     if state.patches is not None and patch_motion is not None:
         patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     if params.label_propagation_weight > 0:
-        before = carried_by_flow(state.region.nats_on(fine), flows[1])
+        before = carried_by_flow(state.region.nats_on(fine), flows[1], is_continued=True)
         flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
         lines = label_propagation(
             pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation

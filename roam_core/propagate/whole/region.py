@@ -194,11 +194,16 @@ def _carried(
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, observation.sources.expected.possible, params.overlap, params.components.speck)
-    if state.pose is not None:
+    if state.pose is not None and not _is_opened(state, state.pose, frame.size):
         parts = posed.carried(state.pose, state.drawn)
         if posed.is_believed(state.pose, parts, found, params, state.is_posed):
             return _as_posed(state, observation, state.pose, parts, params)
     return _along(state, observation, found, params)
+
+
+def _is_opened(state: RegionState, pose: motion_pose.Pose, size: tuple[int, int]) -> bool:
+    """True where, by its pose, more of the object has come into the picture than the key knows of."""
+    return state.rigidity.cut_off.is_in_sight(pose.carried, size)
 
 
 def _along(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> RegionStep:
@@ -273,7 +278,7 @@ def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
     state, pose, found = stepped.state, stepped.state.pose, stepped.state.region
     if pose is None or posed.is_small(pose, params):
         return stepped
-    is_steady = state.is_steady and posed.is_steady(pose, params)
+    is_steady = state.is_steady and posed.is_steady(pose, params) and not _is_opened(state, pose, state.frame.size)
     if not is_steady or not patched.go_with(pose, state.patches, state.patch_motion, params):
         kept = pose if params.pose_kept and posed.is_clear(pose, params) else None
         return replace(stepped, state=replace(state, is_steady=False, pose=kept))

@@ -13,12 +13,13 @@ import numpy as np
 
 from roam_core.arrays import Array, Bools
 from roam_core.features import PreparedFrame
-from roam_core.geometry import bezier, polyline, projective, similarity
+from roam_core.geometry import bezier, projective, similarity
 from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.motion.planar import Match, Reference
 from roam_core.params import RigidityParams, scale_for
 from roam_core.propagate.frame.confidence import ConfidenceFeatures
 from roam_core.propagate.frame.result import Part
+from roam_core.propagate.whole.cut_off import CutOff
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,11 +58,11 @@ class Pose:
 class Rigidity:
     """The key's corners, where the object was expected as one piece on the last frame, and since when in vain.
 
-    `cut (K, 2)` are places, a pixel apart, where the edge of the key's picture cut the object off.
+    `cut_off` is where the edge of the key's picture cut the object off.
     """
 
     reference: Reference
-    cut: Array
+    cut_off: CutOff
     matrix: Array
     params: RigidityParams
     missed: int = 0
@@ -72,7 +73,7 @@ class Rigidity:
         """From the key's picture and its outlines."""
         solid, holes = ([part.points for part in parts if part.subtracts is cut] for cut in (False, True))
         reference = Reference.of(key, solid, holes, params=params.planar, count=params.corners)
-        return cls(reference, _cut_off(solid, key.size, params.cut), projective.IDENTITY, params)
+        return cls(reference, CutOff.of(solid, key.size, params), projective.IDENTITY, params)
 
     def at(self, matrix: Array) -> Rigidity:
         """The same with the object elsewhere, by `matrix (3, 3)` from the key."""
@@ -113,24 +114,7 @@ class Rigidity:
 
     def _is_opened(self, match: Match, size: tuple[int, int]) -> bool:
         """True where more of the object has come into the picture than the key knows of."""
-        within = _depth_in(projective.apply(match.matrix, self.cut), size)
-        return bool((within > self.params.opened * scale_for(size)).any())
-
-
-def _cut_off(outlines: list[Array], size: tuple[int, int], cut: float) -> Array:
-    """Places `(K, 2)` of closed splines within `cut` pixels of the edge of a picture of `size` (h, w)."""
-    places = [np.zeros((0, 2))]
-    for points in outlines:
-        line = bezier.flatten(points)
-        steps = polyline.resample(line, max(round(polyline.length(line)), 4))
-        places.append(steps[np.abs(_depth_in(steps, size)) < cut * scale_for(size)])
-    return np.vstack(places)
-
-
-def _depth_in(places: Array, size: tuple[int, int]) -> Array:
-    """How far `(K, 2)` places lie from the edge of a picture of `size` (h, w), negative outside of it."""
-    x, y = places.T
-    return np.asarray(np.min([x, size[1] - x, y, size[0] - y], axis=0))
+        return self.cut_off.is_in_sight(lambda places: projective.apply(match.matrix, places), size)
 
 
 def _simplest(match: Match, simpler: float) -> Array:

@@ -49,6 +49,16 @@ class Field:
         carry = np.eye(3) if transform is None else transform
         return np.asarray(grid.warped(self.inside.astype(np.float32), carry @ self.grid.map_to_image))
 
+    def continued_on(self, grid: Grid, transform: Array, size: tuple[int, int]) -> Float32:
+        """The same as if, beyond the edge of its picture, of `size` (h, w), the region went on as it is at the edge."""
+        region, (height, width) = self.grid.region, size
+        left, top = int(region.x0 > 0), int(region.y0 > 0)
+        right, below = int(region.x1 < width), int(region.y1 < height)
+        framed = np.pad(self.inside.astype(np.float32), ((top, below), (left, right)))
+        corner = np.array([[1.0, 0.0, -left], [0.0, 1.0, -top], [0.0, 0.0, 1.0]])
+        carry = transform @ self.grid.map_to_image @ corner
+        return np.asarray(grid.warped(framed, carry, is_continued=True))
+
     def nats_on(self, grid: Grid) -> Float32:
         """The field itself `(rows, columns)` on another grid, clipped to +-SURE; surely outside beyond its own."""
         clipped = np.clip(self.values, -SURE, SURE) + np.float32(SURE)
@@ -105,8 +115,9 @@ class Expectation:
     """Where the object should be on the new frame's grid, `(rows, columns)` each.
 
     `last` is its coverage on the frame before, where it was; `rigid` and `fluid` the region carried by the similarity
-    and by the flow; `remembered` the coverage of the key's region, carried all the way; `left_behind` what moves with
-    the surroundings and not with the object.
+    and by the flow (while tracking `best`: what the picture cut off goes on there as at its edge); `remembered` the
+    coverage of the key's region, carried all the way; `left_behind` what moves with the surroundings and not with the
+    object.
     """
 
     last: Float32

@@ -14,7 +14,7 @@ from roam_core.arrays import Array, UInt8
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.matte import shape_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
-from tests.golden.shots import Texture, inverse, pose, texture
+from tests.golden.shots import Texture, blob, inverse, pose, texture
 
 SIZE = 120, 160
 
@@ -260,3 +260,12 @@ def bending_body_on_a_pan(count: int) -> tuple[list[UInt8], UInt8]:
         pictures.append(np.uint8(np.clip(picture + noise.normal(0.0, 2.0, picture.shape), 0.0, 255.0)))
         masks.append(np.uint8(255) * inside)
     return pictures, masks[0]
+
+
+def disc_that_comes_in(radius: float, speed: float, count: int = 5) -> tuple[list[UInt8], list[UInt8]]:
+    """Pictures and masks of a disc that comes in over the left edge, beyond which half of it lies at first."""
+    disc = Moving("disc", blob([radius] * 10), (0.0, 60.0), (speed, 0.0), 0.0, texture(7, 0.7, 1.0))
+    figure = Figure((disc,), count)
+    (shape,) = figure.shapes(*figure.frames)
+    masks = [np.uint8(255) * (shape_matte(shape, k, SIZE) > 0.5) for k in figure.frames]
+    return figure.pictures, masks

@@ -30,6 +30,7 @@ from tests.unit.propagate.figures import (
     body_and_sleeve,
     body_behind_a_post,
     body_with_arms,
+    disc_that_comes_in,
     flame,
     subtracting,
 )
@@ -119,6 +120,18 @@ def dimmed() -> Points:
     return _tracked(pictures, masks[0])
 
 
+def coming_in() -> Points:
+    """What the edge of the picture cuts off on its key, carried by its region."""
+    pictures, masks = disc_that_comes_in(36.0, 14.0)
+    return _tracked(pictures, masks[0])
+
+
+def coming_in_posed() -> Points:
+    """The same of a small object, which its pose would hold to what was seen of it on the key."""
+    pictures, masks = disc_that_comes_in(14.0, 5.0)
+    return _tracked(pictures, masks[0])
+
+
 def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
     *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(len(pictures)), "best")
     return _points([result.shape for result in last.results])
@@ -126,7 +139,21 @@ def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
 
 RUNS: dict[str, Callable[[], Points]] = {
     each.__name__: each
-    for each in (lone, parts, along, filled, along_filled, posed, held, hidden, hidden_filled, panned, dimmed)
+    for each in (
+        lone,
+        parts,
+        along,
+        filled,
+        along_filled,
+        posed,
+        held,
+        hidden,
+        hidden_filled,
+        panned,
+        dimmed,
+        coming_in,
+        coming_in_posed,
+    )
 }
 
 

@@ -193,7 +193,7 @@ def test_what_the_picture_cut_off_is_no_piece_once_it_comes_into_sight() -> None
 
 def test_holes_alone_are_cut_off_nowhere() -> None:
     eye = Rigidity.learned(PreparedFrame(picture(0)), (Part(HULL, subtracts=True),), RigidityParams())
-    assert eye.cut.shape == (0, 2)
+    assert eye.cut_off.places.shape == (0, 2)
     eye.step(PreparedFrame(picture(0)), np.eye(3), LEAST)
 
 

@@ -46,3 +46,15 @@ def test_motion_speaks_against_new_and_uncovered_background_only() -> None:
     )
     cue = motion_cue(seen, RegionParams(motion_weight=0.5, uncovered_weight=3.0))
     np.testing.assert_allclose(cue, [[-1, -6, 0, 0, 0, 0, 0, 0]])
+
+
+def test_a_region_that_the_picture_cuts_off_goes_on_as_at_its_edge() -> None:
+    """Two cells at the left edge of a picture of eight come three in; with more picture beside them nothing does."""
+    here = Field(GRID, np.where(cells(0, 1), np.float32(1.0), np.float32(-1.0)))
+    right = np.array([[1.0, 0.0, 3.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    np.testing.assert_array_equal(here.continued_on(GRID, right, (1, 8)) > 0.5, cells(0, 1, 2, 3, 4))
+    np.testing.assert_array_equal(here.on(GRID, right) > 0.5, cells(3, 4))
+    beside = Grid(Region(2, 0, 10, 1), 1, 8)
+    there = Field(beside, here.values)
+    np.testing.assert_array_equal(there.continued_on(beside, right, (1, 12)), there.on(beside, right))
+    np.testing.assert_array_equal(here.continued_on(GRID, np.eye(3), (1, 8)), here.on(GRID))
