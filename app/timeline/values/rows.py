@@ -54,7 +54,7 @@ class ValueRows(RowBand[KeyedValue]):
     ) -> None:
         super().__init__(document, axis, parent)
         self._chosen = chosen
-        self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus)
+        self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self._drag: KeyDrag | None = None
         self._pressed, self._is_drag, self._presses = QPointF(), False, 0
         self.menu = QMenu(self)
@@ -69,6 +69,10 @@ class ValueRows(RowBand[KeyedValue]):
         view = self._axis.view_state
         shown = view.preview if self._drag is not None else None
         return keyed_values(shown or self._document.project, view)[:MOST]
+
+    def places(self) -> frozenset[ValuePlace]:
+        """Where all keys of the rows lie."""
+        return frozenset((row.item.id, row.kind.value, frame) for row in self.rows() for frame in row.value.frames)
 
     def key_at(self, at: QPointF) -> ValuePlace | None:
         """The key near a place, or None."""

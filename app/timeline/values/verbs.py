@@ -15,14 +15,14 @@ from roam_core.roto.value_curves import (
     delete_values,
     interpolate_values,
     move_values,
-    value_places,
 )
 
 from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
+from ..nudging import Nudges
 from .selection import ValueSelection
-from .shown import OUTLINES, Kind, items_in_hand
+from .shown import OUTLINES, Kind
 
 NO_TANGENTS = N_("Outlines move straight, smoothly or not at all: opacity and feather have tangents.")
 NOTHING_CHOSEN = N_("Choose keys of opacity or feather in the timeline or the curve editor first.")
@@ -30,12 +30,22 @@ LOCKED = N_("It is locked; unlock it to change its keys.")
 
 
 class ValueVerbs:
-    """The verbs on chosen keys. `has_keyboard` tells whether value rows or curves have it: then delete means keys."""
+    """The verbs on chosen keys. `has_keyboard` tells whether value rows or curves have it: then delete means keys.
+
+    `shown` gives the places of all keys that are seen there: what "all" means.
+    """
 
     def __init__(
-        self, document: Document, view_state: ViewState, chosen: ValueSelection, has_keyboard: Callable[[], bool]
+        self,
+        document: Document,
+        view_state: ViewState,
+        chosen: ValueSelection,
+        has_keyboard: Callable[[], bool],
+        shown: Callable[[], frozenset[ValuePlace]],
     ) -> None:
-        self._document, self._view, self._chosen, self._has_keyboard = document, view_state, chosen, has_keyboard
+        self._document, self._view, self._chosen = document, view_state, chosen
+        self._has_keyboard, self._shown = has_keyboard, shown
+        self._nudges = Nudges(document, chosen, lambda project, places, frames: self.moved(project, places, frames, 0))
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -86,13 +96,8 @@ class ValueVerbs:
 
     def nudge(self, frames: int, merge_key: str) -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
-        clip, places = self._document.project.clip, self._free()
-        if places and clip is not None:
-            own = [frame for _, _, frame in places]
-            frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
-        if places:
-            self._document.apply(tr("Move keys"), self.moved(self._document.project, places, frames, 0.0), merge_key)
-            self._chosen.select(frozenset((item_id, name, frame + frames) for item_id, name, frame in places))
+        if places := self._free():
+            self._nudges.by(places, frames, merge_key)
 
     def raise_by(self, amount: float, merge_key: str) -> None:
         """Change the chosen keys by some amount of their value, as shown."""
@@ -126,10 +131,8 @@ class ValueVerbs:
             self._view.say(tr(NO_TANGENTS))
 
     def select_all(self) -> None:
-        """Choose every key of the values in hand."""
-        project = self._document.project
-        owners = {item.id for item in items_in_hand(project, self._view)}
-        self._chosen.select(frozenset(place for place in value_places(project) if place[0] in owners))
+        """Choose every key that is shown."""
+        self._chosen.select(self._shown())
 
     # ---- the rest is private
 

@@ -246,6 +246,17 @@ def test_keys_of_the_keyboard_go_from_key_to_key_move_and_delete(
     assert value(document).frames == (1020, 1035)
 
 
+def test_all_keys_are_those_of_the_curves_that_are_shown(
+    timeline: Timeline, plot: CurvePlot, document: Document
+) -> None:
+    plot.verbs.select_all()
+    assert timeline.values.places == {(*OPACITY, frame) for frame in (1005, 1020, 1035)}
+    timeline.curves.show_kind(Kind.X)
+    assert timeline.values.places == frozenset()  # what is out of sight is not deleted unseen
+    plot.verbs.select_all()
+    assert timeline.values.places == {("shape-1", "x", 1001), ("shape-1", "x", 1030)}
+
+
 def test_ctrl_with_the_wheel_zooms_values_about_the_pointer_until_something_else_is_shown(
     timeline: Timeline, plot: CurvePlot
 ) -> None:
