@@ -27,7 +27,9 @@ from .marks import MarksOf
 from .panning import PanHand, TimeBar
 from .row_band import BandRoom
 from .ruler import Ruler
+from .tracks import MOST as MOST_TRACKS
 from .tracks import TrackBand
+from .values.rows import MOST as MOST_VALUES
 from .values.rows import ValueRows
 from .values.selection import ValueSelection
 
@@ -88,7 +90,7 @@ class Timeline(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         self.bar = TimeBar(self.axis)
-        self.band_rooms = BandRoom(self.tracks), BandRoom(self.value_rows)
+        self.band_rooms = BandRoom(self.tracks, MOST_TRACKS), BandRoom(self.value_rows, MOST_VALUES)
         keyed = self.band_rooms[0], self.rows, self.band_rooms[1]
         for part in (self.ruler, self.marks, *keyed, self.curve_panel, self.confidence, self.boil, self.bar):
             column.addWidget(part)

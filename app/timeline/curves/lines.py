@@ -56,15 +56,17 @@ class CurveLine:
 
 
 def lines_of(project: Project, view: ViewState, kind: Kind, first: float, last: float) -> list[CurveLine]:
-    """The curves of a kind of the shapes and layers in hand, over the frames from `first` to `last`."""
-    lines: list[CurveLine] = []
-    for item in items_in_hand(project, view)[:MOST]:
-        if kind in OUTLINES:
-            if isinstance(item, RotoShape):
-                lines.append(_outline_line(item, view, kind, first, last))
-        elif kind in values_of_item(item):
-            lines.append(_value_line(item, kind, first, last))
-    return lines
+    """The curves of a kind of the shapes and layers in hand, over the frames from `first` to `last`.
+
+    What varies comes first: where there are more of them than are shown, none of these is left out for a constant.
+    """
+    items = items_in_hand(project, view)
+    if kind in OUTLINES:
+        shapes = [item for item in items if isinstance(item, RotoShape)]
+        return [_outline_line(shape, view, kind, first, last) for shape in shapes[:MOST]]
+    having = [item for item in items if kind in values_of_item(item)]
+    having.sort(key=lambda item: not isinstance(values_of_item(item)[kind], Animated))
+    return [_value_line(item, kind, first, last) for item in having[:MOST]]
 
 
 def value_range(lines: list[CurveLine], kind: Kind) -> tuple[float, float]:

@@ -37,7 +37,7 @@ from .verbs import ValueVerbs
 GRAB, STILL = 6, 3
 """Pixels around a key in which a press means it; that the pointer may move within a click."""
 MOST = 6
-"""Rows that are shown at once."""
+"""Rows that have room at once; the others scroll."""
 MARGIN = 4.0
 """Pixels between a row's edges and the least or greatest value."""
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
@@ -65,10 +65,10 @@ class ValueRows(RowBand[KeyedValue]):
         self.pull()
 
     def rows(self) -> list[KeyedValue]:
-        """The values that are shown, as a drag would leave them: no more than have room."""
+        """The values that are shown, as a drag would leave them."""
         view = self._axis.view_state
         shown = view.preview if self._drag is not None else None
-        return keyed_values(shown or self._document.project, view)[:MOST]
+        return keyed_values(shown or self._document.project, view)
 
     def places(self) -> frozenset[ValuePlace]:
         """Where all keys of the rows lie."""

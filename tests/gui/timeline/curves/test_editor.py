@@ -13,13 +13,14 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.timeline.curves.lines import ticks
+from app.timeline.curves.lines import MOST, ticks
 from app.timeline.curves.plot import CurvePlot
 from app.timeline.timeline import Timeline
 from app.timeline.values.shown import Kind
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.roto import Animated, Interpolation, RotoShape, ValueKey
+from roam_core.roto import Animated, Interpolation, RotoShape, ValueKey, edit
 from roam_core.roto.animated import has_tangents
+from tests.gui.timeline.places import SQUARE
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT, CTRL, ALT = (
@@ -280,3 +281,16 @@ def test_a_locked_shape_says_so(plot: CurvePlot, document: Document, view_state:
     drag(plot, plot.key_point(1005, 20.0), plot.key_point(1012, 60.0))
     assert document.project is before
     assert view_state.message == "It is locked; unlock it to change its keys."
+
+
+def test_of_many_shapes_those_that_vary_have_their_curves(
+    timeline: Timeline, plot: CurvePlot, document: Document, view_state: ViewState
+) -> None:
+    project = document.project
+    for _ in range(MOST):
+        project, _shape = edit.new_shape(project, SQUARE, 1001)
+    document.apply("Draw", project)
+    view_state.select(frozenset())
+    assert len(plot.lines) == MOST
+    assert plot.lines[0].item_id == "shape-1"  # the lowest of all
+    assert [key.frame for key in plot.lines[0].keys] == [1005, 1020, 1035]
