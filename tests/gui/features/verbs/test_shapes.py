@@ -90,6 +90,29 @@ def test_what_is_locked_is_not_deleted_and_that_is_said(document: Document, view
     assert document.project is before
 
 
+def test_a_selected_layer_is_hidden_and_locked_itself(document: Document, view_state: ViewState) -> None:
+    """Not the shapes in it: those keep their own eyes and locks. A shape beside it goes along."""
+    inside, beside, other = opened(document, 3)
+    project, layer = grouped(document.project, [inside])
+    document.open(project, None)
+    view_state.select(frozenset({inside, beside}), layers=frozenset({layer.id}))
+    verbs = ShapeVerbs(document, view_state)
+    verbs.hide()
+    items = document.project.root.items()
+    assert {item.id for item in items if not item.visible} == {layer.id, beside}
+    document.undo_stack.undo()
+    verbs.toggle_lock()
+    assert {item.id for item in document.project.root.items() if item.locked} == {layer.id, beside}
+    verbs.toggle_lock()
+    assert not any(item.locked for item in document.project.root.items())
+    project, empty = edit.add_layer(document.project)
+    document.open(project, None)
+    view_state.select(frozenset(), layers=frozenset({empty.id}))
+    verbs.hide()
+    assert [item.id for item in document.project.root.items() if not item.visible] == [empty.id]
+    assert document.project.shape(other).visible
+
+
 def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_state: ViewState) -> None:
     (only,) = opened(document, 1)
     document.open(edit.set_properties(document.project, only, locked=True), None)
