@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from roam_core.roto import Layer, Project
+from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.animated import frames_of
 from roam_core.roto.value_curves import values_of_item
 
@@ -91,8 +91,8 @@ class Navigation:
         layers = [
             item for item in project.root.items() if isinstance(item, Layer) and (is_any or item.id in view.layers)
         ]
-        varying = [value for item in (*layers, *shapes) for value in values_of_item(item).values()]
-        values = {frame for value in varying for frame in frames_of(value)}
+        items: list[Layer | RotoShape] = [*layers, *shapes]
+        values = {frame for item in items for value in values_of_item(item).values() for frame in frames_of(value)}
         return self._key_frames() | values | {frame for shape in shapes for frame, _ in shape.depth}
 
     def _key_frames(self) -> set[int]:

@@ -37,7 +37,7 @@ KEY_WAYS = ("key.linear", "key.smooth", "key.hold")
 KEY_MENU = KEY_WAYS, ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
 """What a right click on the key rows offers, in groups."""
 
-VALUE_MENU = (*KEY_WAYS, "key.tangents"), ("points.delete", "points.select_all")
+VALUE_MENU = (*KEY_WAYS, "key.tangents"), KEY_MENU[1], ("points.delete", "points.select_all")
 """What one offers on the rows of values and on curves."""
 
 SHARED = ("edit.copy", "edit.cut", "edit.paste", "points.delete", "points.select_all", "key.set", "key.delete")

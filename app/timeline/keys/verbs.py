@@ -181,7 +181,7 @@ def unlocked(project: Project, places: Iterable[Place]) -> frozenset[Place]:
     return frozenset(place for place in places if place[0] in free)
 
 
-def count_of(places: Iterable[Place]) -> str:
+def count_of(places: Iterable[object]) -> str:
     """`1 key`, `3 keys`."""
     number = len(list(places))
     return tr("%n key(s)", "", number)

@@ -40,13 +40,14 @@ MOST = 6
 """Rows that have room at once; the others scroll."""
 MARGIN = 4.0
 """Pixels between a row's edges and the least or greatest value."""
+COPIES = Qt.KeyboardModifier.AltModifier
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 
 
 class ValueRows(RowBand[KeyedValue]):
-    """Click a key to choose it and go there, drag it along time; a click beside goes to that frame.
+    """Click a key to choose it and go there, drag it along time, with Alt a copy; a click beside goes to that frame.
 
-    A click takes the keyboard: then Delete means keys, and Alt with arrows moves them.
+    A click takes the keyboard: then copy, paste and delete mean keys, and Alt with arrows moves them.
     """
 
     def __init__(
@@ -101,7 +102,7 @@ class ValueRows(RowBand[KeyedValue]):
             self._chosen.select(places ^ {place})
         elif place not in places:
             self._chosen.select(frozenset({place}))
-        self._drag = KeyDrag(self._document, self._axis, self._chosen, self.verbs.moved)
+        self._drag = KeyDrag(self._document, self._axis, self._chosen, self.verbs.moved, self.verbs.copied)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at = event.position()
@@ -114,7 +115,8 @@ class ValueRows(RowBand[KeyedValue]):
         self._is_drag = self._is_drag or (at - self._pressed).manhattanLength() > STILL
         if self._is_drag:
             self._axis.bring_in(at.x())
-            self._drag.to(round((at.x() - self._pressed.x()) / self._axis.scale.pixels), 0.0)
+            frames = round((at.x() - self._pressed.x()) / self._axis.scale.pixels)
+            self._drag.to(frames, 0.0, copies=bool(event.modifiers() & COPIES))
             self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
