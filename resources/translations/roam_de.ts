@@ -3448,10 +3448,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Zuerst eine Form oder einige ihrer Punkte auswählen.</translation>
     </message>
     <message>
-        <source>Select a shape or some of its points first; locked and hidden ones stay as they are.</source>
-        <translation>Zuerst eine Form oder einige ihrer Punkte auswählen; gesperrte und ausgeblendete bleiben, wie sie sind.</translation>
-    </message>
-    <message>
         <source>Select a shape to see its properties.</source>
         <translation>Eine ausgewählte Form zeigt hier ihre Eigenschaften.</translation>
     </message>
@@ -3490,10 +3486,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Select the points that are right here first; a run then derives the others anew.</source>
         <translation>Zuerst die Punkte auswählen, die hier stimmen; ein Lauf leitet die anderen dann neu her.</translation>
-    </message>
-    <message>
-        <source>Select the shape to paste to; it may be neither locked nor hidden.</source>
-        <translation>Die Form auswählen, in die eingefügt wird; sie darf weder gesperrt noch ausgeblendet sein.</translation>
     </message>
     <message>
         <source>Select the shapes first that you want to be asked about again.</source>
@@ -3994,6 +3986,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>The copied keys fit no shape here: shapes may be locked, or have other points.</source>
         <translation>Die kopierten Keyframes passen hier zu keiner Form: Formen sind vielleicht gesperrt oder haben andere Punkte.</translation>
+    </message>
+    <message>
+        <source>The copied keys fit nothing here: what they go to may be locked or gone.</source>
+        <translation>Die kopierten Keyframes passen hier nirgends: Ihr Ziel ist gesperrt oder nicht mehr da.</translation>
     </message>
     <message>
         <source>The defaults are used; it could not be set aside ({reason}).</source>
@@ -5907,6 +5903,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{keys} stops</source>
         <translation>{keys} hält an</translation>
+    </message>
+    <message>
+        <source>{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.</source>
+        <translation>{name!r} gibt es auf Frame {frame} nicht: Die Lebensdauer steht im Bereich „Form“.</translation>
     </message>
     <message>
         <source>{name!r} does not exist on the frames that are written: it was left out.</source>
