@@ -5906,7 +5906,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.</source>
-        <translation>{name!r} gibt es auf Frame {frame} nicht: Die Lebensdauer steht im Bereich „Form“.</translation>
+        <translation>{name!r} gibt es auf Frame {frame} nicht: Die Lebensdauer steht im Formbereich.</translation>
     </message>
     <message>
         <source>{name!r} does not exist on the frames that are written: it was left out.</source>

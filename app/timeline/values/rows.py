@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMenu, QWidget
 
-from roam_core.roto import RotoShape
+from roam_core.roto import Animated, RotoShape
 from roam_core.roto.value_curves import ValuePlace
 
 from ...actions.key_names import NUDGES, key_name
@@ -27,11 +27,11 @@ from ...translation import tr
 from ..axis import TimeAxis
 from ..keys.row_painter import BACKGROUND, ROW
 from ..row_band import RowBand
-from ..scale import LABEL_WIDTH
+from ..scale import LABEL_WIDTH, TimeScale, whole_frames
 from .drag import KeyDrag
 from .key_forms import form_of, paint_key
 from .selection import ValueSelection
-from .shown import SHOWN_AS, KeyedValue, colour_of, keyed_values
+from .shown import SHOWN_AS, KeyedValue, Kind, colour_of, keyed_values
 from .verbs import ValueVerbs
 
 GRAB, STILL = 6, 3
@@ -57,6 +57,7 @@ class ValueRows(RowBand[KeyedValue]):
         self._chosen = chosen
         self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self._drag: KeyDrag | None = None
+        self._lines: dict[tuple[str, Kind], tuple[Animated, TimeScale, QPolygonF]] = {}
         self._pressed, self._is_drag, self._presses = QPointF(), False, 0
         self.menu = QMenu(self)
         """What a right click offers."""
@@ -199,9 +200,15 @@ class ValueRows(RowBand[KeyedValue]):
             paint_key(painter, at, form_of(key), colour, key.frame - shift in chosen)
 
     def _line(self, row: KeyedValue) -> QPolygonF:
-        """How the value runs through the frames in sight."""
-        scale = self._axis.scale
-        frames = np.arange(np.floor(scale.first), np.ceil(scale.last) + 1)
+        """How the value runs through the frames in sight; reckoned once, and painted with every frame that is shown."""
+        scale, place = self._axis.scale, (row.item.id, row.kind)
+        known = self._lines.get(place)
+        if known is None or known[0] is not row.value or known[1] != scale:
+            known = self._lines[place] = row.value, scale, self._reckoned(row, scale)
+        return known[2]
+
+    def _reckoned(self, row: KeyedValue, scale: TimeScale) -> QPolygonF:
+        frames = whole_frames(scale.first, scale.last, round(scale.right - scale.left))
         values = np.array([row.value.at(frame) for frame in frames.tolist()])
         low, span = values.min(), max(np.ptp(values), 1e-9)
         heights = MARGIN + (1.0 - (values - low) / span) * (ROW - 1 - 2 * MARGIN)

@@ -182,3 +182,28 @@ def test_every_value_that_varies_has_a_row_and_what_has_no_room_scrolls(
     send(timeline, QEvent.Type.MouseButtonPress, last)
     send(timeline, QEvent.Type.MouseButtonRelease, last)
     assert timeline.values.places == {(band.rows()[-1].item.id, "opacity", 1015)}
+
+
+def test_a_line_is_reckoned_once_and_no_finer_than_pixels(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is painted with every frame that plays; a long clip has many more frames than the row has pixels."""
+    looked: list[float] = []
+    at = Animated.at
+
+    def counted(self: Animated, frame: float) -> float:
+        looked.append(frame)
+        return at(self, frame)
+
+    timeline.axis.set_clip((1001, 9001))
+    timeline.axis.fit()
+    monkeypatch.setattr(Animated, "at", counted)
+    timeline.value_rows.grab()
+    assert 500 < len(looked) <= 2 * timeline.axis.scale.width + 2
+    looked.clear()
+    view_state.set_frame(1009)
+    timeline.value_rows.grab()
+    assert looked == []
+    document.apply("Shift", document.project.with_shape(replace(keyed, opacity=SOFTENS)))
+    timeline.value_rows.grab()
+    assert looked
