@@ -79,13 +79,18 @@ class Navigation:
 
     def _begin(self) -> None:
         """Another project: its clip is the play range, its first frame or its first key's the present one."""
+        clip = self._document.project.clip
+        self._view.hold_inside(None if clip is None else clip.frame_range)
         frames, keys = clip_frames(self._document.project, 1), self._key_frames()
         first, stop = frames.start, frames.stop
         self._view.set_play_range(first, stop)
         self._view.set_frame(min(max(min(keys, default=first), first), stop - 1))
 
     def _stops(self) -> set[int]:
-        """Where something is set by hand: keys, of opacity and feather too, and changes of what hides what."""
+        """Where something is set by hand: keys, of opacity and feather too, and changes of what hides what.
+
+        What lies beside the clip's frames is not gone to.
+        """
         project, view = self._document.project, self._view
         shapes, is_any = shapes_in_hand(project, view.selection), not (view.layers or view.selection.shapes)
         layers = [
@@ -93,7 +98,8 @@ class Navigation:
         ]
         items: list[Layer | RotoShape] = [*layers, *shapes]
         values = {frame for item in items for value in values_of_item(item).values() for frame in frames_of(value)}
-        return self._key_frames() | values | {frame for shape in shapes for frame, _ in shape.depth}
+        stops = self._key_frames() | values | {frame for shape in shapes for frame, _ in shape.depth}
+        return {frame for frame in stops if project.clip is None or frame in project.clip.frame_range}
 
     def _key_frames(self) -> set[int]:
         shapes = shapes_in_hand(self._document.project, self._view.selection)

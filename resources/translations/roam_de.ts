@@ -4110,6 +4110,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Keyframes davor und danach, wie weit sie auch liegen</translation>
     </message>
     <message>
+        <source>The keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}.</source>
+        <translation>Die Keyframes liegen auf den Frames {low} bis {high}, keiner davon auf denen des Clips von {first} bis {last}.</translation>
+    </message>
+    <message>
         <source>The keys of your shapes appear here.</source>
         <translation>Hier erscheinen die Keyframes der Formen.</translation>
     </message>

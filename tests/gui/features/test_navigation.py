@@ -81,6 +81,25 @@ def test_keys_of_a_layers_opacity_are_visited_with_it(
     assert "no key after" in view_state.message
 
 
+def test_keys_beside_the_clip_are_not_visited(
+    navigation: Navigation, document: Document, view_state: ViewState
+) -> None:
+    """A plate may be shorter than the shapes on it, as where they come with handles, or from another shot."""
+    project = document.project
+    for frame in (900, 1101):
+        project = project.with_shape(edit.key_here(project.shape("shape-1"), frame))
+    document.open(project, None)
+    assert view_state.frame == 1001
+    navigation.previous_key()
+    assert view_state.frame == 1001
+    assert "no key before" in view_state.message
+    view_state.set_frame(1020)
+    navigation.next_key()
+    assert view_state.frame == 1020
+    view_state.set_frame(1101)  # whoever asks for it
+    assert view_state.frame == 1048
+
+
 def test_steps_stay_inside_the_clip(navigation: Navigation, view_state: ViewState) -> None:
     navigation.step(-10)
     assert view_state.frame == 1001

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
@@ -12,7 +14,7 @@ from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit
+from roam_core.roto import Clip, Project, edit
 from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -148,3 +150,21 @@ def test_what_is_locked_is_not_cut_nor_copied_by_that(
     assert [shape.id for shape in document.project.shapes] == [locked]
     assert '"shape-1"' in QGuiApplication.clipboard().text()
     assert '"shape-2"' not in QGuiApplication.clipboard().text()
+
+
+def test_shapes_pasted_from_another_shot_say_where_their_keys_lie(
+    document: Document, view_state: ViewState, widget: QWidget
+) -> None:
+    (only,) = opened(document, 1)
+    view_state.select(frozenset({only}))
+    clipboard = ShapeClipboard(document, view_state, widget, lambda _text: False)
+    clipboard.copy()
+    document.open(Project(Clip(Path("shot"), 1001, 1048, (64, 48))), None)
+    view_state.say("")
+    clipboard.paste()
+    assert [shape.frames for shape in document.project.shapes] == [(1,)]
+    assert "on frames 1 to 1, none of them on the clip's 1001 to 1048" in view_state.message
+    document.open(Project(Clip(Path("shot"), 1, 48, (64, 48))), None)
+    view_state.say("")
+    clipboard.paste()
+    assert view_state.message == ""
