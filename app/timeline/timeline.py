@@ -32,6 +32,7 @@ from .tracks import TrackBand
 from .values.rows import MOST as MOST_VALUES
 from .values.rows import ValueRows
 from .values.selection import ValueSelection
+from .values.shown import items_in_hand
 
 KEY_WAYS = ("key.linear", "key.smooth", "key.hold")
 KEY_MENU = KEY_WAYS, ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
@@ -67,6 +68,7 @@ class Timeline(QWidget):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        self._document = document
         marks = MarksOf(document)
         self.axis = TimeAxis(view_state, self)
         self.keys = KeySelection(document, self)
@@ -100,11 +102,11 @@ class Timeline(QWidget):
         column.setStretchFactor(self.curve_panel, 4)
         self.keys.changed.connect(lambda: self.values.clear() if self.keys.places else None)
         self.values.changed.connect(lambda: self.keys.clear() if self.values.places else None)
+        view_state.selection_changed.connect(self._keep_chosen_in_hand)
         for part in (self.marks, self.bar, *self.band_rooms):
             part.installEventFilter(self)
         self._share()
         self._offer(actions)
-        self._document = document
         document.replaced.connect(self._pull_clip)
 
     def minimumSizeHint(self) -> QSize:
@@ -131,6 +133,11 @@ class Timeline(QWidget):
         for verbs in (self.value_rows.verbs, self.curves.plot.verbs):
             taken |= verbs.taking_over(taken)
         return taken
+
+    def _keep_chosen_in_hand(self) -> None:
+        """Keys of values whose rows and curves are gone are chosen no more: what is done next means others."""
+        owners = {item.id for item in items_in_hand(self._document.project, self.axis.view_state)}
+        self.values.select(frozenset(place for place in self.values.places if place[0] in owners))
 
     def _share(self) -> None:
         """Give what comes and goes its least height, out of that of the plot."""

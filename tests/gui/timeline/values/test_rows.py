@@ -162,6 +162,22 @@ def test_tips_tell_the_value(timeline: Timeline, keyed: RotoShape) -> None:
     assert tip(QPointF(20, 8)) == "Shape 1: opacity. Click to select"
 
 
+def test_keys_whose_row_goes_are_chosen_no_more(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape
+) -> None:
+    timeline.values.select(frozenset({("shape-1", "opacity", 1005)}))
+    view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 0)}))
+    assert timeline.values.places
+    view_state.select(frozenset({"shape-2"}))
+    assert not timeline.values.places
+    view_state.set_frame(1010)
+    timeline.taking_over({})["key.hold"]()  # it means the shape that is selected now
+    assert value(document).keys == FADES.keys
+    key = document.project.shape("shape-2").key_at(1010)
+    assert key is not None
+    assert key.interpolation is Interpolation.HOLD
+
+
 def test_every_value_that_varies_has_a_row_and_what_has_no_room_scrolls(
     qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:
