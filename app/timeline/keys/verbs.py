@@ -12,7 +12,7 @@ from roam_core.roto.timing import Place
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
-from ..nudging import Nudges
+from .nudging import Nudges
 from .selection import KeySelection
 
 WAYS = {
@@ -128,7 +128,7 @@ class KeyVerbs:
 
     def interpolate(self, interpolation: Interpolation) -> None:
         """Set how shapes move on: from the chosen keys, or from the key before the playhead where none is chosen."""
-        chosen = self._keys.places or self._governing()
+        chosen = self._meant() or self._governing()
         if not chosen:
             self._view.say(tr(NOTHING_HERE))
         elif places := self._unlocked(chosen):
@@ -165,6 +165,13 @@ class KeyVerbs:
         if len(self._copied) == len(selected) == 1 and not selected & self._copied.keys():
             return {next(iter(selected)): next(iter(self._copied.values()))}
         return self._copied
+
+    def _meant(self) -> frozenset[Place]:
+        """The chosen keys; while the rows have not the keyboard, and shapes are selected, those of these shapes."""
+        shapes = self._view.selection.shapes
+        if not shapes or self._has_keyboard():
+            return self._keys.places
+        return frozenset(place for place in self._keys.places if place[0] in shapes)
 
     def _governing(self) -> frozenset[Place]:
         """The key at or before the playhead of each selected shape."""

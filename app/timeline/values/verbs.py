@@ -25,8 +25,8 @@ from roam_core.roto.value_curves import (
 from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
+from ..keys.nudging import Nudges
 from ..keys.verbs import count_of
-from ..nudging import Nudges
 from .selection import CopiedKeys, ValueSelection
 from .shown import OUTLINES, Kind
 

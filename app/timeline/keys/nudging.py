@@ -7,9 +7,9 @@ from typing import Generic, TypeVar
 
 from roam_core.roto import Project
 
-from ..model.document import Document
-from ..translation import tr
-from .chosen import ChosenPlaces
+from ...model.document import Document
+from ...translation import tr
+from ..chosen import ChosenPlaces
 
 P = TypeVar("P", bound=tuple[object, ...])
 
