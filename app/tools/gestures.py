@@ -19,7 +19,7 @@ from ..paint import marks
 from ..paint.viewport import Viewport
 from ..translation import tr
 from .hit_test import points_in_box, points_in_lasso
-from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pull_out, turn
+from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pruned, pull_out, turn
 from .tool import Modifier, Pointer
 
 LASSO_STEP = 2.0
@@ -186,7 +186,8 @@ class Marquee(Gesture):
         self.view_state.select(self._before.shapes, self._before.points)
 
     def drop(self) -> None:
-        self.view_state.select(self._held.shapes, self._held.points)
+        held = pruned(self._held, self.document.project)
+        self.view_state.select(held.shapes, held.points)
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self.is_dragging:

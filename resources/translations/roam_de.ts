@@ -4330,6 +4330,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Vor diesem Frame gibt es keinen Keyframe.</translation>
     </message>
     <message>
+        <source>There is no key on frame {frame} to delete.</source>
+        <translation>Auf Frame {frame} ist kein Keyframe, der zu löschen wäre.</translation>
+    </message>
+    <message>
         <source>There is no key to paste; copy keys in the timeline first.</source>
         <translation>Es gibt keinen Keyframe zum Einfügen; zuerst Keyframes in der Zeitleiste kopieren.</translation>
     </message>

@@ -65,7 +65,10 @@ class ShapeVerbs:
 
     def delete_key(self) -> None:
         """Delete the selected shapes' keys on this frame."""
-        frame = self._view.frame
+        frame, project, selected = self._view.frame, self._document.project, self._selected()
+        if selected and not any(project.shape(shape_id).key_at(frame) for shape_id in selected):
+            self._view.say(tr("There is no key on frame {frame} to delete.", frame=frame))
+            return
         self._edit_each(tr("Delete key"), lambda shape: edit.delete_keys(shape, [frame]))
 
     def delete_engine_keys(self) -> None:

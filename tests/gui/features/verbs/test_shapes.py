@@ -115,6 +115,18 @@ def test_a_selected_layer_is_hidden_and_locked_itself(document: Document, view_s
     assert document.project.shape(other).visible
 
 
+def test_where_there_is_no_key_to_delete_it_is_said(document: Document, view_state: ViewState) -> None:
+    plain, other = opened(document, 2)
+    document.open(document.project.with_shape(edit.key_here(document.project.shape(plain), 7)), None)
+    view_state.select(frozenset({plain, other}))
+    view_state.set_frame(6)
+    ShapeVerbs(document, view_state).delete_key()
+    assert "no key on frame 6" in view_state.message
+    view_state.set_frame(7)
+    ShapeVerbs(document, view_state).delete_key()
+    assert document.project.shape(plain).frames == (1,)
+
+
 def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_state: ViewState) -> None:
     (only,) = opened(document, 1)
     document.open(edit.set_properties(document.project, only, locked=True), None)

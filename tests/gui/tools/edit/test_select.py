@@ -209,7 +209,9 @@ def test_a_lasso_is_drawn_while_it_is_spanned(
     assert canvas.grab().toImage() == before
 
 
-def test_escape_drops_a_marquee_and_what_was_selected_is_again(hand: Hand, view_state: ViewState, square: str) -> None:
+def test_escape_drops_a_marquee_and_what_was_selected_is_again(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
     before = Selection(frozenset({square}), frozenset({(square, 0)}))
     view_state.select(before.shapes, before.points)
     hand.press((100.0, 20.0))
@@ -218,6 +220,12 @@ def test_escape_drops_a_marquee_and_what_was_selected_is_again(hand: Hand, view_
     hand.key(Qt.Key.Key_Escape)
     hand.release((140.0, 120.0))
     assert view_state.selection == before
+    hand.press((100.0, 20.0))
+    hand.move((140.0, 120.0))
+    document.apply("Cut", edit.remove_items(document.project, [square]))  # meanwhile
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((140.0, 120.0))
+    assert view_state.selection == Selection()
 
 
 # ---- inserting points
