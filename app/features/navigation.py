@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from roam_core.roto import Project
+from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.animated import frames_of
+from roam_core.roto.value_curves import values_of_item
 
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
@@ -52,7 +53,7 @@ class Navigation:
         self._view.set_frame(self._view.play_range[1] - 1)
 
     def next_key(self) -> None:
-        """Go to the next key by hand, or change of depth, of the selected shapes, or of all when none is selected."""
+        """Go to the next key by hand, or change of depth, of what is selected, or of all when nothing is."""
         if later := [frame for frame in self._stops() if frame > self._view.frame]:
             self._view.set_frame(min(later))
         else:
@@ -78,16 +79,27 @@ class Navigation:
 
     def _begin(self) -> None:
         """Another project: its clip is the play range, its first frame or its first key's the present one."""
+        clip = self._document.project.clip
+        self._view.hold_inside(None if clip is None else clip.frame_range)
         frames, keys = clip_frames(self._document.project, 1), self._key_frames()
         first, stop = frames.start, frames.stop
         self._view.set_play_range(first, stop)
         self._view.set_frame(min(max(min(keys, default=first), first), stop - 1))
 
     def _stops(self) -> set[int]:
-        """Where something is set by hand: keys, of opacity and feather too, and changes of what hides what."""
-        shapes = shapes_in_hand(self._document.project, self._view.selection)
-        values = {frame for shape in shapes for value in (shape.opacity, shape.feather) for frame in frames_of(value)}
-        return self._key_frames() | values | {frame for shape in shapes for frame, _ in shape.depth}
+        """Where something is set by hand: keys, of opacity and feather too, and changes of what hides what.
+
+        What lies beside the clip's frames is not gone to.
+        """
+        project, view = self._document.project, self._view
+        shapes, is_any = shapes_in_hand(project, view.selection), not (view.layers or view.selection.shapes)
+        layers = [
+            item for item in project.root.items() if isinstance(item, Layer) and (is_any or item.id in view.layers)
+        ]
+        items: list[Layer | RotoShape] = [*layers, *shapes]
+        values = {frame for item in items for value in values_of_item(item).values() for frame in frames_of(value)}
+        stops = self._key_frames() | values | {frame for shape in shapes for frame, _ in shape.depth}
+        return {frame for frame in stops if project.clip is None or frame in project.clip.frame_range}
 
     def _key_frames(self) -> set[int]:
         shapes = shapes_in_hand(self._document.project, self._view.selection)

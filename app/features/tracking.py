@@ -155,7 +155,7 @@ class Tracking:
             (key.confidence, key.frame, shape)
             for shape in self._shapes()
             for key in shape.keys
-            if key.confidence is not None
+            if key.confidence is not None and key.frame in self._clip()
         ]
         if not tracked:
             self._view.say(tr("No frame is tracked yet."))
@@ -248,8 +248,9 @@ class Tracking:
             for name, frame, trust in tracks_of(self._document.project, shapes)
             if is_doubtful(trust) and (frame - here) * step > 0
         ]
-        if doubtful:
-            _, _, frame, sentence = min(doubtful, key=lambda each: each[:2])
+        clip = self._clip()
+        if inside := [each for each in doubtful if each[2] in clip]:
+            _, _, frame, sentence = min(inside, key=lambda each: each[:2])
             self._view.set_frame(frame)
             self._view.say(sentence)
         else:

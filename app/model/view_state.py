@@ -39,6 +39,7 @@ class ViewState(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._frame = 1
+        self._clip: range | None = None
         self._selection = Selection()
         self._layers: frozenset[str] = frozenset()
         self._tool = "select"
@@ -59,9 +60,16 @@ class ViewState(QObject):
         return self._frame
 
     def set_frame(self, frame: int) -> None:
+        """Show a frame; of those that the clip does not have, the one at its nearer end."""
+        if self._clip is not None:
+            frame = min(max(frame, self._clip[0]), self._clip[-1])
         if frame != self._frame:
             self._frame = frame
             self.frame_changed.emit()
+
+    def hold_inside(self, frames: range | None) -> None:
+        """The clip has these frames, and no other is shown from now on; None: there is no clip."""
+        self._clip = frames
 
     @property
     def selection(self) -> Selection:

@@ -51,8 +51,10 @@ class MarkVerbs:
         self._name(self._view.frame)
 
     def _go(self, step: int) -> None:
-        here = self._view.frame
-        beyond = [mark.frame for mark in self._document.project.marks if (mark.frame - here) * step > 0]
+        here, project = self._view.frame, self._document.project
+        shown = None if project.clip is None else project.clip.frame_range
+        frames = [mark.frame for mark in project.marks if shown is None or mark.frame in shown]
+        beyond = [frame for frame in frames if (frame - here) * step > 0]
         if beyond:
             self._view.set_frame(min(beyond) if step > 0 else max(beyond))
         else:

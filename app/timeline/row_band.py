@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QWheelEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolTip, QWidget
 
@@ -87,6 +87,8 @@ class RowBand(QWidget, Generic[Row]):
         painter, left = QPainter(self), self._axis.scale.left
         painter.fillRect(self.rect(), QColor(style.PANEL))
         for index, row in enumerate(self.rows()):
+            if not event.region().intersects(QRect(0, index * ROW, self.width(), ROW)):
+                continue  # it is scrolled out of sight
             painter.save()
             painter.translate(0.0, index * ROW)
             painter.fillRect(QRectF(0, ROW - 1, self.width(), 1), QColor(style.WINDOW))
@@ -101,11 +103,14 @@ class RowBand(QWidget, Generic[Row]):
 
 
 class BandRoom(QScrollArea):
-    """The place of a band: as high as the band where there is room, and scrolled where there is not; away with it."""
+    """The place of a band: as high as the band where there is room, and scrolled where there is not; away with it.
 
-    def __init__(self, band: RowBand[Any], parent: QWidget | None = None) -> None:
+    It takes room for `most` rows at most: what is keyed comes first.
+    """
+
+    def __init__(self, band: RowBand[Any], most: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._band = band
+        self._band, self._most = band, most
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
@@ -117,12 +122,16 @@ class BandRoom(QScrollArea):
         band.pull()
 
     def sizeHint(self) -> QSize:
-        return QSize(self._band.sizeHint().width(), self._band.maximumHeight())
+        return QSize(self._band.sizeHint().width(), self._height)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, 0)
 
+    @property
+    def _height(self) -> int:
+        return min(self._band.maximumHeight(), self._most * ROW)
+
     def _follow(self) -> None:
-        self.setMaximumHeight(self._band.maximumHeight())
+        self.setMaximumHeight(self._height)
         self.updateGeometry()
         self.setVisible(not self._band.isHidden())

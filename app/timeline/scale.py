@@ -6,6 +6,10 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+import numpy as np
+
+from roam_core.arrays import Array
+
 LABEL_WIDTH = 148
 """Pixels left of the frames: the names of the rows."""
 RIGHT_MARGIN = 14
@@ -98,3 +102,9 @@ def _round_numbers() -> Iterator[int]:
     for power in range(12):
         for digit in (1, 2, 5):
             yield digit * 10**power
+
+
+def whole_frames(first: float, last: float, most: int) -> Array:
+    """The whole frames around `first` to `last`, evenly fewer where they are more than `most`, with both ends."""
+    low, high = math.floor(first), math.ceil(last)
+    return np.unique(np.round(np.linspace(low, high, min(high - low + 1, max(most, 2)))))

@@ -27,15 +27,18 @@ from .marks import MarksOf
 from .panning import PanHand, TimeBar
 from .row_band import BandRoom
 from .ruler import Ruler
+from .tracks import MOST as MOST_TRACKS
 from .tracks import TrackBand
+from .values.rows import MOST as MOST_VALUES
 from .values.rows import ValueRows
 from .values.selection import ValueSelection
+from .values.shown import items_in_hand
 
 KEY_WAYS = ("key.linear", "key.smooth", "key.hold")
 KEY_MENU = KEY_WAYS, ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
 """What a right click on the key rows offers, in groups."""
 
-VALUE_MENU = (*KEY_WAYS, "key.tangents"), ("points.delete", "points.select_all")
+VALUE_MENU = (*KEY_WAYS, "key.tangents"), KEY_MENU[1], ("points.delete", "points.select_all")
 """What one offers on the rows of values and on curves."""
 
 SHARED = ("edit.copy", "edit.cut", "edit.paste", "points.delete", "points.select_all", "key.set", "key.delete")
@@ -65,6 +68,7 @@ class Timeline(QWidget):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        self._document = document
         marks = MarksOf(document)
         self.axis = TimeAxis(view_state, self)
         self.keys = KeySelection(document, self)
@@ -88,7 +92,7 @@ class Timeline(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         self.bar = TimeBar(self.axis)
-        self.band_rooms = BandRoom(self.tracks), BandRoom(self.value_rows)
+        self.band_rooms = BandRoom(self.tracks, MOST_TRACKS), BandRoom(self.value_rows, MOST_VALUES)
         keyed = self.band_rooms[0], self.rows, self.band_rooms[1]
         for part in (self.ruler, self.marks, *keyed, self.curve_panel, self.confidence, self.boil, self.bar):
             column.addWidget(part)
@@ -98,11 +102,11 @@ class Timeline(QWidget):
         column.setStretchFactor(self.curve_panel, 4)
         self.keys.changed.connect(lambda: self.values.clear() if self.keys.places else None)
         self.values.changed.connect(lambda: self.keys.clear() if self.values.places else None)
+        view_state.selection_changed.connect(self._keep_chosen_in_hand)
         for part in (self.marks, self.bar, *self.band_rooms):
             part.installEventFilter(self)
         self._share()
         self._offer(actions)
-        self._document = document
         document.replaced.connect(self._pull_clip)
 
     def minimumSizeHint(self) -> QSize:
@@ -129,6 +133,11 @@ class Timeline(QWidget):
         for verbs in (self.value_rows.verbs, self.curves.plot.verbs):
             taken |= verbs.taking_over(taken)
         return taken
+
+    def _keep_chosen_in_hand(self) -> None:
+        """Keys of values whose rows and curves are gone are chosen no more: what is done next means others."""
+        owners = {item.id for item in items_in_hand(self._document.project, self.axis.view_state)}
+        self.values.select(frozenset(place for place in self.values.places if place[0] in owners))
 
     def _share(self) -> None:
         """Give what comes and goes its least height, out of that of the plot."""

@@ -26,7 +26,7 @@ from .scale import LABEL_WIDTH
 
 GRAB = 6
 MOST = 3
-"""Rows that are shown at once."""
+"""Rows that have room at once; the others scroll."""
 MARGIN = 3.0
 """Pixels between a row's edges and no or full confidence."""
 
@@ -39,7 +39,7 @@ class TrackBand(RowBand[Layer]):
         self.pull()
 
     def rows(self) -> list[Layer]:
-        """The tracks that are shown: those of the selected shapes, or else all; no more than have room."""
+        """The tracks that are shown: those of the selected shapes, or else all."""
         moving = [
             item
             for item in self._document.project.root.items()
@@ -47,7 +47,7 @@ class TrackBand(RowBand[Layer]):
         ]
         chosen = self._axis.view_state.selection.shapes
         meant = [layer for layer in moving if any(shape.id in chosen for shape in layer.shapes())]
-        return (meant or moving)[:MOST]
+        return meant or moving
 
     def adjust_key_at(self, at: QPointF) -> tuple[Layer, int] | None:
         """The adjust key near a place, with its layer."""

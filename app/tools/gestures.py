@@ -19,7 +19,7 @@ from ..paint import marks
 from ..paint.viewport import Viewport
 from ..translation import tr
 from .hit_test import points_in_box, points_in_lasso
-from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pull_out, turn
+from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pruned, pull_out, turn
 from .tool import Modifier, Pointer
 
 LASSO_STEP = 2.0
@@ -27,6 +27,9 @@ LASSO_STEP = 2.0
 
 Points = frozenset[tuple[str, int]]
 """Points by (shape id, index)."""
+
+INSERT = Modifier.ControlModifier | Modifier.AltModifier
+"""With these a press on an outline inserts a point; beside all of them it begins a lasso."""
 
 DRAG_DISTANCE = 3.0
 """A press that moves less than this many screen pixels is a click: a click never moves anything."""
@@ -171,8 +174,8 @@ class Marquee(Gesture):
         super().__init__(document, view_state, pressed)
         self._removes = pressed.holds(Modifier.ControlModifier) and not pressed.holds(Modifier.AltModifier)
         keeps = self._removes or pressed.holds(Modifier.ShiftModifier)
-        self._before = view_state.selection if keeps else Selection()
-        self._preferred = view_state.selection.shapes
+        self._held = view_state.selection
+        self._before = self._held if keeps else Selection()
 
     def drag(self, pointer: Pointer) -> None:
         before = self._before.points
@@ -183,7 +186,8 @@ class Marquee(Gesture):
         self.view_state.select(self._before.shapes, self._before.points)
 
     def drop(self) -> None:
-        self.click()
+        held = pruned(self._held, self.document.project)
+        self.view_state.select(held.shapes, held.points)
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self.is_dragging:
@@ -196,7 +200,7 @@ class Marquee(Gesture):
 
     def _preferably(self, inside: Points) -> Points:
         """Points of the shapes that were selected; only where none of these is inside, points of any shape."""
-        return frozenset(point for point in inside if point[0] in self._preferred) or inside
+        return frozenset(point for point in inside if point[0] in self._held.shapes) or inside
 
 
 class Lasso(Marquee):
@@ -210,6 +214,11 @@ class Lasso(Marquee):
         if pointer.screen_distance(self._line[-1]) >= LASSO_STEP:
             self._line.append(pointer.position)
         super().drag(pointer)
+
+    def click(self) -> None:
+        """A press with Ctrl and Alt was to insert a point, and missed: what is selected stays in the hand."""
+        if not self.pressed.holds(INSERT):
+            super().click()
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self.is_dragging:

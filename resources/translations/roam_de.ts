@@ -3448,10 +3448,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Zuerst eine Form oder einige ihrer Punkte auswählen.</translation>
     </message>
     <message>
-        <source>Select a shape or some of its points first; locked and hidden ones stay as they are.</source>
-        <translation>Zuerst eine Form oder einige ihrer Punkte auswählen; gesperrte und ausgeblendete bleiben, wie sie sind.</translation>
-    </message>
-    <message>
         <source>Select a shape to see its properties.</source>
         <translation>Eine ausgewählte Form zeigt hier ihre Eigenschaften.</translation>
     </message>
@@ -3490,10 +3486,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Select the points that are right here first; a run then derives the others anew.</source>
         <translation>Zuerst die Punkte auswählen, die hier stimmen; ein Lauf leitet die anderen dann neu her.</translation>
-    </message>
-    <message>
-        <source>Select the shape to paste to; it may be neither locked nor hidden.</source>
-        <translation>Die Form auswählen, in die eingefügt wird; sie darf weder gesperrt noch ausgeblendet sein.</translation>
     </message>
     <message>
         <source>Select the shapes first that you want to be asked about again.</source>
@@ -3996,6 +3988,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Die kopierten Keyframes passen hier zu keiner Form: Formen sind vielleicht gesperrt oder haben andere Punkte.</translation>
     </message>
     <message>
+        <source>The copied keys fit nothing here: what they go to may be locked or gone.</source>
+        <translation>Die kopierten Keyframes passen hier nirgends: Ihr Ziel ist gesperrt oder nicht mehr da.</translation>
+    </message>
+    <message>
         <source>The defaults are used; it could not be set aside ({reason}).</source>
         <translation>Es gelten die Vorgaben; die Datei ließ sich nicht beiseitelegen ({reason}).</translation>
     </message>
@@ -4112,6 +4108,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The keys before and after, however far</source>
         <translation>Die Keyframes davor und danach, wie weit sie auch liegen</translation>
+    </message>
+    <message>
+        <source>The keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}.</source>
+        <translation>Die Keyframes liegen auf den Frames {low} bis {high}, keiner davon auf denen des Clips von {first} bis {last}.</translation>
     </message>
     <message>
         <source>The keys of your shapes appear here.</source>
@@ -4328,6 +4328,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is no key before this frame.</source>
         <translation>Vor diesem Frame gibt es keinen Keyframe.</translation>
+    </message>
+    <message>
+        <source>There is no key on frame {frame} to delete.</source>
+        <translation>Auf Frame {frame} ist kein Keyframe, der zu löschen wäre.</translation>
     </message>
     <message>
         <source>There is no key to paste; copy keys in the timeline first.</source>
@@ -5907,6 +5911,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{keys} stops</source>
         <translation>{keys} hält an</translation>
+    </message>
+    <message>
+        <source>{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.</source>
+        <translation>{name!r} gibt es auf Frame {frame} nicht: Die Lebensdauer steht im Formbereich.</translation>
     </message>
     <message>
         <source>{name!r} does not exist on the frames that are written: it was left out.</source>

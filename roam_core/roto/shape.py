@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -252,7 +252,7 @@ class RotoShape:
         """The frames that hold a key."""
         return tuple(key.frame for key in self.keys)
 
-    @property
+    @cached_property
     def artist_keys(self) -> tuple[Keyframe, ...]:
         """The artist's keys."""
         return tuple(key for key in self.keys if key.origin is Origin.ARTIST)

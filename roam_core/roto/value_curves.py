@@ -48,6 +48,34 @@ def move_values(project: Project, places: Iterable[ValuePlace], frames: int, amo
     return _each_value(project, places, lambda value, own: moved(value, own, frames, amount))
 
 
+def copy_values(project: Project, places: Iterable[ValuePlace], frames: int) -> Project:
+    """The project with copies of the keys at `places`, so many frames on; what lies there gives way."""
+    return _each_value(project, places, lambda value, own: pasted(value, _keys_on(value, own), frames))
+
+
+def paste_values(project: Project, keys: Mapping[tuple[str, str], Iterable[ValueKey]], offset: int = 0) -> Project:
+    """The project with keys put into its values, by (id of the shape or layer, name), `offset` frames on.
+
+    What lies there gives way, and a constant varies from then on. Values that are not there are left out.
+    """
+    for (item_id, name), copied in keys.items():
+        value = values_of_item(project.find(item_id)).get(name) if project.has(item_id) else None
+        if value is not None:
+            after = bounded(pasted(value, copied, offset), name)
+            project = project.map_item(item_id, _setting(name, after))
+    return project
+
+
+def keys_at(project: Project, places: Iterable[ValuePlace]) -> dict[tuple[str, str], list[ValueKey]]:
+    """The keys at `places`, by (id of the shape or layer, name of the value)."""
+    found: dict[tuple[str, str], list[ValueKey]] = {}
+    for item_id, name, frame in sorted(places):
+        value = values_of_item(project.find(item_id)).get(name) if project.has(item_id) else None
+        if isinstance(value, Animated) and (key := value.key_at(frame)) is not None:
+            found.setdefault((item_id, name), []).append(key)
+    return found
+
+
 def delete_values(project: Project, places: Iterable[ValuePlace]) -> Project:
     """The project without these keys; a value that loses its last one stays what it was there."""
     return _each_value(project, places, deleted)
@@ -92,6 +120,10 @@ def _each_value(
     return project
 
 
+def _keys_on(value: Animated, frames: Collection[int]) -> list[ValueKey]:
+    return [key for key in value.keys if key.frame in frames]
+
+
 def _setting(name: str, value: Animatable) -> Callable[[Layer | RotoShape], Layer | RotoShape]:
     return lambda item: replace(item, **{name: value})  # type: ignore[arg-type]
 
@@ -104,6 +136,12 @@ def moved(value: Animated, frames: Collection[int], offset: int, amount: float) 
     going = [replace(k, frame=k.frame + offset, value=k.value + amount) for k in value.keys if k.frame in frames]
     staying = {key.frame: key for key in value.keys if key.frame not in frames}
     return Animated(tuple((staying | {key.frame: key for key in going}).values()))
+
+
+def pasted(value: Animatable, keys: Iterable[ValueKey], offset: int) -> Animatable:
+    """The value with keys put on frames `offset` on; a key where one arrives gives way."""
+    put = {key.frame + offset: replace(key, frame=key.frame + offset) for key in keys}
+    return Animated(tuple(({key.frame: key for key in value_keys(value)} | put).values())) if put else value
 
 
 def deleted(value: Animated, frames: Collection[int]) -> Animatable:

@@ -13,6 +13,7 @@ from roam_core.roto import Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.pasting import copied_key, paste_key, paste_through, targets
 
 from ...model.document import Document
+from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
@@ -80,7 +81,7 @@ class KeyClipboard:
             self._view.say(str(error))
             return
         if not wanted.keys() & editable.keys():
-            self._view.say(tr("Select the shape to paste to; it may be neither locked nor hidden."))
+            self._view.say(why_not(self._document.project, self._view))
         self._document.apply(text, project)
 
 

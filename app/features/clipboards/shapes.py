@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -77,6 +77,21 @@ class ShapeClipboard:
             ids.append(pasted.id)
         self._document.apply(tr("Paste"), project)
         self._view.select(frozenset(ids))
+        self._tell_of_keys_beside_the_clip(copied)
+
+    def _tell_of_keys_beside_the_clip(self, shapes: Iterable[RotoShape]) -> None:
+        """Say so where no key of what was pasted lies on the clip: it came from another shot, and never moves here."""
+        clip, frames = self._document.project.clip, [frame for shape in shapes for frame in shape.frames]
+        if clip is not None and frames and not any(frame in clip.frame_range for frame in frames):
+            self._view.say(
+                tr(
+                    "The keys lie on frames {low} to {high}, none of them on the clip's {first} to {last}.",
+                    low=min(frames),
+                    high=max(frames),
+                    first=clip.first,
+                    last=clip.last,
+                )
+            )
 
     def _selected(self) -> list[RotoShape]:
         return selected_shapes(self._document.project, self._view.selection)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, linking
+from roam_core.roto.layers import top_items
 
 from ...model.document import Document
 from ...model.shown import editable_shapes
@@ -64,7 +65,10 @@ class ShapeVerbs:
 
     def delete_key(self) -> None:
         """Delete the selected shapes' keys on this frame."""
-        frame = self._view.frame
+        frame, project, selected = self._view.frame, self._document.project, self._selected()
+        if selected and not any(project.shape(shape_id).key_at(frame) for shape_id in selected):
+            self._view.say(tr("There is no key on frame {frame} to delete.", frame=frame))
+            return
         self._edit_each(tr("Delete key"), lambda shape: edit.delete_keys(shape, [frame]))
 
     def delete_engine_keys(self) -> None:
@@ -86,12 +90,12 @@ class ShapeVerbs:
         self._view.select(frozenset(copies) or self._view.selection.shapes)
 
     def toggle_lock(self) -> None:
-        toggle(self._document, "locked", self._selected())
+        toggle(self._document, "locked", self._rows())
 
     def hide(self) -> None:
         project = self._document.project
-        for shape_id in self._selected():
-            project = edit.set_properties(project, shape_id, visible=False)
+        for item_id in self._rows():
+            project = edit.set_properties(project, item_id, visible=False)
         self._document.apply(tr("Hide"), project)
 
     def show_all(self) -> None:
@@ -116,6 +120,11 @@ class ShapeVerbs:
         if selected and not free:
             self._view.say(tr(ALL_LOCKED))
         return free
+
+    def _rows(self) -> list[str]:
+        """The selected layers, and the selected shapes that lie in none of them; says so when there is none."""
+        layers = frozenset(item_id for item_id in self._view.layers if self._document.project.has(item_id))
+        return top_items(self._document.project, layers | self._view.selection.shapes) or self._selected()
 
     def _selected(self) -> list[str]:
         """The selected shapes in the order of stacking; says so when there is none."""

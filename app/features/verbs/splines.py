@@ -9,10 +9,10 @@ import numpy as np
 from roam_core.roto import RotoShape, Spline, control_points
 
 from ...model.document import Document
+from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState
 from ...translation import tr
-from .shapes import ALL_LOCKED, NOTHING_SELECTED
 
 
 class SplineVerbs:
@@ -50,9 +50,7 @@ class SplineVerbs:
             already = tr("The selected shapes are Bezier already.")
             if spline is Spline.BSPLINE:
                 already = tr("The selected shapes are B-spline already.")
-            self._view.say(
-                already if shapes else tr(ALL_LOCKED if any(map(project.is_locked, chosen)) else NOTHING_SELECTED)
-            )
+            self._view.say(already if shapes else why_not(project, self._view))
             return
         sentences = []
         for shape in turning:

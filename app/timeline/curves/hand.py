@@ -134,7 +134,7 @@ class CurveHand:
         """Keys go with the pointer, whole frames and any value; with Shift only where it went farther."""
         assert self._start is not None
         if self._drag is None:
-            self._drag = KeyDrag(self._document, self._axis, self._chosen, self._verbs.moved)
+            self._drag = KeyDrag(self._document, self._axis, self._chosen, self._verbs.moved, self._verbs.copied)
         assert self._found.key is not None
         factor, away = SHOWN_AS[Kind(self._found.key[1])][0], event.position() - self._start
         frames = round(away.x() / self._axis.scale.pixels)

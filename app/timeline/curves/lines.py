@@ -14,6 +14,7 @@ from roam_core.roto.animated import cubic_slopes, value_at
 from roam_core.roto.value_curves import ValuePlace, values_of_item
 
 from ...model.view_state import ViewState
+from ..scale import whole_frames
 from ..values.key_forms import form_of
 from ..values.shown import OUTLINES, SHOWN_AS, Kind, colour_of, items_in_hand
 
@@ -21,6 +22,8 @@ MOST = 12
 """Curves that are shown at once."""
 FINENESS = 400
 """Samples of a curve over the frames in sight, at least."""
+MOST_FRAMES = 1500
+"""Frames on which an outline is looked at for its curve: no fewer than a plot has pixels."""
 RIGHT_BEFORE = 1e-6
 """Frames before a key at which a held value still stands."""
 
@@ -56,15 +59,17 @@ class CurveLine:
 
 
 def lines_of(project: Project, view: ViewState, kind: Kind, first: float, last: float) -> list[CurveLine]:
-    """The curves of a kind of the shapes and layers in hand, over the frames from `first` to `last`."""
-    lines: list[CurveLine] = []
-    for item in items_in_hand(project, view)[:MOST]:
-        if kind in OUTLINES:
-            if isinstance(item, RotoShape):
-                lines.append(_outline_line(item, view, kind, first, last))
-        elif kind in values_of_item(item):
-            lines.append(_value_line(item, kind, first, last))
-    return lines
+    """The curves of a kind of the shapes and layers in hand, over the frames from `first` to `last`.
+
+    What varies comes first: where there are more of them than are shown, none of these is left out for a constant.
+    """
+    items = items_in_hand(project, view)
+    if kind in OUTLINES:
+        shapes = [item for item in items if isinstance(item, RotoShape)]
+        return [_outline_line(shape, view, kind, first, last) for shape in shapes[:MOST]]
+    having = [item for item in items if kind in values_of_item(item)]
+    having.sort(key=lambda item: not isinstance(values_of_item(item)[kind], Animated))
+    return [_value_line(item, kind, first, last) for item in having[:MOST]]
 
 
 def value_range(lines: list[CurveLine], kind: Kind) -> tuple[float, float]:
@@ -131,7 +136,8 @@ def _outline_line(shape: RotoShape, view: ViewState, kind: Kind, first: float, l
         own = [index for index in chosen if index < len(anchors)]
         return float(np.mean(anchors[own] if own else anchors))
 
-    frames = np.arange(math.floor(first), math.ceil(last) + 1, dtype=np.float64)
+    own = [frame for frame in shape.artist_frames if first <= frame <= last]
+    frames = np.union1d(whole_frames(first, last, MOST_FRAMES), own)
     values = np.array([place(frame) for frame in frames.tolist()])
     keys = tuple(CurveKey(key.frame, place(key.frame), key.interpolation.value) for key in shape.artist_keys)
     return CurveLine(shape.id, shape.name, kind, shape.colour, frames, values, keys)

@@ -64,7 +64,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
     def __init__(self, document: Document, axis: TimeAxis, chosen: ValueSelection) -> None:
         super().__init__(background=style.PANEL)
         self._document, self._axis, self._chosen = document, axis, chosen
-        self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus)
+        self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self.hand = CurveHand(document, axis, chosen, self.verbs, self.found_at, self.keys_in, self.value_at, self.pull)
         self.kind = Kind.OPACITY
         self.range = 0.0, 1.0
@@ -85,14 +85,19 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         view.frame_changed.connect(self._pull_playhead)
 
     def show_kind(self, kind: Kind) -> None:
-        """Show another kind of curves, all of their values."""
+        """Show another kind of curves, all of their values. Keys of curves that are shown no more are not chosen."""
         self.kind = kind
+        self._chosen.select(frozenset(place for place in self._chosen.places if place[1] == kind))
         self.fit()
 
     def fit(self) -> None:
         """Bring all values into sight, and keep them there."""
         self._is_fitted = True
         self.pull()
+
+    def places(self) -> frozenset[ValuePlace]:
+        """Where all keys of the curves lie."""
+        return frozenset(line.place(key) for line, key in self._keys())
 
     # ---- where things lie
 

@@ -12,6 +12,7 @@ from roam_core.roto.timing import Place
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
+from .nudging import Nudges
 from .selection import KeySelection
 
 WAYS = {
@@ -31,6 +32,7 @@ class KeyVerbs:
         self, document: Document, view_state: ViewState, keys: KeySelection, has_keyboard: Callable[[], bool]
     ) -> None:
         self._document, self._view, self._keys, self._has_keyboard = document, view_state, keys, has_keyboard
+        self._nudges = Nudges(document, keys, timing.move_keys)
         self._copied: dict[str, tuple[Keyframe, ...]] = {}
         document.replaced.connect(self._forget)
 
@@ -121,18 +123,12 @@ class KeyVerbs:
 
     def nudge(self, frames: int, merge_key: str = "") -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
-        project, clip = self._document.project, self._document.project.clip
-        if not (places := self._unlocked(self._keys.places)):
-            return
-        own = [frame for _, frame in places]
-        if clip is not None:
-            frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
-        self._document.apply(tr("Move keys"), timing.move_keys(project, places, frames), merge_key)
-        self._keys.select(frozenset((shape_id, frame + frames) for shape_id, frame in places))
+        if places := self._unlocked(self._keys.places):
+            self._nudges.by(places, frames, merge_key)
 
     def interpolate(self, interpolation: Interpolation) -> None:
         """Set how shapes move on: from the chosen keys, or from the key before the playhead where none is chosen."""
-        chosen = self._keys.places or self._governing()
+        chosen = self._meant() or self._governing()
         if not chosen:
             self._view.say(tr(NOTHING_HERE))
         elif places := self._unlocked(chosen):
@@ -170,6 +166,13 @@ class KeyVerbs:
             return {next(iter(selected)): next(iter(self._copied.values()))}
         return self._copied
 
+    def _meant(self) -> frozenset[Place]:
+        """The chosen keys; while the rows have not the keyboard, and shapes are selected, those of these shapes."""
+        shapes = self._view.selection.shapes
+        if not shapes or self._has_keyboard():
+            return self._keys.places
+        return frozenset(place for place in self._keys.places if place[0] in shapes)
+
     def _governing(self) -> frozenset[Place]:
         """The key at or before the playhead of each selected shape."""
         frame, places = self._view.frame, set()
@@ -185,7 +188,7 @@ def unlocked(project: Project, places: Iterable[Place]) -> frozenset[Place]:
     return frozenset(place for place in places if place[0] in free)
 
 
-def count_of(places: Iterable[Place]) -> str:
+def count_of(places: Iterable[object]) -> str:
     """`1 key`, `3 keys`."""
     number = len(list(places))
     return tr("%n key(s)", "", number)

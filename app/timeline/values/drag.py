@@ -14,37 +14,46 @@ from .selection import ValueSelection
 from .verbs import LOCKED, unlocked
 
 Moved = Callable[[Project, frozenset[ValuePlace], int, float], Project]
+Copied = Callable[[Project, frozenset[ValuePlace], int], Project]
 
 
 class KeyDrag:
-    """The chosen keys between press and release. `moved` gives the project with keys shifted in time and value."""
+    """The chosen keys between press and release.
 
-    def __init__(self, document: Document, axis: TimeAxis, chosen: ValueSelection, moved: Moved) -> None:
-        self._document, self._axis, self._chosen, self._moved = document, axis, chosen, moved
+    `moved` gives the project with keys shifted in time and value, `copied` with copies of them shifted in time.
+    """
+
+    def __init__(
+        self, document: Document, axis: TimeAxis, chosen: ValueSelection, moved: Moved, copied: Copied
+    ) -> None:
+        self._document, self._axis, self._chosen, self._moved, self._copied = document, axis, chosen, moved, copied
         self._places = unlocked(document.project, chosen.places)
-        self._shown: tuple[int, float] = (0, 0.0)
+        self._shown: tuple[int, float, bool] = (0, 0.0, False)
         self.frames = 0
         """By how many frames the chosen keys are shifted where they are shown."""
         if not self._places:
             axis.view_state.say(tr(LOCKED))
 
-    def to(self, frames: int, amount: float) -> None:
-        """Preview the keys shifted by whole frames, none of them out of the clip, and by an amount."""
+    def to(self, frames: int, amount: float, *, copies: bool = False) -> None:
+        """Preview the keys, or copies of them, shifted by whole frames, none out of the clip, and keys by an amount."""
         frames = self._inside(frames)
-        if (frames, amount) == self._shown or not self._places:
+        if (frames, amount, copies) == self._shown or not self._places:
             return
-        self._shown, self.frames = (frames, amount), frames
-        is_still = not frames and not amount
-        project = self._document.project
-        preview = None if is_still else self._moved(project, self._places, frames, amount)
+        self._shown, self.frames = (frames, amount, copies), frames
+        project, preview = self._document.project, None
+        if frames and copies:
+            preview = self._copied(project, self._places, frames)
+        elif not copies and (frames or amount):
+            preview = self._moved(project, self._places, frames, amount)
         self._axis.view_state.set_preview(preview)
 
     def finish(self) -> None:
         """Make what was previewed an edit."""
-        preview, (frames, amount) = self._axis.view_state.preview, self._shown
+        preview, (frames, amount, copies) = self._axis.view_state.preview, self._shown
         self._axis.view_state.set_preview(None)
         if preview is not None:
-            self._document.apply(tr("Change keys") if amount else tr("Move keys"), preview)
+            moving = tr("Change keys") if amount else tr("Move keys")
+            self._document.apply(tr("Copy keys") if copies else moving, preview)
             moved = frozenset((item_id, name, frame + frames) for item_id, name, frame in self._places)
             self._chosen.select(moved)
 

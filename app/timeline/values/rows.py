@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMenu, QWidget
 
-from roam_core.roto import RotoShape
+from roam_core.roto import Animated, RotoShape
 from roam_core.roto.value_curves import ValuePlace
 
 from ...actions.key_names import NUDGES, key_name
@@ -27,26 +27,27 @@ from ...translation import tr
 from ..axis import TimeAxis
 from ..keys.row_painter import BACKGROUND, ROW
 from ..row_band import RowBand
-from ..scale import LABEL_WIDTH
+from ..scale import LABEL_WIDTH, TimeScale, whole_frames
 from .drag import KeyDrag
 from .key_forms import form_of, paint_key
 from .selection import ValueSelection
-from .shown import SHOWN_AS, KeyedValue, colour_of, keyed_values
+from .shown import SHOWN_AS, KeyedValue, Kind, colour_of, keyed_values
 from .verbs import ValueVerbs
 
 GRAB, STILL = 6, 3
 """Pixels around a key in which a press means it; that the pointer may move within a click."""
 MOST = 6
-"""Rows that are shown at once."""
+"""Rows that have room at once; the others scroll."""
 MARGIN = 4.0
 """Pixels between a row's edges and the least or greatest value."""
+COPIES = Qt.KeyboardModifier.AltModifier
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 
 
 class ValueRows(RowBand[KeyedValue]):
-    """Click a key to choose it and go there, drag it along time; a click beside goes to that frame.
+    """Click a key to choose it and go there, drag it along time, with Alt a copy; a click beside goes to that frame.
 
-    A click takes the keyboard: then Delete means keys, and Alt with arrows moves them.
+    A click takes the keyboard: then copy, paste and delete mean keys, and Alt with arrows moves them.
     """
 
     def __init__(
@@ -54,8 +55,9 @@ class ValueRows(RowBand[KeyedValue]):
     ) -> None:
         super().__init__(document, axis, parent)
         self._chosen = chosen
-        self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus)
+        self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self._drag: KeyDrag | None = None
+        self._lines: dict[tuple[str, Kind], tuple[Animated, TimeScale, QPolygonF]] = {}
         self._pressed, self._is_drag, self._presses = QPointF(), False, 0
         self.menu = QMenu(self)
         """What a right click offers."""
@@ -65,10 +67,14 @@ class ValueRows(RowBand[KeyedValue]):
         self.pull()
 
     def rows(self) -> list[KeyedValue]:
-        """The values that are shown, as a drag would leave them: no more than have room."""
+        """The values that are shown, as a drag would leave them."""
         view = self._axis.view_state
         shown = view.preview if self._drag is not None else None
-        return keyed_values(shown or self._document.project, view)[:MOST]
+        return keyed_values(shown or self._document.project, view)
+
+    def places(self) -> frozenset[ValuePlace]:
+        """Where all keys of the rows lie."""
+        return frozenset((row.item.id, row.kind.value, frame) for row in self.rows() for frame in row.value.frames)
 
     def key_at(self, at: QPointF) -> ValuePlace | None:
         """The key near a place, or None."""
@@ -97,7 +103,7 @@ class ValueRows(RowBand[KeyedValue]):
             self._chosen.select(places ^ {place})
         elif place not in places:
             self._chosen.select(frozenset({place}))
-        self._drag = KeyDrag(self._document, self._axis, self._chosen, self.verbs.moved)
+        self._drag = KeyDrag(self._document, self._axis, self._chosen, self.verbs.moved, self.verbs.copied)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at = event.position()
@@ -110,7 +116,8 @@ class ValueRows(RowBand[KeyedValue]):
         self._is_drag = self._is_drag or (at - self._pressed).manhattanLength() > STILL
         if self._is_drag:
             self._axis.bring_in(at.x())
-            self._drag.to(round((at.x() - self._pressed.x()) / self._axis.scale.pixels), 0.0)
+            frames = round((at.x() - self._pressed.x()) / self._axis.scale.pixels)
+            self._drag.to(frames, 0.0, copies=bool(event.modifiers() & COPIES))
             self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -193,9 +200,15 @@ class ValueRows(RowBand[KeyedValue]):
             paint_key(painter, at, form_of(key), colour, key.frame - shift in chosen)
 
     def _line(self, row: KeyedValue) -> QPolygonF:
-        """How the value runs through the frames in sight."""
-        scale = self._axis.scale
-        frames = np.arange(np.floor(scale.first), np.ceil(scale.last) + 1)
+        """How the value runs through the frames in sight; reckoned once, and painted with every frame that is shown."""
+        scale, place = self._axis.scale, (row.item.id, row.kind)
+        known = self._lines.get(place)
+        if known is None or known[0] is not row.value or known[1] != scale:
+            known = self._lines[place] = row.value, scale, self._reckoned(row, scale)
+        return known[2]
+
+    def _reckoned(self, row: KeyedValue, scale: TimeScale) -> QPolygonF:
+        frames = whole_frames(scale.first, scale.last, round(scale.right - scale.left))
         values = np.array([row.value.at(frame) for frame in frames.tolist()])
         low, span = values.min(), max(np.ptp(values), 1e-9)
         heights = MARGIN + (1.0 - (values - low) / span) * (ROW - 1 - 2 * MARGIN)

@@ -2,62 +2,99 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
+from typing import TypeVar
 
 import numpy as np
 
 from roam_core.errors import RoamError
-from roam_core.roto import Interpolation, Project, timing
+from roam_core.roto import Interpolation, Keyframe, Project, ValueKey, timing
 from roam_core.roto.value_curves import (
     ValuePlace,
     bend_values,
+    copy_values,
     delete_values,
     interpolate_values,
+    keys_at,
     move_values,
+    paste_values,
     value_places,
 )
 
 from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
-from .selection import ValueSelection
-from .shown import OUTLINES, Kind, items_in_hand
+from ..keys.nudging import Nudges
+from ..keys.verbs import count_of
+from .selection import CopiedKeys, ValueSelection
+from .shown import OUTLINES, Kind
 
 NO_TANGENTS = N_("Outlines move straight, smoothly or not at all: opacity and feather have tangents.")
 NOTHING_CHOSEN = N_("Choose keys of opacity or feather in the timeline or the curve editor first.")
+FITS_NOTHING = N_("The copied keys fit nothing here: what they go to may be locked or gone.")
 LOCKED = N_("It is locked; unlock it to change its keys.")
+
+FORGETTING = frozenset({"edit.copy", "edit.cut", "key.copy"})
+"""Actions that copy something else where they do not mean keys of values: what is pasted is what was copied last."""
+
+K = TypeVar("K", ValueKey, Keyframe)
 
 
 class ValueVerbs:
-    """The verbs on chosen keys. `has_keyboard` tells whether value rows or curves have it: then delete means keys."""
+    """The verbs on chosen keys. `has_keyboard` tells whether value rows or curves have it: then delete means keys.
+
+    `shown` gives the places of all keys that are seen there: what "all" means.
+    """
 
     def __init__(
-        self, document: Document, view_state: ViewState, chosen: ValueSelection, has_keyboard: Callable[[], bool]
+        self,
+        document: Document,
+        view_state: ViewState,
+        chosen: ValueSelection,
+        has_keyboard: Callable[[], bool],
+        shown: Callable[[], frozenset[ValuePlace]],
     ) -> None:
-        self._document, self._view, self._chosen, self._has_keyboard = document, view_state, chosen, has_keyboard
+        self._document, self._view, self._chosen = document, view_state, chosen
+        self._has_keyboard, self._shown = has_keyboard, shown
+        self._nudges = Nudges(document, chosen, lambda project, places, frames: self.moved(project, places, frames, 0))
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
         return {"key.tangents": self.bend}
 
     def taking_over(self, handlers: Mapping[str, Callable[[], object]]) -> dict[str, Callable[[], object]]:
-        """Handlers that mean chosen keys of values while there are some, or while their rows have the keyboard."""
+        """Handlers that mean chosen keys of values while there are some, or while their rows have the keyboard.
+
+        Where no key is chosen, or was copied, copying and pasting mean there what they mean elsewhere.
+        """
         ways: dict[str, Callable[[], object]] = {
             f"key.{way.value}": partial(self.interpolate, way) for way in Interpolation
         }
         own = {"points.delete": self.delete, "points.select_all": self.select_all} | ways
+        own |= {"edit.copy": self.copy, "edit.cut": self.cut, "edit.paste": self.paste}
+        there_is = {
+            "edit.copy": lambda: bool(self._chosen.places),
+            "edit.cut": lambda: bool(self._chosen.places),
+            "edit.paste": lambda: self._chosen.copied is not None,
+        }
 
         def handler(action_id: str) -> Callable[[], object]:
             other = handlers[action_id]
 
             def call() -> None:
                 is_meant = bool(self._chosen.places) if action_id in ways else self._has_keyboard()
-                (own[action_id] if is_meant else other)()
+                if is_meant and action_id in own and there_is.get(action_id, lambda: True)():
+                    own[action_id]()
+                    return
+                if action_id in FORGETTING:
+                    self._chosen.forget()
+                other()
 
             return call
 
-        return {action_id: handler(action_id) for action_id in own if action_id in handlers}
+        taken = own.keys() | FORGETTING
+        return {action_id: handler(action_id) for action_id in taken if action_id in handlers}
 
     # ---- the verbs
 
@@ -77,6 +114,54 @@ class ValueVerbs:
                 project = timing.shift_keys(project, own, shift, self._points())
         return project
 
+    def copied(self, project: Project, places: Iterable[ValuePlace], frames: int) -> Project:
+        """The project with copies of keys, so many frames on."""
+        values, outlines = _parted(places)
+        keys = {(item_id, frame) for item_id, _, frame in outlines}
+        return timing.copy_keys(copy_values(project, values, frames), keys, frames)
+
+    def copy(self) -> None:
+        """Remember the chosen keys."""
+        project, places = self._document.project, self._chosen.places
+        values, outlines = _parted(places)
+        keys: dict[str, list[Keyframe]] = {}
+        for shape_id, frame in sorted({(item_id, frame) for item_id, _, frame in outlines}):
+            if (key := project.shape(shape_id).key_at(frame)) is not None:
+                keys.setdefault(shape_id, []).append(key)
+        self._chosen.copied = CopiedKeys(keys_at(project, values), keys)
+        self._view.say(tr("Copied {keys}: paste puts the first one on the playhead's frame.", keys=count_of(places)))
+
+    def cut(self) -> None:
+        """Remember the chosen keys and delete them."""
+        self.copy()
+        self.delete()
+
+    def paste(self) -> None:
+        """Put the copied keys where they came from, or those of one shape or layer into the selected one; the first
+        one on the playhead's frame.
+        """
+        project, copied = self._document.project, self._chosen.copied
+        if copied is None:
+            return
+        offset, goes_to = self._view.frame - min(copied.frames), self._targets(copied)
+        values = {
+            (goes_to[item_id], name): _inside(project, keys, offset)
+            for (item_id, name), keys in copied.values.items()
+            if item_id in goes_to
+        }
+        outlines = {
+            goes_to[shape_id]: _inside(project, keys, offset)
+            for shape_id, keys in copied.outlines.items()
+            if shape_id in goes_to
+        }
+        pasted = timing.paste_keys(paste_values(project, values, offset), outlines, offset)
+        if pasted == project:
+            self._view.say(tr(FITS_NOTHING))
+            return
+        self._document.apply(tr("Paste keys"), pasted)
+        put = {(item_id, name, key.frame + offset) for (item_id, name), keys in values.items() for key in keys}
+        self._chosen.select(value_places(pasted) & put)
+
     def delete(self) -> None:
         """Delete the chosen keys."""
         values, outlines = _parted(self._free())
@@ -86,13 +171,8 @@ class ValueVerbs:
 
     def nudge(self, frames: int, merge_key: str) -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
-        clip, places = self._document.project.clip, self._free()
-        if places and clip is not None:
-            own = [frame for _, _, frame in places]
-            frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
-        if places:
-            self._document.apply(tr("Move keys"), self.moved(self._document.project, places, frames, 0.0), merge_key)
-            self._chosen.select(frozenset((item_id, name, frame + frames) for item_id, name, frame in places))
+        if places := self._free():
+            self._nudges.by(places, frames, merge_key)
 
     def raise_by(self, amount: float, merge_key: str) -> None:
         """Change the chosen keys by some amount of their value, as shown."""
@@ -126,10 +206,8 @@ class ValueVerbs:
             self._view.say(tr(NO_TANGENTS))
 
     def select_all(self) -> None:
-        """Choose every key of the values in hand."""
-        project = self._document.project
-        owners = {item.id for item in items_in_hand(project, self._view)}
-        self._chosen.select(frozenset(place for place in value_places(project) if place[0] in owners))
+        """Choose every key that is shown."""
+        self._chosen.select(self._shown())
 
     # ---- the rest is private
 
@@ -138,6 +216,17 @@ class ValueVerbs:
             self._document.apply(text, verb(self._document.project))
         except RoamError as error:
             self._view.say(str(error))
+
+    def _targets(self, copied: CopiedKeys) -> dict[str, str]:
+        """Where copied keys go, by what they came from; without what is gone or locked."""
+        project, view = self._document.project, self._view
+        owners, chosen = copied.owners, view.layers or view.selection.shapes
+        goes_to = {owner: owner for owner in owners}
+        if len(owners) == len(chosen) == 1 and not chosen & owners:
+            goes_to = dict(zip(owners, chosen, strict=True))
+        places = unlocked(project, [(item_id, "", 0) for item_id in goes_to.values()])
+        free = {item_id for item_id, _, _ in places}
+        return {owner: item_id for owner, item_id in goes_to.items() if item_id in free}
 
     def _free(self) -> frozenset[ValuePlace]:
         """The chosen keys that may be changed; says why when there is none."""
@@ -161,6 +250,12 @@ def unlocked(project: Project, places: Iterable[ValuePlace]) -> frozenset[ValueP
         item_id for item_id in {place[0] for place in found} if project.has(item_id) and not project.is_locked(item_id)
     }
     return frozenset(place for place in found if place[0] in free)
+
+
+def _inside(project: Project, keys: Sequence[K], offset: int) -> list[K]:
+    """Those keys that land inside the clip."""
+    frames = None if project.clip is None else project.clip.frame_range
+    return [key for key in keys if frames is None or key.frame + offset in frames]
 
 
 def _parted(places: Iterable[ValuePlace]) -> tuple[list[ValuePlace], list[ValuePlace]]:

@@ -15,6 +15,7 @@ from roam_core.roto import Project, RotoShape, edit, feather
 from roam_core.roto.keying import AUTO_KEY
 
 from ...model.document import Document
+from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import Selection, ViewState
 from ...paint.feather import feather_handles, paint_feather_points
@@ -29,7 +30,6 @@ from ..tool import Modifier, Pointer
 GOES_OVER = N_(
     "The soft edge goes over to your next keys, through the tracked frames between; <feather.all_keys> gives it to all."
 )
-NOTHING_SELECTED = N_("Select a shape or some of its points first.")
 
 
 class FeatherEdit(Edit, ABC):
@@ -200,15 +200,14 @@ class FeatherActions:
 
     def reset(self) -> None:
         """Put the feather of the selected points back on the outline; of all points where none is selected."""
-        view = self._view
-        shapes = _chosen(self._document.project, view)
+        view, project = self._view, self._document.project
+        shapes = _chosen(project, view)
         if not shapes:
-            view.say(tr(NOTHING_SELECTED))
+            view.say(why_not(project, view))
             return
         chosen = {s.id: selected_indices(s, view.selection) if view.selection.points else None for s in shapes}
         whole = {s.id: _weights(s, {}) for s in shapes if chosen[s.id] != []}
-        grab = Grab.of(self._document.project, view.frame, whole, view.editing.keying(view.play_range))
-        project = self._document.project
+        grab = Grab.of(project, view.frame, whole, view.editing.keying(view.play_range))
         reset = grab.changed(
             project,
             lambda each: feather.reset(range(len(whole[each])) if chosen[each] is None else chosen[each] or ()),
@@ -220,7 +219,7 @@ class FeatherActions:
         view, project = self._view, self._document.project
         shapes = _chosen(project, view)
         if not shapes:
-            view.say(tr(NOTHING_SELECTED))
+            view.say(why_not(project, view))
             return
         for shape in shapes:
             indices = selected_indices(shape, view.selection) if view.selection.points else range(shape.point_count)

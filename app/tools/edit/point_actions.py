@@ -11,8 +11,9 @@ from roam_core.roto import Project, RotoShape, Spline, edit
 from roam_core.roto.keying import Change, reshape
 
 from ...model.document import Document
+from ...model.reasons import why_not
 from ...model.shown import editable_shapes
-from ...model.view_state import ViewState, selected_shapes
+from ...model.view_state import ViewState
 from ...translation import tr
 from ..reshape import grab_selection, grabbed_indices, selected_indices
 from ..settling import settled
@@ -147,11 +148,7 @@ class PointActions:
 
     def _say_why(self) -> None:
         """Say why nothing happened."""
-        selected = selected_shapes(self._document.project, self._view.selection)
-        if selected:
-            self._view.say(tr("{name!r} is locked or hidden; unlock and show it to edit it.", name=selected[0].name))
-        else:
-            self._view.say(tr("Select a shape or some of its points first."))
+        self._view.say(why_not(self._document.project, self._view))
 
 
 def _change(

@@ -13,13 +13,11 @@ from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
-from ..gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
+from ..gestures import INSERT, Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
 from ..hit_test import OutlineHit, PointHit, hit, hit_outline, outlines_under
 from ..reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
 from ..soft_marks import paint_reach, paint_weights
 from ..tool import Modifier, Pointer
-
-INSERT = Modifier.ControlModifier | Modifier.AltModifier
 
 
 class SelectTool(GestureTool):

@@ -12,11 +12,11 @@ from ...model.document import Document
 from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
-from ..gestures import Edit, Gesture
+from ..gestures import INSERT, Edit, Gesture
 from ..reshape import Grab, grab_selection, grabbed_indices, selection_extent
 from ..tool import Pointer
 from .box_marks import paint_box
-from .select import INSERT, SelectTool
+from .select import SelectTool
 from .transform_box import CENTRE, HANDLES, Act, Box, Part, Pull, pulled
 
 END_KEYS = frozenset({"Return", "Enter", "Esc"})

@@ -10,12 +10,11 @@ from PySide6.QtWidgets import QWidget
 from roam_core.geometry import affine
 
 from ...model.document import Document
+from ...model.reasons import why_not
 from ...model.view_state import ViewState
-from ...translation import N_, tr
+from ...translation import tr
 from ..reshape import Grab, grab_selection, selection_extent
 from .numbers import Numbers, NumbersDialog, matrix_of
-
-NOTHING = N_("Select a shape or some of its points first; locked and hidden ones stay as they are.")
 
 
 class TransformActions:
@@ -36,7 +35,8 @@ class TransformActions:
         """Mirror the selection in place."""
         if grab := self._grab():
             matrix = affine.scaling(across, down, self._middle())
-            self._document.apply(text, grab.transformed(self._document.project, matrix))
+            project = self._document.project
+            self._document.apply(text, grab.settled(project, grab.transformed(project, matrix)))
 
     def ask_numbers(self) -> None:
         """Ask for the numbers of a transform; what they do is previewed while they are typed."""
@@ -63,7 +63,7 @@ class TransformActions:
         grab = grab_selection(self._document.project, self._view)
         if grab.weights:
             return grab
-        self._view.say(tr(NOTHING))
+        self._view.say(why_not(self._document.project, self._view))
         return None
 
     def _middle(self) -> tuple[float, float]:

@@ -10,7 +10,8 @@ from app.features.navigation import Navigation
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from roam_core.roto import Animated, Clip, Keyframe, Origin, Project, ValueKey, edit
+from roam_core.roto.layers import grouped
 from roam_core.roto.linking import BEHIND, set_depth
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -58,6 +59,45 @@ def test_changes_of_depth_are_visited_like_keys(
     assert visited == [1015, 1020, 1015]
     document.open(document.project, None)
     assert view_state.frame == 1005  # a project opens on its first key
+
+
+def test_keys_of_a_layers_opacity_are_visited_with_it(
+    navigation: Navigation, document: Document, view_state: ViewState
+) -> None:
+    project, layer = grouped(document.project, {"shape-1"})
+    fades = Animated((ValueKey(1003, 0.0), ValueKey(1030, 1.0)))
+    document.open(edit.set_properties(project, layer.id, opacity=fades), None)
+    view_state.set_frame(1020)
+    navigation.next_key()
+    assert view_state.frame == 1030  # nothing is selected: all that varies is meant
+    view_state.select(frozenset({"shape-1"}), layers=frozenset({layer.id}))
+    navigation.previous_key()
+    navigation.next_key()
+    assert view_state.frame == 1030
+    view_state.select(frozenset({"shape-1"}), layers=frozenset())
+    navigation.previous_key()
+    navigation.next_key()
+    assert view_state.frame == 1020
+    assert "no key after" in view_state.message
+
+
+def test_keys_beside_the_clip_are_not_visited(
+    navigation: Navigation, document: Document, view_state: ViewState
+) -> None:
+    """A plate may be shorter than the shapes on it, as where they come with handles, or from another shot."""
+    project = document.project
+    for frame in (900, 1101):
+        project = project.with_shape(edit.key_here(project.shape("shape-1"), frame))
+    document.open(project, None)
+    assert view_state.frame == 1001
+    navigation.previous_key()
+    assert view_state.frame == 1001
+    assert "no key before" in view_state.message
+    view_state.set_frame(1020)
+    navigation.next_key()
+    assert view_state.frame == 1020
+    view_state.set_frame(1101)  # whoever asks for it
+    assert view_state.frame == 1048
 
 
 def test_steps_stay_inside_the_clip(navigation: Navigation, view_state: ViewState) -> None:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.timeline.scale import TimeScale
+from app.timeline.scale import TimeScale, whole_frames
 
 scales = st.builds(
     lambda first, length, right, zoom: (
@@ -58,3 +58,12 @@ def test_labels_stand_on_round_frames_far_enough_apart(scale: TimeScale) -> None
 def test_a_fitted_scale_stays_fitted_on_a_wider_strip() -> None:
     scale = TimeScale(right=648.0, clip=(1001, 1049)).fitted()
     assert scale.resized(1148.0) == TimeScale(right=1148.0, clip=(1001, 1049)).fitted()
+
+
+def test_whole_frames_are_all_of_them_or_as_many_as_have_room_with_both_ends() -> None:
+    assert whole_frames(1000.5, 1004.2, 100).tolist() == [1000, 1001, 1002, 1003, 1004, 1005]
+    few = whole_frames(1.0, 5000.0, 200)
+    assert (few[0], few[-1], len(few)) == (1, 5000, 200)
+    assert (few == few.round()).all()
+    assert whole_frames(7.0, 7.0, 100).tolist() == [7]
+    assert whole_frames(1.0, 50.0, 0).tolist() == [1, 50]

@@ -13,9 +13,12 @@ from roam_core.roto.animated import value_at, values_of
 from roam_core.roto.value_curves import (
     bend_values,
     bounded,
+    copy_values,
     delete_values,
     interpolate_values,
+    keys_at,
     move_values,
+    paste_values,
     set_slopes,
     value_places,
     with_tangents,
@@ -104,3 +107,24 @@ def test_bounded_values_stay_within_their_bounds_and_are_left_alone_once_they_do
 
 def _steep(key: ValueKey) -> ValueKey:
     return key if key.slopes is None else replace(key, slopes=(50.0 * key.slopes[0], 50.0 * key.slopes[1]))
+
+
+def test_copies_leave_their_keys_and_what_lies_where_they_arrive_gives_way() -> None:
+    copied = copy_values(PROJECT, PLACES, 10)
+    assert [(k.frame, k.value) for k in value(copied, "shape-1", "opacity").keys] == [(10, 0.0), (20, 0.75), (30, 0.75)]
+    assert value(copied, "layer-1", "opacity").key_at(40) == ValueKey(40, 0.25, Interpolation.HOLD)
+    assert value(copied, "shape-1", "feather").frames == (5, 9, 19)
+
+
+def test_pasted_keys_make_a_constant_vary_within_its_bounds_and_what_is_not_there_is_left_out() -> None:
+    keys = keys_at(PROJECT, {*PLACES, ("shape-1", "opacity", 11), ("gone", "opacity", 1)})
+    assert {name: [key.frame for key in own] for name, own in keys.items()} == {
+        ("layer-1", "opacity"): [30], ("shape-1", "feather"): [9], ("shape-1", "opacity"): [20],
+    }  # fmt: skip
+    plain = PROJECT.map_item("shape-1", lambda shape: replace(shape, opacity=1.0))
+    put = {("shape-1", "opacity"): [ValueKey(3, 2.0)], ("layer-1", "feather"): [ValueKey(1, 1.0)], ("gone", "x"): []}
+    pasted = paste_values(plain, put, 4)
+    assert value(pasted, "shape-1", "opacity").keys == (ValueKey(7, 1.0),)
+    assert pasted.find("layer-1") != plain.find("layer-1")  # for the shape in it alone
+    assert value(pasted, "layer-1", "opacity") == FADES
+    assert paste_values(PROJECT, {}, 4) == PROJECT

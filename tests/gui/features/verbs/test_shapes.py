@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
@@ -12,7 +14,7 @@ from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit
+from roam_core.roto import Clip, Project, edit
 from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -90,6 +92,41 @@ def test_what_is_locked_is_not_deleted_and_that_is_said(document: Document, view
     assert document.project is before
 
 
+def test_a_selected_layer_is_hidden_and_locked_itself(document: Document, view_state: ViewState) -> None:
+    """Not the shapes in it: those keep their own eyes and locks. A shape beside it goes along."""
+    inside, beside, other = opened(document, 3)
+    project, layer = grouped(document.project, [inside])
+    document.open(project, None)
+    view_state.select(frozenset({inside, beside}), layers=frozenset({layer.id}))
+    verbs = ShapeVerbs(document, view_state)
+    verbs.hide()
+    items = document.project.root.items()
+    assert {item.id for item in items if not item.visible} == {layer.id, beside}
+    document.undo_stack.undo()
+    verbs.toggle_lock()
+    assert {item.id for item in document.project.root.items() if item.locked} == {layer.id, beside}
+    verbs.toggle_lock()
+    assert not any(item.locked for item in document.project.root.items())
+    project, empty = edit.add_layer(document.project)
+    document.open(project, None)
+    view_state.select(frozenset(), layers=frozenset({empty.id}))
+    verbs.hide()
+    assert [item.id for item in document.project.root.items() if not item.visible] == [empty.id]
+    assert document.project.shape(other).visible
+
+
+def test_where_there_is_no_key_to_delete_it_is_said(document: Document, view_state: ViewState) -> None:
+    plain, other = opened(document, 2)
+    document.open(document.project.with_shape(edit.key_here(document.project.shape(plain), 7)), None)
+    view_state.select(frozenset({plain, other}))
+    view_state.set_frame(6)
+    ShapeVerbs(document, view_state).delete_key()
+    assert "no key on frame 6" in view_state.message
+    view_state.set_frame(7)
+    ShapeVerbs(document, view_state).delete_key()
+    assert document.project.shape(plain).frames == (1,)
+
+
 def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_state: ViewState) -> None:
     (only,) = opened(document, 1)
     document.open(edit.set_properties(document.project, only, locked=True), None)
@@ -125,3 +162,21 @@ def test_what_is_locked_is_not_cut_nor_copied_by_that(
     assert [shape.id for shape in document.project.shapes] == [locked]
     assert '"shape-1"' in QGuiApplication.clipboard().text()
     assert '"shape-2"' not in QGuiApplication.clipboard().text()
+
+
+def test_shapes_pasted_from_another_shot_say_where_their_keys_lie(
+    document: Document, view_state: ViewState, widget: QWidget
+) -> None:
+    (only,) = opened(document, 1)
+    view_state.select(frozenset({only}))
+    clipboard = ShapeClipboard(document, view_state, widget, lambda _text: False)
+    clipboard.copy()
+    document.open(Project(Clip(Path("shot"), 1001, 1048, (64, 48))), None)
+    view_state.say("")
+    clipboard.paste()
+    assert [shape.frames for shape in document.project.shapes] == [(1,)]
+    assert "on frames 1 to 1, none of them on the clip's 1001 to 1048" in view_state.message
+    document.open(Project(Clip(Path("shot"), 1, 48, (64, 48))), None)
+    view_state.say("")
+    clipboard.paste()
+    assert view_state.message == ""

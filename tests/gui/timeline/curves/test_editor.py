@@ -13,13 +13,14 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.timeline.curves.lines import ticks
+from app.timeline.curves.lines import MOST, ticks
 from app.timeline.curves.plot import CurvePlot
 from app.timeline.timeline import Timeline
 from app.timeline.values.shown import Kind
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.roto import Animated, Interpolation, RotoShape, ValueKey
+from roam_core.roto import Animated, Interpolation, RotoShape, ValueKey, edit
 from roam_core.roto.animated import has_tangents
+from tests.gui.timeline.places import SQUARE
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT, CTRL, ALT = (
@@ -246,6 +247,17 @@ def test_keys_of_the_keyboard_go_from_key_to_key_move_and_delete(
     assert value(document).frames == (1020, 1035)
 
 
+def test_all_keys_are_those_of_the_curves_that_are_shown(
+    timeline: Timeline, plot: CurvePlot, document: Document
+) -> None:
+    plot.verbs.select_all()
+    assert timeline.values.places == {(*OPACITY, frame) for frame in (1005, 1020, 1035)}
+    timeline.curves.show_kind(Kind.X)
+    assert timeline.values.places == frozenset()  # what is out of sight is not deleted unseen
+    plot.verbs.select_all()
+    assert timeline.values.places == {("shape-1", "x", 1001), ("shape-1", "x", 1030)}
+
+
 def test_ctrl_with_the_wheel_zooms_values_about_the_pointer_until_something_else_is_shown(
     timeline: Timeline, plot: CurvePlot
 ) -> None:
@@ -269,3 +281,16 @@ def test_a_locked_shape_says_so(plot: CurvePlot, document: Document, view_state:
     drag(plot, plot.key_point(1005, 20.0), plot.key_point(1012, 60.0))
     assert document.project is before
     assert view_state.message == "It is locked; unlock it to change its keys."
+
+
+def test_of_many_shapes_those_that_vary_have_their_curves(
+    timeline: Timeline, plot: CurvePlot, document: Document, view_state: ViewState
+) -> None:
+    project = document.project
+    for _ in range(MOST):
+        project, _shape = edit.new_shape(project, SQUARE, 1001)
+    document.apply("Draw", project)
+    view_state.select(frozenset())
+    assert len(plot.lines) == MOST
+    assert plot.lines[0].item_id == "shape-1"  # the lowest of all
+    assert [key.frame for key in plot.lines[0].keys] == [1005, 1020, 1035]

@@ -345,6 +345,18 @@ def test_without_chosen_keys_the_one_before_the_playhead_is_meant(
     assert held == [1010]
 
 
+def test_what_is_selected_in_the_viewer_is_meant_and_not_a_key_of_another_shape(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    timeline.rows.clearFocus()
+    timeline.keys.select(frozenset({("shape-1", 1001)}))
+    view_state.select(frozenset({"shape-2"}))
+    view_state.set_frame(1030)
+    timeline.verbs.interpolate(Interpolation.HOLD)
+    assert all(key.interpolation is Interpolation.LINEAR for key in document.project.shape("shape-1").keys)
+    assert document.project.shape("shape-2").artist_keys[-1].interpolation is Interpolation.HOLD
+
+
 @pytest.mark.parametrize(
     ("frame", "tip"),
     [

@@ -14,8 +14,9 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.keys.row_painter import ROW
 from app.timeline.timeline import Timeline
-from roam_core.roto import Animated, Interpolation, Layer, RotoShape, ValueKey
-from tests.gui.timeline.places import place, x_of
+from app.timeline.values.rows import MOST
+from roam_core.roto import Animated, Interpolation, Layer, RotoShape, ValueKey, edit
+from tests.gui.timeline.places import SQUARE, place, x_of
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -159,3 +160,66 @@ def test_tips_tell_the_value(timeline: Timeline, keyed: RotoShape) -> None:
     assert tip(QPointF(place(timeline, 1010, 0))) == "Shape 1: opacity, frame 1010: 50 %"
     assert tip(QPointF(place(timeline, 1040, 1))) == "Shape 1: feather, frame 1040: 9 px, a key"
     assert tip(QPointF(20, 8)) == "Shape 1: opacity. Click to select"
+
+
+def test_keys_whose_row_goes_are_chosen_no_more(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape
+) -> None:
+    timeline.values.select(frozenset({("shape-1", "opacity", 1005)}))
+    view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 0)}))
+    assert timeline.values.places
+    view_state.select(frozenset({"shape-2"}))
+    assert not timeline.values.places
+    view_state.set_frame(1010)
+    timeline.taking_over({})["key.hold"]()  # it means the shape that is selected now
+    assert value(document).keys == FADES.keys
+    key = document.project.shape("shape-2").key_at(1010)
+    assert key is not None
+    assert key.interpolation is Interpolation.HOLD
+
+
+def test_every_value_that_varies_has_a_row_and_what_has_no_room_scrolls(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    project = document.project
+    for _ in range(2 * MOST):
+        project, shape = edit.new_shape(project, SQUARE, 1001)
+        project = project.with_shape(replace(shape, opacity=FADES))
+    view_state.select(frozenset())
+    document.apply("Fade", project)
+    band, room = timeline.value_rows, timeline.band_rooms[1]
+    assert len(band.rows()) == 2 * MOST
+    assert len(band.places()) == 3 * 2 * MOST
+    assert band.height() == 2 * MOST * ROW
+    assert room.maximumHeight() == MOST * ROW
+    room.verticalScrollBar().setValue(room.verticalScrollBar().maximum())
+    last = QPoint(round(x_of(timeline, 1015)), band.height() - ROW // 2)
+    qtbot.waitUntil(lambda: band.visibleRegion().contains(last))
+    send(timeline, QEvent.Type.MouseButtonPress, last)
+    send(timeline, QEvent.Type.MouseButtonRelease, last)
+    assert timeline.values.places == {(band.rows()[-1].item.id, "opacity", 1015)}
+
+
+def test_a_line_is_reckoned_once_and_no_finer_than_pixels(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is painted with every frame that plays; a long clip has many more frames than the row has pixels."""
+    looked: list[float] = []
+    at = Animated.at
+
+    def counted(self: Animated, frame: float) -> float:
+        looked.append(frame)
+        return at(self, frame)
+
+    timeline.axis.set_clip((1001, 9001))
+    timeline.axis.fit()
+    monkeypatch.setattr(Animated, "at", counted)
+    timeline.value_rows.grab()
+    assert 500 < len(looked) <= 2 * timeline.axis.scale.width + 2
+    looked.clear()
+    view_state.set_frame(1009)
+    timeline.value_rows.grab()
+    assert looked == []
+    document.apply("Shift", document.project.with_shape(replace(keyed, opacity=SOFTENS)))
+    timeline.value_rows.grab()
+    assert looked

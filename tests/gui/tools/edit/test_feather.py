@@ -8,8 +8,10 @@ from PySide6.QtCore import Qt
 
 from app.canvas.view import CanvasView
 from app.model.document import Document
+from app.model.reasons import NOTHING_SELECTED
 from app.model.view_state import ViewState
-from app.tools.edit.feather import NOTHING_SELECTED, FeatherActions
+from app.tools.edit.feather import FeatherActions
+from app.tools.edit.transform_actions import TransformActions
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.matte import shape_matte
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
@@ -200,6 +202,10 @@ def test_a_ripple_of_all_keys_makes_nothing_stale(
     tracked.drag((80, 40), (90, 45))
     assert [key.points[0, ANCHOR].tolist() for key in only().keys] == [[50.0, 45.0]] * 5
     assert stale(document, only()) == []
+    TransformActions(document, view_state).handlers()["points.mirror_down"]()
+    assert [key.points[0, ANCHOR].tolist() for key in only().keys] == [[50.0, 105.0]] * 5
+    assert stale(document, only()) == []
+    document.undo_stack.undo()
     view_state.editing.set(ripple=False)
     tracked.drag((90, 45), (80, 40))
     assert stale(document, only()) == [2, 3, 4]

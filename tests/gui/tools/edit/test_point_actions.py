@@ -11,6 +11,8 @@ from PySide6.QtWidgets import QApplication
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
+from app.tools.edit.feather import FeatherActions
+from app.tools.edit.transform_actions import TransformActions
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
@@ -196,6 +198,26 @@ def test_c_toggles_closed(hand: Hand, document: Document, square: str, only: Onl
     assert only().closed
     document.undo_stack.undo()
     assert not only().closed
+
+
+def test_outside_its_lifetime_a_shape_is_not_said_to_be_locked(
+    canvas: CanvasView, document: Document, view_state: ViewState, square: str
+) -> None:
+    """Neither by what edits points, nor by what mirrors or feathers them."""
+    document.open(edit.set_properties(document.project, square, lifetime=(1, 5)), None)
+    view_state.select(frozenset({square}))
+    view_state.set_frame(7)
+    others = TransformActions(document, view_state).handlers() | FeatherActions(document, view_state).handlers()
+    for act in (canvas.points.smooth, canvas.points.delete, *others.values()):
+        view_state.say("")
+        act()
+        assert "does not exist on frame 7" in view_state.message
+    assert document.undo_stack.count() == 0
+    document.open(edit.set_properties(document.project, square, lifetime=None, locked=True), None)
+    view_state.select(frozenset({square}))
+    for act in (canvas.points.smooth, *others.values()):
+        act()
+        assert "is locked or hidden" in view_state.message
 
 
 def test_two_points_cannot_be_closed(canvas: CanvasView, document: Document, view_state: ViewState) -> None:

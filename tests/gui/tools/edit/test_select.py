@@ -209,13 +209,23 @@ def test_a_lasso_is_drawn_while_it_is_spanned(
     assert canvas.grab().toImage() == before
 
 
-def test_escape_drops_a_marquee(hand: Hand, view_state: ViewState, square: str) -> None:
+def test_escape_drops_a_marquee_and_what_was_selected_is_again(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    before = Selection(frozenset({square}), frozenset({(square, 0)}))
+    view_state.select(before.shapes, before.points)
     hand.press((100.0, 20.0))
     hand.move((140.0, 120.0))
-    assert view_state.selection.points
+    assert view_state.selection.points == {(square, 1), (square, 2)}
     hand.key(Qt.Key.Key_Escape)
     hand.release((140.0, 120.0))
-    assert not view_state.selection.points
+    assert view_state.selection == before
+    hand.press((100.0, 20.0))
+    hand.move((140.0, 120.0))
+    document.apply("Cut", edit.remove_items(document.project, [square]))  # meanwhile
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((140.0, 120.0))
+    assert view_state.selection == Selection()
 
 
 # ---- inserting points
@@ -249,9 +259,11 @@ def test_inserting_a_point_leaves_a_curved_outline_as_it_was_on_every_key(
 def test_insertion_beside_every_outline_says_what_to_do(
     hand: Hand, document: Document, view_state: ViewState, square: str
 ):
+    view_state.select(frozenset({square}), frozenset({(square, 2)}))
     hand.click((180.0, 130.0), CTRL | ALT)
     assert "outline" in view_state.message
     assert document.undo_stack.count() == 0
+    assert view_state.selection.points == {(square, 2)}  # the next press finds the shape in the hand
 
 
 def test_selection_is_pruned_when_undo_takes_its_points_away(
