@@ -10,6 +10,7 @@ from types import ModuleType
 from benchmarks import (
     artist,
     batch,
+    coming_in,
     confidence,
     davis,
     drift,
@@ -51,6 +52,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "parts": parts,
     "part_sheets": part_sheets,
     "pieces": pieces,
+    "coming_in": coming_in,
     "plates": plates,
     "mattes": mattes,
     "keys": fewest_keys,
