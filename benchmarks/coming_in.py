@@ -56,7 +56,7 @@ def run(given: argparse.Namespace) -> None:
     found = {name: runs for name, runs in zip(chosen, measured_, strict=True) if runs}
     text, is_all = _text(found, given.config), given.shots is None
     result = {"config": given.config, "shots": found}
-    report.write("coming in" if is_all else "coming in some", text, result, publish=given.publish and is_all)
+    report.write("coming_in" if is_all else "coming_in some", text, result, publish=given.publish and is_all)
 
 
 def measured(job: tuple[str, str]) -> list[tuple[float, float, float]]:
