@@ -75,7 +75,8 @@ def shape_patch(shape: RotoShape, frame: float, size: tuple[int, int]) -> Patch:
     top, bottom, left, right = _reach(outlines, max(feathers), size)
     values = np.zeros((bottom - top, right - left), dtype=np.float32)
     if values.size and not is_out_of_sight(shape, frame):  # a point has no edge that could be soft
-        values = _over_shutter([_moved(outline, left, top) for outline in outlines], feathers, shape, values.shape)
+        moved = [_moved(outline, left, top) for outline in outlines]
+        values = _over_shutter(moved, feathers, values.shape, jumps=_jumps(shape, moments))
     outside = 0.0
     if shape.invert:
         values, outside = np.float32(1.0) - values, 1.0
@@ -149,16 +150,16 @@ def _moved(outline: Outline, left: int, top: int) -> Outline:
     return Outline(outline.points - np.array([left, top], dtype=np.float64), outline.feather, outline.closed)
 
 
-def _over_shutter(outlines: list[Outline], feathers: list[float], shape: RotoShape, size: tuple[int, int]) -> Matte:
+def _over_shutter(outlines: list[Outline], feathers: list[float], size: tuple[int, int], *, jumps: bool) -> Matte:
     """The mean matte over the open shutter, from outlines and feathers at the borders and middles of equal parts of it.
 
     A shape with a soft edge is filled once a part, at its middle. One without is swept through each part, from border
-    to border, so that its edge leaves an even ramp however far it moves.
+    to border, so that its edge leaves an even ramp however far it moves; not where it `jumps` on the way.
     """
     if len(set(feathers)) == 1 and all(_same(outline, outlines[0]) for outline in outlines[1:]):
         return outline_matte(outlines[0], feathers[0], size)
     is_soft = any(feathers) or any(o.feather is not None and o.feather.any() for o in outlines)
-    if not is_soft and not any(key.interpolation is Interpolation.HOLD for key in shape.keys):
+    if not is_soft and not jumps:
         return _swept(outlines[::2], size)
     total = np.zeros(size, dtype=np.float32)
     middles = outlines[1::2]
@@ -186,6 +187,15 @@ def _moments(shape: RotoShape, frame: float) -> list[float]:
         return [frame]
     halves = 2 * blur.samples
     return [frame + blur.phase + blur.shutter * half / halves for half in range(halves + 1)]
+
+
+def _jumps(shape: RotoShape, moments: list[float]) -> bool:
+    """Whether a held key gives way to the next one while the shutter is open."""
+    opens, closes = min(moments), max(moments)
+    return any(
+        start.interpolation is Interpolation.HOLD and opens < stop.frame <= closes
+        for start, stop in pairwise(shape.keys)
+    )
 
 
 def _same(a: Outline, b: Outline) -> bool:

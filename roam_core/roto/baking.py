@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 from roam_core.roto.animated import Interpolation
-from roam_core.roto.placement import Placement
+from roam_core.roto.placement import Placement, matrix_at
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import Keyframe, Origin, RotoShape
 
@@ -13,12 +15,14 @@ from roam_core.roto.shape import Keyframe, Origin, RotoShape
 def baked(shape: RotoShape) -> RotoShape:
     """A placed shape (`Project.shape`) as a plain one with the same outline on every frame.
 
-    Where its layers move it gets a key on every frame, linear from one to the next. A key that only a layer's motion
-    asks for is an artist's, for without it the outline would be wrong; the shape's own keys stay what they are.
+    Where its layers move it gets a key on every frame, linear from one to the next; so it does between keys of its own
+    whose span is smooth and reaches out of that time, or is seen in perspective, in which no blend of keys in the plate
+    is that of the keys in the layer. A key that only a layer's motion asks for is an artist's, for without it the
+    outline would be wrong; the shape's own keys stay what they are.
     """
     moving = _moving(shape.placement)
-    frames = sorted({*shape.frames, *moving})
-    keys = tuple(_key(shape, frame, frame in moving[:-1]) for frame in frames)
+    busy = {*moving, *_between_keys(shape, moving)}
+    keys = tuple(_key(shape, frame, frame in busy and frame + 1 in busy) for frame in sorted({*shape.frames, *busy}))
     return replace(shape, keys=keys, placement=())
 
 
@@ -42,9 +46,31 @@ def _moving(placement: Placement) -> range:
     return range(min(first for first, _ in ends), max(last for _, last in ends) + 1)
 
 
-def _key(shape: RotoShape, frame: int, moves_on: bool) -> Keyframe:
-    """The key on a frame; `moves_on` where the layers move up to the next frame, so that each frame has its key."""
+def _between_keys(shape: RotoShape, moving: range) -> Iterator[int]:
+    """The frames of those spans between keys of the shape's own of which no part is left as it is."""
+    for start, stop in pairwise(shape.keys):
+        if start.interpolation is Interpolation.HOLD:
+            continue
+        still = stop.frame <= moving.start or moving.stop - 1 <= start.frame or not moving
+        is_cut = not still and start.interpolation is Interpolation.SMOOTH
+        if is_cut or _in_perspective(shape.placement, start.frame, stop.frame):
+            yield from range(start.frame, stop.frame + 1)
+
+
+def _in_perspective(placement: Placement, start: int, stop: int) -> bool:
+    """Whether at either end of a span layers put more than an affine map on the shape."""
+    return any(matrix_at(placement, frame)[2, :2].any() for frame in (start, stop))
+
+
+def _key(shape: RotoShape, frame: int, goes_on: bool) -> Keyframe:
+    """The key on a frame; `goes_on` where the next frame has its key, too.
+
+    What the layers add to a span that is held is held from there on, as far as they stand still.
+    """
     own, outline = shape.key_at(frame), shape.at(frame)
-    if own is None:
-        return Keyframe(frame, outline.points, feather=outline.feather, origin=Origin.ARTIST)
-    return replace(own, interpolation=Interpolation.LINEAR) if moves_on else own
+    if own is not None:
+        return replace(own, interpolation=Interpolation.LINEAR) if goes_on else own
+    key = Keyframe(frame, outline.points, feather=outline.feather, origin=Origin.ARTIST)
+    before = next((key for key in reversed(shape.keys) if key.frame < frame), None)
+    is_held = before is not None and before.interpolation is Interpolation.HOLD and not goes_on
+    return replace(key, interpolation=Interpolation.HOLD) if is_held else key

@@ -184,6 +184,20 @@ def test_a_jump_from_a_held_key_is_no_motion() -> None:
     np.testing.assert_allclose(matte[10, :24], [0] * 4 + [0.5] * 4 + [0] * 4 + [0.5] * 4 + [0] * 8, atol=1e-6)
 
 
+@pytest.mark.parametrize("phase", [0.0, -0.25])
+def test_a_jump_while_the_shutter_is_closed_leaves_the_ramp_even(phase: float) -> None:
+    start = rectangle(4.0, 4.0, 8.0, 16.0)
+    moving = start.with_key(Keyframe(2, start.keys[0].points + np.array([8.0, 0.0])))
+    last = Keyframe(9, start.keys[0].points, interpolation=Interpolation.HOLD)
+    blur = MotionBlur(shutter=0.5, phase=phase, samples=2)
+    even = shape_matte(replace(moving.with_key(last), motion_blur=blur), 1, SIZE)
+    np.testing.assert_array_equal(even, shape_matte(replace(moving, motion_blur=blur), 1, SIZE))
+    held = last.points + np.array([0.0, 2.0])
+    earlier = Keyframe(0, held, interpolation=Interpolation.HOLD)
+    before = shape_matte(replace(moving.with_key(earlier), motion_blur=blur), 1, SIZE)
+    assert np.array_equal(before, even) == (phase == 0.0)  # else the jump onto frame 1 is in the open shutter
+
+
 def test_the_shutter_opens_at_its_phase() -> None:
     start = rectangle(8.0, 4.0, 12.0, 16.0, frame=1)
     moving = start.with_key(Keyframe(3, start.keys[0].points + np.array([8.0, 0.0])))

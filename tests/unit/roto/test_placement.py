@@ -105,8 +105,20 @@ def test_baking_keeps_the_shapes_own_keys() -> None:
     assert shape.frames == (1, 2, 3, 4, 5)
     assert [key.origin for key in shape.keys] == [Origin.ARTIST] * 3 + [Origin.ENGINE, Origin.ARTIST]
     assert shape.key_at(4).confidence == 0.5
-    still = baked(project(LayerTransform.of({1: TILT})).shape("shape-1"))
+    still = baked(project(LayerTransform.of({1: moved(8.0, 0.0)})).shape("shape-1"))
     assert still.frames == (1, 3)  # a layer that stands still asks for no keys
+
+
+@pytest.mark.parametrize("interpolation", Interpolation)
+@pytest.mark.parametrize("end", [TILT, moved(8.0, 2.0)])
+def test_baking_keeps_the_outline_beyond_the_motion_of_the_layer(interpolation: Interpolation, end: np.ndarray) -> None:
+    one = project(LayerTransform.of({5: np.eye(3), 8: end}))
+    shape = edit.set_key(one.shape("shape-1"), 14, SQUARE + np.array([20.0, 4.0]))
+    shape = edit.set_interpolation(edit.set_key(shape, 20, SQUARE * 2.0), shape.frames, interpolation)
+    placed = one.with_shape(shape).shape("shape-1")
+    still = baked(placed)
+    for frame in range(25):
+        np.testing.assert_allclose(still.at(frame).points, placed.at(frame).points, atol=1e-9, err_msg=str(frame))
 
 
 def test_exports_hold_the_motion() -> None:
