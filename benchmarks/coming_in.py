@@ -16,7 +16,7 @@ from benchmarks import processes, report, shots
 from benchmarks.shots import Shot
 from roam_core import shapes_from_mask, track
 from roam_core.arrays import Array, Image
-from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
+from roam_core.params import params_for
 
 LENGTH, LEAST = 12, 8
 """Frames that are predicted from a key, and the least of them that a run has."""
@@ -43,17 +43,15 @@ class Window:
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """What `coming_in` may be told."""
-    parser.add_argument("--config", metavar="NAME", default=DEFAULT_CONFIG, help=f"one of {', '.join(CONFIGS)}")
-    parser.add_argument("--shots", metavar="A,B", help="these shots only")
-    parser.add_argument("--publish", action="store_true", help="put the table into docs/BENCHMARKS.md")
+    shots.add_arguments(parser)
 
 
 def run(given: argparse.Namespace) -> None:
     """Track what comes into the windows of all shots, and report."""
     params_for(given.config)
     chosen = shots.names(given.shots)
-    measured_ = processes.each(measured, [(name, given.config) for name in chosen])
-    found = {name: runs for name, runs in zip(chosen, measured_, strict=True) if runs}
+    by_shot = processes.each(measured, [(name, given.config) for name in chosen])
+    found = {name: runs for name, runs in zip(chosen, by_shot, strict=True) if runs}
     text, is_all = _text(found, given.config), given.shots is None
     result = {"config": given.config, "shots": found}
     report.write("coming_in" if is_all else "coming_in some", text, result, publish=given.publish and is_all)
@@ -82,13 +80,13 @@ def begun(shares: Array) -> list[int]:
     """Where runs begin, by the `shares (N,)` of the object that are in the window from frame to frame."""
     found: list[int] = []
     for k, share in enumerate(shares[: len(shares) - LEAST]):
-        run_ = shares[k : k + LENGTH + 1]
+        ahead = shares[k : k + LENGTH + 1]
         is_apart = not found or k >= found[-1] + NEXT
         if (
             is_apart
             and CUT_OFF[0] <= share <= CUT_OFF[1]
-            and run_.max() >= share + GAINED
-            and run_.min() >= share - LOST
+            and ahead.max() >= share + GAINED
+            and ahead.min() >= share - LOST
         ):
             found.append(k)
     return found
@@ -115,7 +113,7 @@ def _tracked(shot: Shot, frames: Sequence[int], window: Window, config: str) -> 
 
 def _text(found: dict[str, list[tuple[float, float, float]]], config: str) -> str:
     rows = [[name, str(len(runs)), *_cells(np.mean(runs, axis=0))] for name, runs in found.items()]
-    every = [run_ for runs in found.values() for run_ in runs]
+    every = [each for runs in found.values() for each in runs]
     mean = _cells(np.mean(every, axis=0)) if every else []
     rows.append(["**mean of all runs**", str(len(every)), *(f"**{cell}**" for cell in mean)])
     title = f"Objects that come into windows of half the picture, {LENGTH} frames, configuration `{config}`. "

@@ -20,7 +20,7 @@ from roam_core import fill_span, keys_from_mask, shapes_from_mask, track
 from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage
-from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
+from roam_core.params import params_for
 from roam_core.roto import RotoShape
 
 START, LENGTH = 10, 16
@@ -35,9 +35,7 @@ SHARED = 0.1
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """What `pieces` may be told."""
-    parser.add_argument("--config", metavar="NAME", default=DEFAULT_CONFIG, help=f"one of {', '.join(CONFIGS)}")
-    parser.add_argument("--shots", metavar="A,B", help="these shots only")
-    parser.add_argument("--publish", action="store_true", help="put the table into docs/BENCHMARKS.md")
+    shots.add_arguments(parser)
 
 
 def run(given: argparse.Namespace) -> None:

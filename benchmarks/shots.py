@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -15,6 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.matte.vectorise import coverage_of, read_mask
 from roam_core.media import open_clip
 from roam_core.media.colour import to_engine
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.roto import RotoShape
 
 SHARED = report.ROOT.parent / "shared"
@@ -79,6 +81,13 @@ def names(wanted: str | None = None) -> list[str]:
     if unknown:
         raise RoamError(f"There is no shot {unknown[0]!r}; choose from {', '.join(there)}.")
     return chosen
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What a benchmark of one configuration that publishes a table of the shots may be told."""
+    parser.add_argument("--config", metavar="NAME", default=DEFAULT_CONFIG, help=f"one of {', '.join(CONFIGS)}")
+    parser.add_argument("--shots", metavar="A,B", help="these shots only")
+    parser.add_argument("--publish", action="store_true", help="put the table into docs/BENCHMARKS.md")
 
 
 @lru_cache(maxsize=3)

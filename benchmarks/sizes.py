@@ -11,7 +11,6 @@ import numpy as np
 from benchmarks import processes, report, restarts, shots
 from benchmarks.shots import Shot
 from roam_core.arrays import Bools, Image
-from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate import warm_up
 
 LINES = (96, 192, 240, 360, 480)
@@ -28,9 +27,7 @@ class Job:
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """What `sizes` may be told."""
-    parser.add_argument("--config", default=DEFAULT_CONFIG, help="a configuration (default: %(default)s)")
-    parser.add_argument("--shots", metavar="A,B", help="only these shots")
-    parser.add_argument("--publish", action="store_true", help="put the table into docs/BENCHMARKS.md")
+    shots.add_arguments(parser)
 
 
 def run(given: argparse.Namespace) -> None:

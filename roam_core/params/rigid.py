@@ -63,7 +63,8 @@ class RigidityParams:
     nearest : corners around a place that speak for it.
     cut : distance from the edge of the key's picture within which an outline runs there because the picture ends.
         This and the next in pixels of a 480-line image.
-    opened : how far into the picture such a stretch may come before what it cut off must be in sight.
+    opened : how far into the picture such a stretch may come before what it cut off must be in sight; by a pose, too
+        (`propagate.whole.cut_off`).
     planar : of matching the key's picture.
     """
 

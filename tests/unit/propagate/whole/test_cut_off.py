@@ -37,12 +37,18 @@ def test_what_was_cut_off_is_in_sight_once_the_cut_lies_in_the_picture(x: float,
     assert cut.is_in_sight(moved(x, y), SIZE) is is_in_sight
 
 
-@pytest.mark.parametrize("left", [-40.0, 20.0], ids=["drawn past the edge", "inside"])
-def test_an_outline_that_does_not_run_along_the_edge_is_cut_off_nowhere(left: float) -> None:
-    cut = CutOff.of([box(left, 100.0, 80.0, 200.0)], SIZE, PARAMS)
-    inside = cut.places[cut.places[:, 0] > 2.0]
-    assert len(inside) == 0
-    assert not CutOff.of([], SIZE, PARAMS).is_in_sight(moved(50.0, 50.0), SIZE)
+def test_an_outline_inside_the_picture_is_cut_off_nowhere() -> None:
+    cut = CutOff.of([box(20.0, 100.0, 80.0, 200.0)], SIZE, PARAMS)
+    assert cut.places.shape == (0, 2)
+    assert not cut.is_in_sight(moved(50.0, 50.0), SIZE)
+
+
+def test_an_outline_drawn_past_the_edge_is_cut_off_where_it_crosses_it() -> None:
+    cut = CutOff.of([box(-40.0, 100.0, 80.0, 200.0)], SIZE, PARAMS)
+    assert set(cut.places[:, 1]) == {100.0, 200.0}
+    assert np.abs(cut.places[:, 0]).max() < 2.0
+    assert cut.is_in_sight(moved(9.0, 0.0), SIZE)
+    assert not cut.is_in_sight(moved(-9.0, 0.0), SIZE)
 
 
 def test_lengths_are_those_of_a_picture_of_480_lines() -> None:
