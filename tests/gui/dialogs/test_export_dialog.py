@@ -181,17 +181,24 @@ def test_an_export_can_be_stopped_and_the_window_lives_meanwhile(
     assert not dialog.stop.isEnabled()
 
 
-def test_the_end_of_another_export_is_not_taken_for_its_own(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
+def test_the_end_of_another_export_is_not_taken_for_its_own(
+    qtbot: QtBot, dialog: ExportDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    is_asked, startable = threading.Event(), []
+
+    def wait(self: JsonFormat, project: Project, path: Path, options: object) -> tuple[str, ...]:
+        assert is_asked.wait(WAIT / 1000)
+        return ()
+
+    monkeypatch.setattr(JsonFormat, "export", wait)
+    dialog._export.finished.connect(lambda *_: startable.append(dialog.start.isEnabled()))
     dialog.choose("silhouette")
-    dialog._export.start("nuke", tmp_path / "other.nk")
+    dialog._export.start("json", tmp_path / "other.json")
     qtbot.mouseClick(dialog.start, LEFT)
-    with qtbot.waitSignal(dialog._export.finished, timeout=WAIT):
-        pass
-    assert not dialog.start.isEnabled()
-    with qtbot.waitSignal(dialog._export.finished, timeout=WAIT):
-        pass
+    is_asked.set()
+    qtbot.waitUntil(lambda: len(startable) == 2, timeout=WAIT)
+    assert startable == [False, True]
     assert "shot.fxs" in dialog.notes.toPlainText()
-    assert dialog.start.isEnabled()
 
 
 def test_what_cannot_be_written_is_one_sentence(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
