@@ -54,7 +54,8 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
     Place.LAYER_ROW: (
         "layer.ungroup", "layer.add", "shape.group", SEPARATOR,
         "track.forward", "track.backward", "planar.forward", "planar.backward", SEPARATOR,
-        "shape.hide", "shape.show_all", "shape.delete", SEPARATOR,
+        "edit.copy", "edit.cut", "shape.duplicate", "shape.delete", SEPARATOR,
+        "shape.hide", "shape.show_all", SEPARATOR,
         "view.fit_selection", "view.shape_panel", "file.export_selected",
     ),
     Place.EMPTY_LIST: ("edit.paste", "layer.add", SEPARATOR, "shape.select_all", "shape.show_all"),

@@ -142,6 +142,13 @@
             <numerusform>%n Keyframes</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n layer(s)</source>
+        <translation>
+            <numerusform>%n Ebene</numerusform>
+            <numerusform>%n Ebenen</numerusform>
+        </translation>
+    </message>
     <message>
         <source>%n note(s)</source>
         <translation>Notizen: %n</translation>

@@ -85,7 +85,7 @@ def ungrouped(project: Project, layer_id: str) -> Project:
     children = layer.children
     if layer.transform is not None:
         alone = Layer(layer.id, layer.name, children, transform=layer.transform).in_plate_space()
-        children = tuple(_bake_layers(child) for child in alone.children)
+        children = tuple(all_baked(child) for child in alone.children)
     freed = [
         replace(child, visible=child.visible and layer.visible, locked=child.locked or layer.locked)
         for child in children
@@ -130,10 +130,11 @@ def _inserted(layer: Layer, index: int, items: Iterable[Item]) -> Layer:
     return replace(layer, children=(*layer.children[:index], *items, *layer.children[index:]))
 
 
-def _bake_layers(item: Item) -> Item:
+def all_baked(item: Item) -> Item:
+    """A shape, or a layer with what lies in it, whose shapes have keys in place of the motion of layers around them."""
     if isinstance(item, RotoShape):
         return baked(item)
-    return replace(item, children=tuple(_bake_layers(child) for child in item.children))
+    return replace(item, children=tuple(all_baked(child) for child in item.children))
 
 
 def _common(paths: list[list[str]]) -> str:

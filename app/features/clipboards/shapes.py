@@ -1,22 +1,21 @@
-"""Copy, cut and paste of shapes: the clipboard holds them as the text of a project without a clip."""
+"""Copy, cut and paste of layers and shapes: the clipboard holds them as the text of a project without a clip."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from roam_core.errors import RoamError
-from roam_core.roto import Layer, Project, RotoShape, edit, file, linking
-from roam_core.roto.baking import baked
+from roam_core.roto import Layer, Project, RotoShape, file
+from roam_core.roto.copies import joined, taken_out
 
 from ...model.document import Document
-from ...model.view_state import ViewState, selected_shapes
+from ...model.view_state import ViewState
 from ...translation import tr
-from ..verbs.shapes import delete
+from ..verbs.shapes import delete, rows_in_hand, select_items
 from .keys import KeyClipboard, copied_keys
 
 
@@ -45,39 +44,46 @@ class ShapeClipboard:
         } | self.keys.handlers()
 
     def copy(self) -> None:
-        """Copy the selected shapes with all their keys."""
+        """Copy the selected layers and shapes with all their keys."""
         self._copy(self._selected())
 
     def cut(self) -> None:
-        """Copy the selected shapes that are not locked, and delete them."""
-        if shapes := self._selected():
-            self._copy([shape for shape in shapes if not self._document.project.is_locked(shape.id)])
-            delete(self._document, self._view, [shape.id for shape in shapes], tr("Cut"))
+        """Copy the selected layers and shapes that are not locked, nor hold what is, and delete them."""
+        if rows := self._selected():
+            self._copy([item_id for item_id in rows if not self._document.project.holds_locked(item_id)])
+            delete(self._document, self._view, rows, tr("Cut"))
 
-    def _copy(self, shapes: Sequence[RotoShape]) -> None:
-        if shapes:
-            QGuiApplication.clipboard().setText(_text(shapes))
-            self._view.say(tr("Copied {shapes}.", shapes=tr("%n shape(s)", "", len(shapes))))
+    def _copy(self, item_ids: Sequence[str]) -> None:
+        if item_ids:
+            items = taken_out(self._document.project, item_ids)
+            # The clipboard holds no project but this: nothing moves them there but their own keys and motion.
+            QGuiApplication.clipboard().setText(file.dumps(Project(root=Layer("root", "Root", tuple(items))), Path()))
+            layers = sum(isinstance(item, Layer) for item in items)
+            counted = (
+                (tr("%n layer(s)", "", layers), layers),
+                (tr("%n shape(s)", "", len(items) - layers), len(items) - layers),
+            )
+            self._view.say(tr("Copied {shapes}.", shapes=", ".join(words for words, number in counted if number)))
 
     def paste(self) -> None:
-        """Put copied shapes on top, with ids and names of their own, and select them; a copied key on this frame."""
+        """Put copied layers and shapes on top, with ids and names of their own, and select them.
+
+        Where a key was copied last, put that on this frame.
+        """
         if copied_keys() is not None:
             self.keys.paste()
             return
         text = QGuiApplication.clipboard().text()
         try:
-            copied = file.loads(text, Path(), tr("the clipboard")).shapes
+            copied = file.loads(text, Path(), tr("the clipboard")).root
         except RoamError:
             if not self._paste_text(text):
                 self._view.say(tr("There is no shape to paste; copy one first, here or in another program."))
             return
-        project, ids = self._document.project, []
-        for shape in linking.relinked(project, copied):
-            project, pasted = _added(project, shape)
-            ids.append(pasted.id)
+        project, ids = joined(self._document.project, copied.children)
         self._document.apply(tr("Paste"), project)
-        self._view.select(frozenset(ids))
-        self._tell_of_keys_beside_the_clip(copied)
+        select_items(self._document, self._view, ids)
+        self._tell_of_keys_beside_the_clip(copied.shapes())
 
     def _tell_of_keys_beside_the_clip(self, shapes: Iterable[RotoShape]) -> None:
         """Say so where no key of what was pasted lies on the clip: it came from another shot, and never moves here."""
@@ -93,18 +99,5 @@ class ShapeClipboard:
                 )
             )
 
-    def _selected(self) -> list[RotoShape]:
-        return selected_shapes(self._document.project, self._view.selection)
-
-
-def _text(shapes: Sequence[RotoShape]) -> str:
-    # Where they are pasted no layer moves them: what theirs did becomes their own.
-    held = tuple(baked(shape) if shape.placement else shape for shape in shapes)
-    return file.dumps(Project(root=Layer("root", "Root", held)), Path())
-
-
-def _added(project: Project, shape: RotoShape) -> tuple[Project, RotoShape]:
-    taken = {item.name for item in project.root.items()}
-    name = project.free_name(shape.name) if shape.name in taken else shape.name
-    copy = replace(shape, id=project.free_id("shape"), name=name)
-    return edit.add_shape(project, copy), copy
+    def _selected(self) -> list[str]:
+        return rows_in_hand(self._document.project, self._view)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 
 from roam_core.errors import RoamError
-from roam_core.roto import Layer, Project, RotoShape, edit, linking
+from roam_core.roto import Layer, Project, RotoShape, edit
+from roam_core.roto.copies import duplicated
 from roam_core.roto.layers import top_items
 
 from ...model.document import Document
@@ -79,15 +79,11 @@ class ShapeVerbs:
         delete(self._document, self._view, self._selected())
 
     def duplicate(self) -> None:
-        """Copies of the selected shapes on top of their layers, selected in their place."""
-        project, copies = self._document.project, []
-        chosen = [project.shape(shape_id) for shape_id in self._selected()]
-        for shape in linking.relinked(project, chosen):
-            copy = replace(shape, id=project.free_id("shape"), name=project.free_name(shape.name))
-            project = edit.add_shape(project, copy, _layer_of(project, shape.id))
-            copies.append(copy.id)
-        self._document.apply(tr("Duplicate"), project)
-        self._view.select(frozenset(copies) or self._view.selection.shapes)
+        """Copies of the selected layers and shapes on top of what holds them, selected in their place."""
+        if rows := self._rows():
+            project, copies = duplicated(self._document.project, rows)
+            self._document.apply(tr("Duplicate"), project)
+            select_items(self._document, self._view, copies)
 
     def toggle_lock(self) -> None:
         toggle(self._document, "locked", self._rows())
@@ -123,8 +119,7 @@ class ShapeVerbs:
 
     def _rows(self) -> list[str]:
         """The selected layers, and the selected shapes that lie in none of them; says so when there is none."""
-        layers = frozenset(item_id for item_id in self._view.layers if self._document.project.has(item_id))
-        return top_items(self._document.project, layers | self._view.selection.shapes) or self._selected()
+        return rows_in_hand(self._document.project, self._view) or self._selected()
 
     def _selected(self) -> list[str]:
         """The selected shapes in the order of stacking; says so when there is none."""
@@ -132,6 +127,20 @@ class ShapeVerbs:
         if not ids:
             self._view.say(tr(NOTHING_SELECTED))
         return ids
+
+
+def rows_in_hand(project: Project, view: ViewState) -> list[str]:
+    """The selected layers, and the selected shapes that lie in none of them, bottom first."""
+    return top_items(project, view.layers | view.selection.shapes)
+
+
+def select_items(document: Document, view: ViewState, item_ids: Iterable[str]) -> None:
+    """Select layers, with the shapes in them, and shapes."""
+    items = [document.project.find(item_id) for item_id in item_ids]
+    layers = [item for item in items if isinstance(item, Layer)]
+    shapes = {item.id for item in items} - {layer.id for layer in layers}
+    shapes |= {shape.id for layer in layers for shape in layer.shapes()}
+    view.select(frozenset(shapes), layers=frozenset(layer.id for layer in layers))
 
 
 def delete(document: Document, view: ViewState, item_ids: Iterable[str], text: str = "") -> None:
@@ -153,9 +162,3 @@ def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:
             project = edit.set_properties(project, item_id, **{switch: value})
         names = {"visible": (tr("Hide"), tr("Show")), "locked": (tr("Unlock"), tr("Lock"))}
         document.apply(names[switch][value], project)
-
-
-def _layer_of(project: Project, item_id: str) -> str:
-    """The id of the layer that holds an item."""
-    layers = [project.root, *(item for item in project.root.items() if isinstance(item, Layer))]
-    return next(layer.id for layer in layers if any(child.id == item_id for child in layer.children))

@@ -10,10 +10,11 @@ from roam_core.errors import RoamError
 from roam_core.roto import Project, RotoShape, Spline, edit
 from roam_core.roto.keying import Change, reshape
 
+from ...features.verbs.shapes import delete, rows_in_hand
 from ...model.document import Document
 from ...model.reasons import why_not
 from ...model.shown import editable_shapes
-from ...model.view_state import ViewState
+from ...model.view_state import ViewState, selected_shapes
 from ...translation import tr
 from ..reshape import grab_selection, grabbed_indices, selected_indices
 from ..settling import settled
@@ -30,7 +31,15 @@ class PointActions:
         self._document, self._view = document, view_state
 
     def delete(self) -> None:
-        """Delete the selected points; a shape goes whole when all its points are selected, or no point at all is."""
+        """Delete the selected points; a shape goes whole when all its points are selected, or no point at all is.
+
+        So does a selected layer, with what lies in it.
+        """
+        project, view = self._document.project, self._view
+        if not view.selection.points and any(project.has(layer_id) for layer_id in view.layers):
+            delete(self._document, view, rows_in_hand(project, view))
+            view.select(frozenset(shape.id for shape in selected_shapes(self._document.project, view.selection)))
+            return
         shapes = self._shapes()
         if not shapes:
             self._say_why()

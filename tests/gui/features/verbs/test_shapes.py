@@ -180,3 +180,28 @@ def test_shapes_pasted_from_another_shot_say_where_their_keys_lie(
     view_state.say("")
     clipboard.paste()
     assert view_state.message == ""
+
+
+def test_a_layer_is_duplicated_cut_and_pasted_whole(document: Document, view_state: ViewState, widget: QWidget) -> None:
+    (inside,) = opened(document, 1)
+    project, layer = grouped(document.project, [inside], "Arm")
+    document.open(edit.set_properties(project, layer.id, opacity=0.5), None)
+    view_state.select(frozenset({inside}), layers=frozenset({layer.id}))
+    ShapeVerbs(document, view_state).duplicate()
+    assert [item.name for item in document.project.root.children] == ["Arm", "Arm 1"]
+    assert len(view_state.layers) == 1
+    assert view_state.selection.shapes == {shape.id for shape in document.project.shapes} - {inside}
+    clipboard = ShapeClipboard(document, view_state, widget, lambda _text: False)
+    clipboard.cut()
+    assert view_state.message == "Copied 1 layer."
+    assert [item.name for item in document.project.root.children] == ["Arm"]
+    clipboard.paste()
+    (back,) = view_state.layers
+    found = document.project.find(back)
+    assert (found.name, found.opacity) == ("Arm 1", 0.5)
+    assert len(document.project.shapes) == 2
+    document.open(edit.set_properties(document.project, inside, locked=True), None)
+    view_state.select(frozenset({inside}), layers=frozenset({layer.id}))
+    clipboard.cut()
+    assert document.project.has(layer.id)
+    assert "What is locked stays" in view_state.message

@@ -15,6 +15,7 @@ from app.tools.edit.feather import FeatherActions
 from app.tools.edit.transform_actions import TransformActions
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
+from roam_core.roto.layers import grouped
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape
 
@@ -50,6 +51,22 @@ def test_delete_removes_the_shape_when_none_or_all_of_its_points_are_selected(
     assert view_state.selection == Selection()
     document.undo_stack.undo()
     assert only.anchors() == SQUARE
+
+
+def test_delete_takes_a_selected_layer_with_what_lies_in_it(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    project, layer = grouped(document.project, [square])
+    project, beside = edit.new_shape(project, polygon_points(SQUARE), 1)
+    document.open(edit.set_properties(project, square, visible=False), None)
+    view_state.select(frozenset({square}), layers=frozenset({layer.id}))
+    hand.key(Key.Key_Delete)
+    assert [item.id for item in document.project.root.items()] == [beside.id]
+    assert view_state.selection == Selection()
+    document.undo_stack.undo()
+    view_state.select(frozenset({square}), frozenset({(square, 1)}), layers=frozenset({layer.id}))
+    hand.key(Key.Key_Delete)
+    assert document.project.has(layer.id)
 
 
 def test_delete_of_points_spares_shapes_that_have_no_selected_point(

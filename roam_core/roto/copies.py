@@ -1,0 +1,102 @@
+"""Copies of layers and shapes: beside their originals, and by way of a clipboard that knows nothing of the project."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import count
+
+from roam_core.roto.baking import baked
+from roam_core.roto.edit import add_shape
+from roam_core.roto.layers import Item, all_baked, top_items
+from roam_core.roto.linking import relinked
+from roam_core.roto.project import Layer, Project
+from roam_core.roto.shape import NO_COLOUR, RotoShape
+
+
+def duplicated(project: Project, item_ids: Collection[str]) -> tuple[Project, list[str]]:
+    """The project with copies of layers, with what lies in them, and of shapes, each on top of the layer that holds it.
+
+    Returns the ids of the copies (not of what lies in them), too.
+    """
+    ids = top_items(project, item_ids)
+    homes = [project.layers_above(item_id)[-1].id for item_id in ids]
+    return _joined(project, [_seen(project, item_id) for item_id in ids], homes)
+
+
+def taken_out(project: Project, item_ids: Collection[str]) -> list[Item]:
+    """Layers and shapes as they are seen where no layer is around them, bottom first.
+
+    A layer keeps its own motion; what the layers around it did becomes the keys of the shapes.
+    """
+
+    def freed(item_id: str) -> Item:
+        item, around = _seen(project, item_id), project.placement_in(project.layers_above(item_id)[-1].id)
+        if isinstance(item, RotoShape):
+            return baked(item) if item.placement else item
+        return all_baked(item.in_plate_space(around)) if around else item
+
+    return [freed(item_id) for item_id in top_items(project, item_ids)]
+
+
+def joined(project: Project, items: Iterable[Item]) -> tuple[Project, list[str]]:
+    """The project with copies of what was taken out of this or another one, on top of all.
+
+    Returns the ids of the copies (not of what lies in them), too.
+    """
+    items = tuple(items)
+    return _joined(project, items, [project.root.id] * len(items))
+
+
+def _joined(project: Project, items: Sequence[Item], homes: Sequence[str]) -> tuple[Project, list[str]]:
+    copies = _fresh(project, items)
+    for copy, home in zip(copies, homes, strict=True):
+        if isinstance(copy, RotoShape):
+            project = add_shape(project, copy, home)
+        else:
+            project = project.map_item(home, partial(_with_on_top, copy))
+    return project, [copy.id for copy in copies]
+
+
+def _with_on_top(item: Item, layer: Layer) -> Layer:
+    return replace(layer, children=(*layer.children, item))
+
+
+def _fresh(project: Project, items: Iterable[Item]) -> list[Item]:
+    """Copies with ids, links and compounds of their own; names that are taken count on."""
+    items = list(items)
+    shapes = [shape for item in items for shape in (item.shapes() if isinstance(item, Layer) else (item,))]
+    linked = {shape.id: shape for shape in relinked(project, shapes)}
+    there = list(project.root.items())
+    ids, names, uncoloured = {item.id for item in there}, {item.name for item in there}, count()
+
+    def fresh(item: Item) -> Item:
+        kind = "layer" if isinstance(item, Layer) else "shape"
+        first = 1 + sum(each.startswith(f"{kind}-") for each in ids)  # as `Project.free_id`
+        item_id = next(each for number in count(first) if (each := f"{kind}-{number}") not in ids)
+        name = counted_on(item.name, names)
+        ids.add(item_id)
+        names.add(name)
+        if isinstance(item, Layer):
+            return replace(item, id=item_id, name=name, children=tuple(fresh(child) for child in item.children))
+        copy = replace(linked[item.id], id=item_id, name=name)
+        return copy if copy.colour != NO_COLOUR else replace(copy, colour=project.free_colour(next(uncoloured)))
+
+    return [fresh(item) for item in items]
+
+
+def counted_on(name: str, taken: Collection[str]) -> str:
+    """The name itself where it is free; else with the next free number: `Arm` gives `Arm 1`, `Arm 1` gives `Arm 2`."""
+    if name not in taken:
+        return name
+    found = re.fullmatch(r"(.*) ([0-9]{1,9})", name, re.DOTALL)
+    stem, last = (found[1], int(found[2])) if found else (name, 0)
+    return next(each for number in count(last + 1) if (each := f"{stem} {number}") not in taken)
+
+
+def _seen(project: Project, item_id: str) -> Item:
+    """A layer as it is held, a shape in plate space."""
+    item = project.find(item_id)
+    return item if isinstance(item, Layer) else project.shape(item_id)
