@@ -81,6 +81,8 @@ class ExportDialog(QDialog):
         """The number of the export that was started here, 0 where none is under way; and where it is written to."""
         self._ending = ""
         """What the format that was proposed for last puts after the name."""
+        self._targets: dict[bool, str] = {}
+        """What stood in the target last, of formats that are a folder of pictures and of those that are a file."""
         self._losses: tuple[str, ...] = ()
         """What the artist sees that the format would lose, as long as nothing else is chosen."""
         self._foresight = Foresight(export.runner, self)
@@ -177,7 +179,7 @@ class ExportDialog(QDialog):
         self._foresight.seen.connect(self._show_foreseen)
         self._foresight.refused.connect(self._show_refused)
         self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
-        self.target.textChanged.connect(lambda _: self._pull_hint())
+        self.target.textChanged.connect(lambda _: self._pull_target())
         self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
         self.first.valueChanged.connect(lambda _: self._pull_hint())
         for field in (self.first, self.last):
@@ -248,6 +250,7 @@ class ExportDialog(QDialog):
                 field.setRange(clip.first, clip.last)
             field.setValue(value)
         self.target.clear()
+        self._targets.clear()
         if self.formats.currentItem() is None:
             self.choose(next(iter(EXPORTERS)))
         self._pull_format()
@@ -269,12 +272,13 @@ class ExportDialog(QDialog):
     def _renamed(self) -> Path:
         """The target for the format that is selected now: the artist's own name with another suffix.
 
-        Formats that share a suffix propose names of their own: none takes the place of what another wrote.
+        Formats that share a suffix propose names of their own: none takes the place of what another wrote. The folder
+        of mattes and the name of files go each their own way: a look at one does not take the other away.
         """
         if self._is_folder:
             suggested = self._suggested("")
-            return suggested.with_name(f"{suggested.name}_mattes")
-        own, last, suffix = Path(self.target.text().strip()), self._ending, self.exporter.suffix
+            return Path(self._targets.get(True) or suggested.with_name(f"{suggested.name}_mattes"))
+        own, last, suffix = Path(self._targets.get(False, "")), self._ending, self.exporter.suffix
         self._ending = f"{_mark(self.exporter)}{suffix}"
         if not own.name:
             own = self._suggested(suffix)
@@ -301,6 +305,10 @@ class ExportDialog(QDialog):
         """Other shapes are to be exported."""
         self._pull_hint()
         self._look_ahead()
+
+    def _pull_target(self) -> None:
+        self._targets[self._is_folder] = self.target.text().strip()
+        self._pull_hint()
 
     def _pull_hint(self) -> None:
         is_named, has_clip = bool(self.target.text().strip()), self._document.project.clip is not None

@@ -140,6 +140,18 @@ def test_the_artists_name_stays_when_the_format_changes(qtbot: QtBot, dialog: Ex
     assert not dialog.start.isEnabled()
 
 
+def test_a_look_at_mattes_takes_no_name_away(dialog: ExportDialog, tmp_path: Path) -> None:
+    dialog.choose("nuke")
+    dialog.target.setText(str(tmp_path / "jobs" / "hero.nk"))
+    dialog.choose("mattes")
+    assert dialog.path == tmp_path / "shot_mattes"
+    dialog.target.setText(str(tmp_path / "frames"))
+    dialog.choose("silhouette")
+    assert dialog.path == tmp_path / "jobs" / "hero.fxs"
+    dialog.choose("mattes")
+    assert dialog.path == tmp_path / "frames"
+
+
 def test_mattes_are_written_as_chosen(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
     dialog.choose("mattes")
     form = dialog.mattes
