@@ -38,6 +38,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
 from ..translation import N_, tr, translated
 from ..widgets.controls import dense_form, form_label, measure_field, number_field, side_by_side, weak_label
+from ..widgets.floating import resize_on_screen
 from . import questions
 from .matte_form import MatteForm
 
@@ -51,7 +52,8 @@ SMOOTHING = N_(
     "How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;\n"
     "your own keys stay where they are, and so does the project"
 )
-NOTES_HEIGHT = 110
+NOTES_HEIGHT = 44
+"""What is left of them on a small screen."""
 ANYWAY = N_("Export anyway")
 LOOKING, NOTHING_LOST = (
     N_("Looking for what the format cannot hold …"),
@@ -87,7 +89,7 @@ class ExportDialog(QDialog):
         """What the artist sees that the format would lose, as long as nothing else is chosen."""
         self._foresight = Foresight(export.runner, self)
         self.setWindowTitle(tr("Export"))
-        self.resize(760, 580)
+        resize_on_screen(self, 760, 580)
         self._build()
         self._lay_out()
         self._connect()

@@ -29,6 +29,7 @@ from ..actions.menus import menu_of
 from ..actions.specs import SPECS
 from ..translation import N_, tr
 from ..widgets.controls import weak_label
+from ..widgets.floating import resize_on_screen
 
 DISTRIBUTION = "roam-roto"
 UNNAMED = {"OpenEXR": "BSD-3-Clause"}
@@ -61,7 +62,7 @@ class KeysDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Keys", "of the keyboard"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(440, 680)
+        resize_on_screen(self, 440, 680)
         self.search = QLineEdit()
         self.search.setPlaceholderText(tr("Search for an action or a key"))
         self.search.setClearButtonEnabled(True)
@@ -106,7 +107,7 @@ class AboutDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("About ROAM"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(600, 480)
+        resize_on_screen(self, 600, 480)
         name = QLabel(f"ROAM {__version__}")
         name.setObjectName("heading")
         what = QLabel(tr("Rotoscoping with a Rich Online Appearance Model: editable curves carried through a shot."))

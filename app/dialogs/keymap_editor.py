@@ -29,6 +29,7 @@ from ..actions.specs import SPECS
 from ..model.personal import Personal
 from ..translation import tr
 from ..widgets.controls import weak_label
+from ..widgets.floating import resize_on_screen
 
 _ID = Qt.ItemDataRole.UserRole
 MENU_WIDTH, KEYS_WIDTH = 80, 170
@@ -76,7 +77,7 @@ class KeymapEditor(QDialog):
         self._personal = personal
         self._asked = ""
         self.setWindowTitle(tr("Change keys"))
-        self.resize(640, 640)
+        resize_on_screen(self, 640, 640)
         self._build()
         self._lay_out()
         self._connect()

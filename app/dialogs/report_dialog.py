@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPlainTextEdit, QPus
 from .. import style
 from ..translation import tr
 from ..widgets.controls import weak_label
+from ..widgets.floating import resize_on_screen
 
 
 class ReportDialog(QDialog):
@@ -18,7 +19,7 @@ class ReportDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Problem report"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(680, 460)
+        resize_on_screen(self, 680, 460)
         heading = QLabel(title)
         heading.setObjectName("heading")
         self.sentence = weak_label(sentence)

@@ -75,6 +75,7 @@ from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
 from ..translation import N_, tr
 from ..widgets.controls import tool_button
+from ..widgets.floating import resize_on_screen
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
@@ -99,7 +100,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
         self.setAcceptDrops(True)
-        self.resize(1500, 940)
+        resize_on_screen(self, 1500, 940)
         self._is_leaving = False
         self._threads = 0  # as many as the libraries think fit
         self.personal = personal or Personal(parent=self)

@@ -60,6 +60,12 @@ def monitors() -> list[QRect]:
     return [screen.availableGeometry() for screen in (main, *others)]
 
 
+def resize_on_screen(window: QWidget, width: int, height: int) -> None:
+    """Give a window its first size, or as much of it as its screen has room for below a title."""
+    room = (window.parentWidget() or window).screen().availableSize()
+    window.resize(min(width, room.width()), min(height, room.height() - TITLE_HEIGHT))
+
+
 def in_reach(wanted: QRect, areas: Sequence[QRect], home: QRect) -> QRect:
     """Where a window is put that was at `wanted`: there, where enough of its upper edge lies on a monitor.
 
