@@ -81,6 +81,7 @@ class Timeline(QWidget):
         self.tracks = TrackBand(document, self.axis)
         self.values = ValueSelection(document, self)
         self.value_rows = ValueRows(document, self.axis, self.values)
+        self.value_rows.verbs.takes_paste = self.rows.hasFocus
         self.curves = CurveEditor(document, self.axis, self.values)
         self.curve_panel = Panel(tr("Curves"), self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0]))
         self.curve_panel.hide()  # the workspace shows it

@@ -57,6 +57,8 @@ class ValueVerbs:
     ) -> None:
         self._document, self._view, self._chosen = document, view_state, chosen
         self._has_keyboard, self._shown = has_keyboard, shown
+        self.takes_paste: Callable[[], bool] = lambda: False
+        """Whether what was copied is pasted, too, where the keyboard is now: a shape that never varied has no row."""
         self._nudges = Nudges(document, chosen, lambda project, places, frames: self.moved(project, places, frames, 0))
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -84,6 +86,7 @@ class ValueVerbs:
 
             def call() -> None:
                 is_meant = bool(self._chosen.places) if action_id in ways else self._has_keyboard()
+                is_meant = is_meant or (action_id == "edit.paste" and self.takes_paste())
                 if is_meant and action_id in own and there_is.get(action_id, lambda: True)():
                     own[action_id]()
                     return

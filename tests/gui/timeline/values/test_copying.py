@@ -105,6 +105,34 @@ def test_copied_keys_are_pasted_with_the_first_one_on_the_playhead(
     assert document.undo_stack.undoText() == "Paste keys"
 
 
+def test_copied_keys_are_pasted_into_a_shape_that_never_varied(
+    qtbot: QtBot,
+    timeline: Timeline,
+    document: Document,
+    view_state: ViewState,
+    act: dict[str, Callable[[], object]],
+    elsewhere: Elsewhere,
+) -> None:
+    """It has no row that could have the keyboard: a click on its name gives it to the rows of outlines."""
+    timeline.value_rows.verbs.select_all()
+    act[COPY]()
+    timeline.rows.setFocus()
+    qtbot.waitUntil(timeline.rows.hasFocus)
+    view_state.select(frozenset({"shape-2"}))
+    view_state.set_frame(1001)
+    act[PASTE]()
+    assert fades(document.project, "shape-2") == {1001: 0.2, 1011: 0.8}
+    timeline.keys.select(frozenset({("shape-2", 1010)}))
+    act[COPY]()  # what was copied last is pasted
+    view_state.set_frame(1020)
+    act[PASTE]()
+    assert document.project.shape("shape-2").artist_frames == (1010, 1020, 1030)
+    assert fades(document.project, "shape-2") == {1001: 0.2, 1011: 0.8}
+    act["key.copy"]()
+    act[PASTE]()
+    assert elsewhere.called == ["key.copy", PASTE]
+
+
 def test_cut_takes_keys_and_never_the_shape(
     timeline: Timeline,
     document: Document,
