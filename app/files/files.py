@@ -23,6 +23,7 @@ from ..journal import recovery
 from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
+from ..model.reasons import keys_beside
 from ..model.view_state import ViewState
 from ..translation import N_, tr, translated
 from .claim import Claim
@@ -147,6 +148,7 @@ class Files(QObject):
                 "The plate is {name} now; save to keep that.", name=source.path.name
             )
             clip = replace(Clip.of(source), extra=project.require_clip().extra)
+            sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip))))
             return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
 
         self._start(_reading(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting))

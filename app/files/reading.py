@@ -106,9 +106,25 @@ def read_project(path: Path) -> Found:
         if project is stored
         else tr(" Its plate was found at {path}; save to keep that.", path=project.require_clip().path)
     )
-    more = filter(None, (_older(project, version), departed_settings(project.shapes)))
+    more = filter(None, (_beyond(project, source), _older(project, version), departed_settings(project.shapes)))
     sentence = " ".join([problem or tr("Opened {name}.{moved}", name=path.name, moved=moved), *more])
     return Found(project, source, sentence, path, fingerprint)
+
+
+def _beyond(project: Project, source: PlateSource | None) -> str:
+    """Where the plate has frames that the project's clip has not, as one that was still being written when it came."""
+    if project.clip is None or source is None:
+        return ""
+    found, frames = Clip.of(source), project.clip.frame_range
+    if found.first in frames and found.last in frames:
+        return ""
+    return tr(
+        "The plate has frames {first} to {last} now, the project {before} to {after}; File > Relink clip takes them.",
+        first=found.first,
+        last=found.last,
+        before=project.clip.first,
+        after=project.clip.last,
+    )
 
 
 def _older(project: Project, version: int) -> str:

@@ -1,8 +1,10 @@
-"""Why nothing of what is selected is edited on this frame: a sentence for the status bar."""
+"""Why nothing is edited, or seen to move: sentences for the status bar."""
 
 from __future__ import annotations
 
-from roam_core.roto import Project
+from collections.abc import Iterable
+
+from roam_core.roto import Clip, Project, RotoShape
 
 from ..translation import N_, tr
 from .shown import editable_shapes
@@ -24,3 +26,17 @@ def why_not(project: Project, view: ViewState) -> str:
             frame=view.frame,
         )
     return tr("{name!r} is locked or hidden; unlock and show it to edit it.", name=kept.name)
+
+
+def keys_beside(shapes: Iterable[RotoShape], clip: Clip) -> str:
+    """A sentence where shapes have keys, but none on the clip: they came from another shot, and never move here."""
+    frames = [frame for shape in shapes for frame in shape.frames]
+    if not frames or any(frame in clip.frame_range for frame in frames):
+        return ""
+    return tr(
+        "The keys lie on frames {low} to {high}, none of them on the clip's {first} to {last}.",
+        low=min(frames),
+        high=max(frames),
+        first=clip.first,
+        last=clip.last,
+    )

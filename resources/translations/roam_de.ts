@@ -4213,6 +4213,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Plate ließ sich nicht öffnen; sie kann im Menü Datei neu gewählt werden. {error}</translation>
     </message>
     <message>
+        <source>The plate has frames {first} to {last} now, the project {before} to {after}; File &gt; Relink clip takes them.</source>
+        <translation>Die Plate hat jetzt die Frames {first} bis {last}, das Projekt {before} bis {after}; Datei &gt; Clip neu verknüpfen übernimmt sie.</translation>
+    </message>
+    <message>
         <source>The plate inside of the matte, on a ground</source>
         <translation>Die Plate innerhalb der Matte, auf einem Hintergrund</translation>
     </message>

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from roam_core.errors import RoamError
-from roam_core.roto import Layer, Project, RotoShape, file
+from roam_core.roto import Layer, Project, file
 from roam_core.roto.copies import joined, taken_out
 
 from ...model.document import Document
+from ...model.reasons import keys_beside
 from ...model.view_state import ViewState
 from ...translation import tr
 from ..verbs.shapes import delete, rows_in_hand, select_items
@@ -83,21 +84,8 @@ class ShapeClipboard:
         project, ids = joined(self._document.project, copied.children)
         self._document.apply(tr("Paste"), project)
         select_items(self._document, self._view, ids)
-        self._tell_of_keys_beside_the_clip(copied.shapes())
-
-    def _tell_of_keys_beside_the_clip(self, shapes: Iterable[RotoShape]) -> None:
-        """Say so where no key of what was pasted lies on the clip: it came from another shot, and never moves here."""
-        clip, frames = self._document.project.clip, [frame for shape in shapes for frame in shape.frames]
-        if clip is not None and frames and not any(frame in clip.frame_range for frame in frames):
-            self._view.say(
-                tr(
-                    "The keys lie on frames {low} to {high}, none of them on the clip's {first} to {last}.",
-                    low=min(frames),
-                    high=max(frames),
-                    first=clip.first,
-                    last=clip.last,
-                )
-            )
+        if project.clip is not None and (sentence := keys_beside(copied.shapes(), project.clip)):
+            self._view.say(sentence)
 
     def _selected(self) -> list[str]:
         return rows_in_hand(self._document.project, self._view)

@@ -173,3 +173,34 @@ def test_an_empty_viewer_says_that_the_plate_is_lost_until_it_is_relinked(
     with qtbot.waitSignal(window.files.finished, timeout=WAIT):
         window.files.open_plate(tmp_path / "elsewhere")
     qtbot.waitUntil(lambda: window.canvas._sentence() == "", timeout=WAIT)
+
+
+def test_frames_that_came_since_are_told_and_taken_by_a_relink(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    """A plate that was still being written when the project was made."""
+    for frame in (FIRST + 2, FIRST + 3):
+        shutil.copy(tmp_path / "plate" / f"plate.{FIRST}.png", tmp_path / "plate" / f"plate.{frame}.png")
+    said = said_on_opening(qtbot, window, tmp_path / "a.roam")
+    assert said.startswith("Opened a.roam. The plate has frames 1001 to 1004 now, the project 1001 to 1002;")
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open_plate(tmp_path / "plate")
+    assert window.document.project.require_clip().last == FIRST + 3
+    window.document.save(tmp_path / "b.roam")
+    assert said_on_opening(qtbot, window, tmp_path / "b.roam") == "Opened b.roam."
+    (tmp_path / "plate" / f"plate.{FIRST + 3}.png").unlink()  # what is missing is hatched in the timeline
+    assert said_on_opening(qtbot, window, tmp_path / "b.roam") == "Opened b.roam."
+
+
+def test_a_plate_that_was_numbered_anew_tells_that_no_key_lies_on_it(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    project, _ = edit.new_shape(window.document.project, SQUARE, FIRST)
+    window.document.apply("Draw", project)
+    for frame in (1, 2):
+        (tmp_path / "new").mkdir(exist_ok=True)
+        shutil.copy(tmp_path / "plate" / f"plate.{FIRST}.png", tmp_path / "new" / f"plate.{frame:04d}.png")
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open_plate(tmp_path / "new")
+    said = window.status.sentence.text()
+    assert said.startswith("The plate is new now; save to keep that. The keys lie on frames 1001 to 1001, none of them")
