@@ -20,7 +20,7 @@ from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
-from .filling import Filled, FillRequest, Gap, fill
+from .filling import Filled, FillRequest, Gap, fill, gaps_of
 from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -65,6 +65,8 @@ class Propagation(QObject):
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
         self.processes = 1
         self._run: _Run | None = None
+        self._waiting: list[tuple[Sequence[str], Sequence[Gap], Callable[[Sequence[Gap]], None]]] = []
+        """Fills that begin when the one under way has ended: ids of their shapes, gaps, and what begins each."""
         self._memory = TrackMemory()
         # The very first frame compiles kernels, which nobody can interrupt: the artist need not wait for that.
         self._patience = QTimer(self, singleShot=True, interval=PATIENCE)
@@ -109,8 +111,23 @@ class Propagation(QObject):
     def fill(
         self, shape_ids: Sequence[str], gaps: Sequence[Gap], config: str = DEFAULT_CONFIG, *, alone: bool = False
     ) -> None:
-        """Fill gaps between artist keys of the shapes from both ends; each gap arrives when it is finished."""
+        """Fill gaps between artist keys of the shapes from both ends; each gap arrives when it is finished.
+
+        While other shapes are filled it waits for its turn.
+        """
+        keeps_undone = not self._document.undo_stack.canRedo()
+        begin = partial(self._start_filling, shape_ids, config, alone, keeps_undone)
+        if self._run is not None and self._run.verb == FILL and not self._run.expected.keys() & set(shape_ids):
+            self._waiting.append((shape_ids, gaps, begin))
+            names = _names([self._document.project.shape(shape_id) for shape_id in shape_ids])
+            self._view.say(tr("Filling {names} begins when the fill under way has ended.", names=names))
+            return
         self.drop()
+        begin(gaps)
+
+    def _start_filling(
+        self, shape_ids: Sequence[str], config: str, alone: bool, keeps_undone: bool, gaps: Sequence[Gap]
+    ) -> None:
         project = self._document.project
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
         size = None if project.clip is None else (project.clip.size[1], project.clip.size[0])
@@ -122,6 +139,18 @@ class Propagation(QObject):
         job.partial.connect(self._put_in)
         run = _Run(job, FILL, shapes, self._view.frame, f"track-{next(_run_numbers)}")
         self._begin(run, tr("Starting to fill {names} …", names=_names(shapes)))
+        run.keeps_undone = keeps_undone
+
+    def _fill_next(self) -> None:
+        """Begin the fill that waits, of those gaps that are still there, where nothing else has begun."""
+        project = self._document.project
+        while self._waiting and self._run is None and self._runner.running("track") is None:
+            shape_ids, gaps, begin = self._waiting.pop(0)
+            if not all(project.has(shape_id) and not project.is_locked(shape_id) for shape_id in shape_ids):
+                continue
+            there = gaps_of([shape for shape_id in shape_ids if (shape := project.shape(shape_id)).closed])
+            if still := [gap for gap in gaps if gap in there]:
+                begin(still)
 
     def go_on_from(self, project: Project, frame: int, more: Sequence[str]) -> None:
         """Take a change on a frame just solved into the run and its undo step, and track on from there.
@@ -148,12 +177,14 @@ class Propagation(QObject):
 
     def stop(self) -> None:
         """Stop; the frames that are finished stay. What does not listen soon is left to itself, unheard."""
+        self._waiting.clear()
         if self._run is not None:
             self._run.job.cancel()
             self._patience.start()
 
     def drop(self) -> None:
         """Stop now: nothing that the engine still finds may reach the document."""
+        self._waiting.clear()
         if self._run is not None:
             self._run.job.drop()
 
@@ -225,7 +256,7 @@ class Propagation(QObject):
         elif locked:
             run.ended_by = tr("{name} was locked meanwhile.", name=locked[0].name)
         if touched or locked:
-            self.drop()
+            run.job.drop()  # what waits for it goes on
 
     def _is_touched(self, expected: RotoShape) -> bool:
         project = self._document.project
@@ -247,6 +278,8 @@ class Propagation(QObject):
             sentence = f"{sentence} {run.doubt_sentence()}".rstrip()
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
+        if self._waiting:
+            QTimer.singleShot(0, self, self._fill_next)
 
 
 class _Run:

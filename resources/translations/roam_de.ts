@@ -1309,6 +1309,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Füllen angehalten, bevor eine Lücke fertig war.</translation>
     </message>
     <message>
+        <source>Filling {names} begins when the fill under way has ended.</source>
+        <translation>Das Füllen von {names} beginnt, sobald das laufende zu Ende ist.</translation>
+    </message>
+    <message>
         <source>Find an action…</source>
         <translation>Aktion finden…</translation>
     </message>

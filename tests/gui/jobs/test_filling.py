@@ -220,3 +220,54 @@ def test_an_edit_of_a_shape_under_work_ends_the_fill_at_once(
     engine.allow(2)
     qtbot.wait(50)
     assert engine_frames(document) == []
+
+
+# ---- one fill after the other
+
+
+def test_a_fill_of_other_shapes_waits_for_the_one_under_way(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+) -> None:
+    propagation.fill(["shape-1"], GAPS)
+    propagation.fill(["shape-2"], [(1, 7)])
+    assert view_state.message == "Filling Shape 2 begins when the fill under way has ended."
+    engine.allow(3)
+    qtbot.waitUntil(lambda: bool(engine_frames(document, "shape-2")) and not propagation.is_running, timeout=WAIT)
+    assert engine_frames(document) == [2, 3, 5, 6]
+    assert [ids for *_, ids in engine.asked] == [("shape-1",), ("shape-1",), ("shape-2",)]
+    assert document.undo_stack.count() == 2
+    document.undo_stack.undo()
+    assert (engine_frames(document), engine_frames(document, "shape-2")) == ([2, 3, 5, 6], [])
+
+
+def test_what_ends_one_fill_does_not_end_those_that_wait(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    propagation.fill(["shape-1"], GAPS)
+    propagation.fill(["shape-2"], [(1, 7)])
+    document.apply("Move", document.project.with_shape(edit.set_key(document.project.shape("shape-1"), 4, SQUARE + 3)))
+    engine.allow(1)
+    qtbot.waitUntil(lambda: bool(engine_frames(document, "shape-2")) and not propagation.is_running, timeout=WAIT)
+    assert engine_frames(document) == []
+
+
+@pytest.mark.parametrize("way", ["stop", "drop", "again", "gone", "keyed"])
+def test_no_fill_begins_that_is_not_wanted_any_more(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, way: str
+) -> None:
+    """Esc means all of them; so does another fill of the same shapes, which begins at once."""
+    propagation.fill(["shape-1"], GAPS)
+    propagation.fill(["shape-2"], [(1, 7)])
+    if way == "stop":
+        propagation.stop()
+    elif way == "drop":
+        propagation.drop()
+    elif way == "again":
+        propagation.fill(["shape-1"], GAPS)
+    elif way == "keyed":
+        document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 3)))
+    else:
+        document.apply("Delete", edit.remove_items(document.project, ["shape-2"]))
+    engine.allow(3)
+    qtbot.waitUntil(lambda: not propagation.is_running and not propagation._waiting, timeout=WAIT)
+    assert {ids for *_, ids in engine.asked} <= {("shape-1",)}
