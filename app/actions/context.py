@@ -62,6 +62,12 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
 }  # fmt: skip
 """What each offers; what cannot be done there at the moment is left out."""
 
+IN_LIST = (
+    "edit.copy", "edit.cut", "edit.paste", "shape.duplicate", "shape.select_all", "shape.group", "layer.ungroup",
+    "shape.hide", "shape.show_all",
+)  # fmt: skip
+"""Actions of the viewer whose keys work in the list of shapes, too: what they mean are its rows."""
+
 
 def context_menu(actions: ActionsById, place: Place, is_possible: Callable[[str], bool], parent: QWidget) -> QMenu:
     """A menu of what can be done there, with the keys; deleted when it closes."""

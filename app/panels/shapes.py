@@ -22,8 +22,9 @@ from roam_core.roto import Layer, RotoShape, edit
 from roam_core.roto.layers import moved, top_items
 
 from .. import style
-from ..actions.context import Place
+from ..actions.context import IN_LIST, Place
 from ..actions.keymaps import told
+from ..actions.viewer_actions import ActionsById
 from ..features.verbs.shapes import delete, toggle
 from ..model.document import Document
 from ..model.view_state import ViewState
@@ -37,12 +38,20 @@ NO_CLIP = N_("Open a clip first: drop a folder of\nimages or a movie on the wind
 
 
 class ShapesPanel(QWidget):
-    """The tree, and what to do when it is empty."""
+    """The tree, in which the keys of `actions` on its rows work; and what to do when it is empty."""
 
-    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        actions: ActionsById | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
         self._document, self._view = document, view_state
         self.tree = ShapeTree(document, view_state)
+        if actions is not None:
+            self.tree.addActions([actions[name] for name in IN_LIST])
         self._hint = QLabel()
         self._hint.setObjectName("weak")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)

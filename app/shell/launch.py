@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 PATIENCE = 3000
 """Milliseconds after which the artist is told that the engine is being prepared."""
+FIRST_SIZE = 1500, 940
+"""Width and height of the window at the very first start."""
 BAD_USAGE = 2
 NO_DISPLAY = N_(
     "There is no display to open a window on; use the command line (roam --help), "
@@ -86,6 +88,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from ..folders import cache_folder, state_folder, state_trouble
     from ..jobs import warm_up
     from ..model.personal import Personal
+    from ..widgets.floating import resize_on_screen
     from .crash_report import NativeLog, native_crashes
     from .leaving import leave_on_signals
     from .main_window import MainWindow
@@ -106,6 +109,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     window.defects.install()
     native_log = NativeLog(state_folder() / "crashes")
     leave_on_signals(window.leave_unasked, window)
+    resize_on_screen(window, *FIRST_SIZE)
     settings_path = state_folder() / "window.ini"
     window.restore_settings(settings_path)
     application.aboutToQuit.connect(lambda: window.keep_settings(settings_path))

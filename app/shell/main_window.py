@@ -75,7 +75,6 @@ from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
 from ..translation import N_, tr
 from ..widgets.controls import tool_button
-from ..widgets.floating import resize_on_screen
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
@@ -100,7 +99,6 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
         self.setAcceptDrops(True)
-        resize_on_screen(self, 1500, 940)
         self._is_leaving = False
         self._threads = 0  # as many as the libraries think fit
         self.personal = personal or Personal(parent=self)
@@ -159,7 +157,7 @@ class MainWindow(QMainWindow):
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
-        self.shapes = ShapesPanel(document, view_state)
+        self.shapes = ShapesPanel(document, view_state, actions)
         self.planar_panel = PlanarPanel(document, self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)

@@ -78,6 +78,20 @@ def test_transport_keys_work_in_the_whole_window_and_edit_keys_in_the_viewer(qtb
     assert window.actions_by_id["tool.bezier"].isChecked()
 
 
+def test_keys_that_mean_whole_shapes_and_layers_work_in_the_list_of_shapes(qtbot: QtBot, window: MainWindow) -> None:
+    draw(window)
+    tree = window.shapes.tree
+    tree.setFocus()
+    qtbot.keyClick(tree, Qt.Key.Key_G, Qt.KeyboardModifier.ControlModifier)
+    (layer,) = window.view_state.layers
+    qtbot.keyClick(tree, Qt.Key.Key_D, Qt.KeyboardModifier.ControlModifier)
+    assert [item.name for item in window.document.project.root.children] == ["Layer 1", "Layer 2"]
+    qtbot.keyClick(tree, Qt.Key.Key_H)
+    assert [item.visible for item in window.document.project.root.children] == [True, False]
+    qtbot.keyClick(tree, Qt.Key.Key_Delete)
+    assert [item.id for item in window.document.project.root.children] == [layer]
+
+
 def test_typing_a_name_moves_no_playhead_and_plays_nothing(qtbot: QtBot, window: MainWindow) -> None:
     draw(window)
     window.properties.name.setFocus()
