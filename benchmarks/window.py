@@ -65,6 +65,7 @@ application = QApplication(sys.argv[:1])
 style.apply(application)
 with tempfile.TemporaryDirectory() as folder:
     window = MainWindow(Path(folder))
+    window.resize(1500, 940)
     window.show()
     QTest.qWaitForWindowExposed(window)
     window.grab()
