@@ -16,10 +16,11 @@ from roam_core.bounded import bounded_bytes
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key
-from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES, KeyChoice
+from roam_core.interchange.protocol import MAX_FRAMES, KeyChoice
 from roam_core.params import scale_for
 from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
+from roam_core.roto.bounds import is_near
 from roam_core.roto.imported import IMPORT, stamped
 
 MAX_BYTES = 48 << 20
@@ -279,7 +280,7 @@ def brief(name: str) -> str:
 def sensible(keys: tuple[Keyframe, ...]) -> bool:
     """True when every coordinate of every key is a number and lies somewhere near an image."""
     arrays = (array for key in keys for array in (key.points, key.feather) if array is not None)
-    return all((np.abs(array) < FARTHEST).all() for array in arrays)
+    return all(is_near(array) for array in arrays)
 
 
 def _scaled(layer: Layer, ratio: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Layer:
