@@ -235,21 +235,26 @@ class ShapeReader:
             self._told.add(sentence)
             self.notes.append(sentence)
 
+    def fitted(self, layer: Layer, size: tuple[float, float] | None) -> Layer:
+        """A layer of shapes of pictures of this size (width, height; None: the clip's) as it lies in the clip's.
+
+        Where that differs, the shapes are scaled to it, each axis by its own ratio, and a note says so.
+        """
+        width, height = self.clip.size
+        if size is None or tuple(size) == (width, height):
+            return layer
+        self.note(
+            f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
+            "the shapes were scaled."
+        )
+        return _scaled(layer, np.array([width / size[0], height / size[1]]))
+
     def finished(self, children: tuple[Layer | RotoShape, ...], size: tuple[float, float] | None = None) -> Imported:
         """What was read, bottom first, as the reader's answer.
 
-        `size` (width, height) is that of the pictures which the file speaks of. Where the clip's differs, the shapes
-        are scaled to it, each axis by its own ratio, and a note says so.
+        `size` (width, height) is that of the pictures which the file speaks of (`fitted`).
         """
-        layer = Layer("root", self.path.stem, children)
-        width, height = self.clip.size
-        if size is not None and tuple(size) != (width, height):
-            ratio = np.array([width / size[0], height / size[1]])
-            layer = _scaled(layer, ratio)
-            self.note(
-                f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
-                "the shapes were scaled."
-            )
+        layer = self.fitted(Layer("root", self.path.stem, children), size)
         self._tell_frames(layer)
         return Imported(
             Layer(layer.id, layer.name, tuple(stamped(child) for child in layer.children)), tuple(self.notes)
