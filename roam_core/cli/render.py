@@ -28,6 +28,9 @@ from roam_core.media import open_clip
 from roam_core.roto import Project
 from roam_core.roto.relinking import other_content_now
 
+MOST_NAMED = 12
+"""Frames that a message names."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
@@ -63,6 +66,7 @@ def run(arguments: argparse.Namespace) -> int:
     names = frame_names(project)
     width, height = clip.size
     frames = [frame for frame in asked if frame in names]
+    tell(left_out([frame for frame in asked if frame not in names]))
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__
     require_free(
@@ -91,6 +95,17 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         print(written.report(f" to {arguments.out}"), file=sys.stderr)
     return 0
+
+
+def left_out(frames: list[int]) -> str:
+    """A sentence on the frames that get no matte, "" for none."""
+    if not frames:
+        return ""
+    more = f" and {len(frames) - MOST_NAMED} more" if len(frames) > MOST_NAMED else ""
+    named = ", ".join(map(str, frames[:MOST_NAMED]))
+    return (
+        f"The plate has no picture of frame(s) {named}{more}: no matte is written there; an export to mattes has them."
+    )
 
 
 def show(bar: tqdm[Never], share: float) -> None:

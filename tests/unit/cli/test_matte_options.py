@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import OpenImageIO as oiio  # noqa: N813
 import pytest
 
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
 from tests.judges.exr_header import header, rate, time_code
-from tests.unit.cli.conftest import Roam, read_matte
+from tests.unit.cli.conftest import Roam, read_matte, write_picture
 from tests.unit.matte.conftest import rectangle
 
 
@@ -166,3 +168,15 @@ def test_a_project_without_shapes_says_so(roam: Roam, project: Path, tmp_path: P
     assert f"{empty} holds no shape: its mattes are black." in roam("render", empty, "--out", tmp_path / "out").err
     done = roam("export", empty, tmp_path / "p.nk", "--to", "nuke", "--json")
     assert json.loads(done.out)["notes"] == [f"{empty} holds no shape: what was written is empty."]
+
+
+def test_frames_without_a_picture_are_named_where_they_get_no_matte(roam: Roam, project: Path, tmp_path: Path) -> None:
+    """Of a plate that is wholly out of reach, as `project`'s, every frame gets one."""
+    loaded = file.load(project)
+    (tmp_path / "plate").mkdir()
+    for frame in (7, 9):
+        write_picture(tmp_path / "plate" / f"p.{frame}.png", np.zeros((16, 24, 3), np.uint8))
+    file.save(Project(replace(loaded.require_clip(), path=tmp_path / "plate"), loaded.root), project)
+    done = roam("render", project, "--out", tmp_path / "out")
+    assert (done.status, names(tmp_path / "out")) == (0, ["p.7.png", "p.9.png"])
+    assert "The plate has no picture of frame(s) 8: no matte is written there" in done.err
