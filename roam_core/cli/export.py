@@ -85,6 +85,8 @@ def run(arguments: argparse.Namespace) -> int:
         notes = exporter.export(project, arguments.out, options)
     except LossyExport as refusal:
         raise RoamError(f"{refusal} To write it all the same, say --lossy.") from None
+    if not project.shapes:
+        notes = (f"{arguments.project} holds no shape: what was written is empty.", *notes)
     if arguments.json:
         files = [str(path) for path, _ in targets]
         print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})

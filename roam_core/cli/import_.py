@@ -73,10 +73,10 @@ def run(arguments: argparse.Namespace) -> int:
     masks = MaskOptions(arguments.tolerance, KeyChoice(arguments.keys), arguments.speckle)
     options = ImportOptions(frame_offset=arguments.frame_offset, masks=masks)
     imported = importer.read(arguments.source, project.require_clip(), options)
-    if not arguments.json:
+    count = sum(1 for _ in imported.layer.shapes())
+    if not arguments.json or count == 0:  # why nothing could be read is told in any case
         for note in imported.notes:
             print(note, file=sys.stderr)
-    count = sum(1 for _ in imported.layer.shapes())
     if count == 0:
         raise RoamError(f"{arguments.source} holds no shape that ROAM can read; nothing was written.")
     project, _ = edit.add_items(project, imported.layer.children)

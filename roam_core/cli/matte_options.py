@@ -3,8 +3,20 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
-from roam_core.interchange.matte_style import COMPRESSIONS, DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
+from roam_core.errors import RoamError
+from roam_core.interchange.matte_style import (
+    COMPRESSIONS,
+    OTHER_SUFFIXES,
+    SUFFIXES,
+    DataWindow,
+    Depth,
+    Gathering,
+    MatteFile,
+    MatteStyle,
+    Parts,
+)
 
 
 def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
@@ -36,3 +48,9 @@ def matte_style(arguments: argparse.Namespace) -> MatteStyle:
         window=DataWindow.TIGHT if arguments.tight else DataWindow.FULL,
         resumes=arguments.resume,
     )
+
+
+def require_no_picture(folder: Path, advice: str) -> None:
+    """Refuse a name of pictures, such as `m.%04d.png`, where a folder is asked for and nothing is there yet."""
+    if folder.suffix.lower() in SUFFIXES.keys() | OTHER_SUFFIXES and not folder.exists():
+        raise RoamError(f"{folder} is the name of pictures; name the folder that they go to. {advice}")

@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
+from shlex import quote
 from typing import Never
 
 from tqdm import tqdm
 
 from roam_core.cli.lines import print_json
-from roam_core.cli.matte_options import add_matte_arguments, matte_style
+from roam_core.cli.matte_options import add_matte_arguments, matte_style, require_no_picture
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
 from roam_core.cli.picking import add_only, with_only
@@ -20,12 +21,15 @@ from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.matte_style import SUFFIXES
-from roam_core.interchange.mattes.exporter import planned, style_for, write_mattes
+from roam_core.interchange.mattes.exporter import planned, require_places, style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
 from roam_core.roto import Project
 from roam_core.roto.relinking import other_content_now
+
+MOST_NAMED = 12
+"""Frames that a message names."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -35,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the clip's first)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the clip's last)")
     parser.add_argument(
-        "--name", metavar="PATTERN", help="of the files, such as '{name}.####.exr' (default: as the plate's frames)"
+        "--name", metavar="PATTERN", help="of the files, such as 'hero.####.exr' (default: as the plate's frames)"
     )
     parser.add_argument("--json", action="store_true", help="print a line of JSON: the files, written or there already")
     add_only(parser)
@@ -45,6 +49,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
+    place, called = quote(str(arguments.out.parent)), quote(arguments.out.name)
+    require_no_picture(arguments.out, f"How they are called there is --name: --out {place} --name {called}.")
     project = with_only(loaded(arguments.project), arguments.shape)
     clip, style = project.require_clip(), matte_style(arguments)
     asked = asked_frames(clip, arguments.start, arguments.end)
@@ -53,10 +59,14 @@ def run(arguments: argparse.Namespace) -> int:
         style = style_for(Path(pattern), style)
     elif pattern:
         pattern += style.suffix
+    if pattern:
+        require_places(pattern, style)
     tell(other_content_now(clip))
+    tell("" if project.shapes else f"{arguments.project} holds no shape: its mattes are black.")
     names = frame_names(project)
     width, height = clip.size
     frames = [frame for frame in asked if frame in names]
+    tell(left_out([frame for frame in asked if frame not in names]))
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__
     require_free(
@@ -85,6 +95,17 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         print(written.report(f" to {arguments.out}"), file=sys.stderr)
     return 0
+
+
+def left_out(frames: list[int]) -> str:
+    """A sentence on the frames that get no matte, "" for none."""
+    if not frames:
+        return ""
+    more = f" and {len(frames) - MOST_NAMED} more" if len(frames) > MOST_NAMED else ""
+    named = ", ".join(map(str, frames[:MOST_NAMED]))
+    return (
+        f"The plate has no picture of frame(s) {named}{more}: no matte is written there; an export to mattes has them."
+    )
 
 
 def show(bar: tqdm[Never], share: float) -> None:

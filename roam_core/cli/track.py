@@ -18,6 +18,7 @@ from roam_core.atomic_write import writable_target
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
+from roam_core.cli.matte_options import require_no_picture
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_of
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
@@ -142,9 +143,10 @@ def results(arguments: argparse.Namespace, plate: Plate, frames: range) -> list[
 
 
 def matte_targets(plate: Plate, frames: Iterable[int], folder: Path | None) -> list[tuple[Path, Kind]]:
-    """The mattes of a plate's frames."""
+    """The mattes of a plate's frames. Refuses a folder that is named as pictures are."""
     if folder is None:
         return []
+    require_no_picture(folder, "Mattes are named as the plate's frames.")
     there = set(plate.source.frames)
     return [(matte_path(plate, frame, folder), Kind.PICTURE) for frame in frames if frame in there]
 

@@ -62,6 +62,22 @@ COMPRESSIONS = {
 """Compressions by kind of file, all without loss; the first is taken when nothing is asked for."""
 
 SUFFIXES = {".png": MatteFile.PNG, ".exr": MatteFile.EXR, ".tif": MatteFile.TIFF, ".tiff": MatteFile.TIFF}
+OTHER_SUFFIXES = {
+    ".jpg",
+    ".jpeg",
+    ".dpx",
+    ".tga",
+    ".bmp",
+    ".gif",
+    ".webp",
+    ".psd",
+    ".sgi",
+    ".mov",
+    ".mp4",
+    ".avi",
+    ".mkv",
+}
+"""Of pictures and movies that are not written: a path with one of these is no folder that somebody means."""
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import ClassVar, Protocol, runtime_checkable
 
-import numpy as np
-
 from roam_core.arguments import shown
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
@@ -21,11 +19,8 @@ from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.out_of_sight import without_points
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
+from roam_core.roto.bounds import is_near
 from roam_core.translatable import sentence
-
-FARTHEST = 1e7
-"""Pixels: a coordinate beyond this is a defect of the project, and single precision would not hold it to a pixel."""
-
 
 MAX_FRAMES = 1 << 24
 """No frame number beyond this, either way: single precision, which Nuke counts in, would round it."""
@@ -274,7 +269,7 @@ def chosen_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> R
         shape = replace(shape, keys=tuple(kept))
     for key in shape.keys:
         for array in (key.points, key.feather):
-            if array is not None and not (np.abs(array) < FARTHEST).all():  # written so that NaN fails too
+            if array is not None and not is_near(array):
                 raise RoamError(
                     f"The shape {shape.name!r} has a point on frame {key.frame} that lies nowhere near the image; "
                     "correct or delete it, then export again."

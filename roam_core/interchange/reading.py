@@ -16,10 +16,11 @@ from roam_core.bounded import bounded_bytes
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key
-from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES, KeyChoice
+from roam_core.interchange.protocol import MAX_FRAMES, KeyChoice
 from roam_core.params import scale_for
 from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
+from roam_core.roto.bounds import is_near
 from roam_core.roto.imported import IMPORT, stamped
 
 MAX_BYTES = 48 << 20
@@ -234,21 +235,26 @@ class ShapeReader:
             self._told.add(sentence)
             self.notes.append(sentence)
 
+    def fitted(self, layer: Layer, size: tuple[float, float] | None) -> Layer:
+        """A layer of shapes of pictures of this size (width, height; None: the clip's) as it lies in the clip's.
+
+        Where that differs, the shapes are scaled to it, each axis by its own ratio, and a note says so.
+        """
+        width, height = self.clip.size
+        if size is None or tuple(size) == (width, height):
+            return layer
+        self.note(
+            f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
+            "the shapes were scaled."
+        )
+        return _scaled(layer, np.array([width / size[0], height / size[1]]))
+
     def finished(self, children: tuple[Layer | RotoShape, ...], size: tuple[float, float] | None = None) -> Imported:
         """What was read, bottom first, as the reader's answer.
 
-        `size` (width, height) is that of the pictures which the file speaks of. Where the clip's differs, the shapes
-        are scaled to it, each axis by its own ratio, and a note says so.
+        `size` (width, height) is that of the pictures which the file speaks of (`fitted`).
         """
-        layer = Layer("root", self.path.stem, children)
-        width, height = self.clip.size
-        if size is not None and tuple(size) != (width, height):
-            ratio = np.array([width / size[0], height / size[1]])
-            layer = _scaled(layer, ratio)
-            self.note(
-                f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
-                "the shapes were scaled."
-            )
+        layer = self.fitted(Layer("root", self.path.stem, children), size)
         self._tell_frames(layer)
         return Imported(
             Layer(layer.id, layer.name, tuple(stamped(child) for child in layer.children)), tuple(self.notes)
@@ -279,7 +285,7 @@ def brief(name: str) -> str:
 def sensible(keys: tuple[Keyframe, ...]) -> bool:
     """True when every coordinate of every key is a number and lies somewhere near an image."""
     arrays = (array for key in keys for array in (key.points, key.feather) if array is not None)
-    return all((np.abs(array) < FARTHEST).all() for array in arrays)
+    return all(is_near(array) for array in arrays)
 
 
 def _scaled(layer: Layer, ratio: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Layer:

@@ -191,7 +191,7 @@ def _white_of(dtype: np.dtype[Any], top: float) -> float:
 
 
 def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
-    """Read a mask image `(h, w, c)` in the type in which it is stored.
+    """Read a mask image `(h, w, c)` in the type in which it is stored; of an EXR its picture's colour and alpha.
 
     Parameters
     ----------

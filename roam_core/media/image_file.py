@@ -16,7 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.media.area import Area
 from roam_core.media.colour_spaces import space_by_rule, space_called, space_with_primaries
 from roam_core.media.curves import LINEAR, LOG, SRGB
-from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of
+from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of, listed, mask_channels
 from roam_core.media.measure import plain_name, require_size, require_told_size
 from roam_core.media.source import DamagedFrame, ImageHeader
 
@@ -35,8 +35,6 @@ MOST_CHANNELS = 1024
 """Channels of a part, above which a header is taken for damaged."""
 MOST_PARTS = 256
 """Parts of a file that are looked at."""
-MOST_LISTED = 12
-"""Layers that a message names."""
 
 _KINDS = {oiio.UINT8: "uint8", oiio.UINT16: "uint16", oiio.HALF: "half"}
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float16, "float": np.float32}
@@ -131,31 +129,34 @@ def read_alpha(file: Path) -> Image | None:
     """
     try:
         source, _ = _open(file)
-        channel = source.spec().alpha_channel
-        if channel < 0:
+        told = mask_channels(_parts(source))
+        if told is None or told.alpha is None or not source.seek_subimage(told.part, 0):
             return None
         stored = _stored_area(source, None)
-        pixels = _pixels(file, source, 0, (channel, channel + 1), stored)
+        pixels = _pixels(file, source, told.part, (told.alpha, told.alpha + 1), stored)
     except RoamError as error:
         raise DamagedFrame(str(error)) from None
     return _in_display_window(np.repeat(pixels, 3, axis=2), source, stored, None)
 
 
 def read_channels(file: Path) -> Image | None:
-    """All channels `(h, w, n)` of an image's display window, in the type they are stored in; None for none, or damaged.
+    """The channels `(h, w, n)` of an image's display window, in the type they are stored in; None for none, or damaged.
 
-    Raises
-    ------
-    RoamError
-        when it holds more than `MOST_BYTES` of pixels.
+    Of an EXR those that tell a mask (`layers.mask_channels`). Raises `RoamError` for more than `MOST_BYTES` of pixels.
     """
     source = opened_image(file)
     if source is not None and _bytes_told(source.spec()) > MOST_BYTES:
         raise RoamError(f"{file} holds more than {MOST_BYTES >> 20} MiB of pixels; give a mask of one channel.")
-    pixels = None if source is None else source.read_image("unknown")
+    told = mask_channels(_parts(source)) if source is not None and _is_exr(source) else None
+    part = 0 if told is None else told.part
+    is_there = source is not None and source.seek_subimage(part, 0)
+    pixels = source.read_image(part, 0, 0, MOST_CHANNELS, "unknown") if is_there else None
     if (source or oiio).geterror() or pixels is None:  # fetched, or it is said on the terminal later
         return None
-    return _in_display_window(np.asarray(pixels), source, _stored_area(source, None), None)
+    picked = np.asarray(pixels)
+    if told is not None:
+        picked = picked[..., told.colours if told.alpha is None else (*told.colours, told.alpha)]
+    return _in_display_window(picked, source, _stored_area(source, None), None)
 
 
 def has_several_images(file: Path) -> bool:
@@ -236,17 +237,12 @@ def _seek(file: Path, source: Any, layers: Sequence[ImageLayer], name: str) -> I
     """Go to the part of the layer of a name, or of the picture itself; the layer."""
     named = {layer.name: layer for layer in layers}
     if name and name not in named:
-        raise RoamError(f"{file} has no layer {name!r}; it has {_listed(list(named))}.")
+        raise RoamError(f"{file} has no layer {name!r}; it has {listed(layers)}.")
     chosen = named[name] if name else colour_layer(layers)
     if not source.seek_subimage(chosen.part, 0):
         raise _damaged(file, source)
     _require_size(file, source)
     return chosen
-
-
-def _listed(names: Sequence[str]) -> str:
-    more = len(names) - MOST_LISTED
-    return ", ".join(names[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
 
 
 def _scanlines(

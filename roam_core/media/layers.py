@@ -9,6 +9,8 @@ from typing import NamedTuple
 PLAIN = "rgb"
 """The name of red, green and blue that belong to no layer of a name."""
 ALPHA = "alpha"
+MOST_LISTED = 12
+"""Layers that a message names."""
 
 _COLOURS = (("r", "g", "b"), ("red", "green", "blue"))
 _VECTORS = (("x", "y", "z"), ("u", "v", "w"))
@@ -46,6 +48,14 @@ class ImageLayer(NamedTuple):
     rank: tuple[int, ...]
 
 
+class MaskChannels(NamedTuple):
+    """The part of a file that tells a mask, the channels of its colour (one, three or none), and of its alpha."""
+
+    part: int
+    colours: tuple[int, ...]
+    alpha: int | None
+
+
 def layers_of(parts: Sequence[Part]) -> tuple[ImageLayer, ...]:
     """All layers of a file, in its own order; a file of one channel or more has at least one.
 
@@ -74,6 +84,29 @@ def colour_layer(layers: Sequence[ImageLayer]) -> ImageLayer:
     first view, plain channels, a name such as `beauty`; last the file's order.
     """
     return min(layers, key=lambda layer: layer.rank)
+
+
+def mask_channels(parts: Sequence[Part]) -> MaskChannels | None:
+    """Where a file has its mask; None where it has no channels.
+
+    Depth, normals and what else lies beside the picture are no part of a mask, however bright.
+    """
+    layers = layers_of(parts)
+    if not layers:
+        return None
+    chosen = colour_layer(layers)
+    names = parts[chosen.part].channels
+    groups = _groups(names)
+    own = names[chosen.channels[0]].rpartition(".")[0]
+    alphas = (groups.get(place, {}).get(letter) for place in ("", own) for letter in ("a", ALPHA))
+    alpha = next((index for index in alphas if index is not None), None)
+    return MaskChannels(chosen.part, tuple(dict.fromkeys(index for index in chosen.channels if index != alpha)), alpha)
+
+
+def listed(layers: Sequence[ImageLayer]) -> str:
+    """The layers by their names, the first `MOST_LISTED`, as a message says them."""
+    more = len(layers) - MOST_LISTED
+    return ", ".join(layer.name for layer in layers[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
 
 
 _RGB, _GREY, _OTHER = range(3)

@@ -23,6 +23,7 @@ from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.roto import Keyframe, Origin, RotoShape
+from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
 
 
@@ -79,7 +80,8 @@ class GroupTracker:
         Raises
         ------
         RoamError
-            when a shape is open or a single point: only a closed curve has an inside to follow.
+            when a shape is open or a single point (only a closed curve has an inside to follow), or has a point that
+            lies nowhere near the image.
         """
         for shape in shapes:
             if not shape.closed:
@@ -232,10 +234,13 @@ class GroupTracker:
 
 
 def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -> tuple[Part, ...]:
-    """The shapes' outlines on a frame, as a run begins with them."""
+    """The shapes' outlines on a frame, as a run begins with them; a `RoamError` for a point far from any picture."""
+    outlines = [provenance.outline_begun(shape, frame, forward) for shape in shapes]
+    for shape, outline in zip(shapes, outlines, strict=True):
+        require_near(shape, frame, outline)
     return tuple(
-        Part(provenance.outline_begun(shape, frame, forward), is_hole, shape.attached)
-        for shape, is_hole in zip(shapes, cuts(shapes), strict=True)
+        Part(outline, is_hole, shape.attached)
+        for shape, outline, is_hole in zip(shapes, outlines, cuts(shapes), strict=True)
     )
 
 

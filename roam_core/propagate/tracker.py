@@ -60,7 +60,8 @@ class Tracker:
         ValueError
             when the image is none, the shape no `RotoShape` or the frame no whole number.
         RoamError
-            when the shape is open or a single point: only a closed curve has an inside to follow.
+            when the shape is open or a single point (only a closed curve has an inside to follow), or has a point that
+            lies nowhere near the image.
         """
         self._group.start(image, [_one(shape)], frame_number(frame))
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.roto.animated import frames_of
 from roam_core.roto.project import Layer, Project
@@ -19,6 +22,8 @@ MAX_SAMPLES = 1024
 """Moments of motion blur."""
 MAX_SPAN = 1_000_000
 """Frames from the first to the last of a clip, or of a shape's keys."""
+FARTHEST = 1e7
+"""Pixels: a coordinate beyond this is a defect of the project, and single precision would not hold it to a pixel."""
 
 
 class Count:
@@ -66,6 +71,26 @@ def require(count: int, most: int, what: str) -> None:
     """Refuse a count beyond its bound."""
     if count > most:
         raise ValueError(f"it has more {what} than {most}")
+
+
+def is_near(points: Array) -> bool:
+    """Whether all of an outline, or its feather, are numbers no farther from the picture than makes sense."""
+    return bool((np.abs(points) < FARTHEST).all())  # written so that NaN fails too
+
+
+def require_near(shape: RotoShape, frame: int, points: Array) -> None:
+    """Refuse to work on the outline `points` of a shape on a frame: what follows it would take memory for the distance.
+
+    Raises
+    ------
+    RoamError
+        when one of them is not finite or lies absurdly far away.
+    """
+    if not is_near(points):
+        raise RoamError(
+            f"The shape {shape.name!r} has a point on frame {frame} that lies nowhere near the image; "
+            "correct or delete it first."
+        )
 
 
 def require_bounds(project: Project) -> None:

@@ -120,7 +120,7 @@ VERBS: dict[str, Verb] = {
         (
             Field("start", Kind.WHOLE, "first frame (the clip's first)"),
             Field("end", Kind.WHOLE, "last frame (the clip's last)"),
-            Field("name", Kind.TEXT, "pattern of the files' names, such as {name}.####.exr"),
+            Field("name", Kind.TEXT, "pattern of the files' names, such as hero.####.exr"),
             _SHAPE,
             Field("file", Kind.TEXT, "kind of the pictures", tuple(MatteFile)),
             Field("depth", Kind.TEXT, "bits, or floating point", tuple(Depth)),

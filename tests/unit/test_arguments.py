@@ -34,6 +34,7 @@ from roam_core import (
     write_shapes,
 )
 from roam_core.arguments import frame_number, moment, names_of, pixels_of, shown, size_of
+from roam_core.errors import RoamError
 from tests.golden.shots import gliding, square
 
 SHOT = gliding(square(24.0), 4, (40.0, 38.0), (1.5, 0.5), size=(72, 96))
@@ -155,6 +156,26 @@ def test_what_is_no_shape_is_refused(shape: Any) -> None:
     if not isinstance(shape, Project):
         with pytest.raises(ValueError, match="a shape is a RotoShape"):
             render_matte(shape, FIRST, SIZE)
+
+
+@pytest.mark.parametrize("place", [np.nan, 1e9, 1e300])
+def test_a_point_nowhere_near_the_image_is_named_in_place_of_taking_all_memory(place: float) -> None:
+    """A project file may hold such numbers: `roam track` ended in a traceback, or asked for gigabytes."""
+
+    def with_point(shape: RotoShape, frame: int) -> RotoShape:
+        points = np.array(shape.at(frame).points)
+        points[0, 0, 0] = place
+        keys = [replace(key, points=points) if key.frame == frame else key for key in shape.keys]
+        return replace(shape, keys=tuple(keys))
+
+    calls: list[tuple[int, Callable[[], object]]] = [
+        (FIRST, lambda: tracked(shape=with_point(SHAPE, FIRST))),
+        (FIRST, lambda: carried(shapes=with_point(SHAPE, FIRST))),
+        (LAST, lambda: filled(shapes=[with_point(shape, LAST) for shape in KEYED])),
+    ]
+    for frame, call in calls:
+        with pytest.raises(RoamError, match=f"'{SHAPE.name}' has a point on frame {frame} that lies nowhere near"):
+            call()
 
 
 def test_a_tracker_that_was_not_started_says_what_to_do() -> None:

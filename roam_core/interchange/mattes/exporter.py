@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -9,7 +10,7 @@ from pathlib import Path
 from roam_core.atomic_write import write_atomically
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
-from roam_core.interchange.matte_style import SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
+from roam_core.interchange.matte_style import OTHER_SUFFIXES, SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.interchange.mattes.files import JOINT, encode_png, write_picture
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.interchange.naming import file_words, is_numbered, numbering
@@ -23,23 +24,6 @@ NAME = "{name}"
 """In a file's name: where the word of the layer or shape goes."""
 
 PNG = MatteStyle()
-
-OTHER_SUFFIXES = {
-    ".jpg",
-    ".jpeg",
-    ".dpx",
-    ".tga",
-    ".bmp",
-    ".gif",
-    ".webp",
-    ".psd",
-    ".sgi",
-    ".mov",
-    ".mp4",
-    ".avi",
-    ".mkv",
-}
-"""Of pictures and movies that are not written: a path with one of these is no folder that somebody means."""
 
 
 class MatteExporter:
@@ -92,9 +76,33 @@ class MatteExporter:
         if path.suffix.lower() in SUFFIXES:
             folder, pattern = path.parent, path.name
             style = style_for(path, style)
+            require_places(pattern, style)
         else:
             folder, pattern = path, f"matte.####{style.suffix}"
         return folder, numbering(pattern, options.frame_offset), style
+
+
+def require_places(pattern: str, style: MatteStyle) -> None:
+    """Refuse a pattern with places in braces that nothing would be put in, and that would stay in the files' names.
+
+    Raises `RoamError` for all but `{name}`, and for that where no layer or shape has a file of its own.
+    """
+    for place in _PLACE.findall(pattern):
+        if place != NAME:
+            raise RoamError(f"{pattern}: nothing is put in place of {place}; {NAME} stands for a layer or shape.")
+        if _is_single(style):
+            raise RoamError(
+                f"{pattern}: {NAME} stands for a layer or shape, but there is one matte of all; "
+                "ask for one per layer or per shape, or take it out."
+            )
+
+
+_PLACE = re.compile(r"\{\w+\}")
+
+
+def _is_single(style: MatteStyle) -> bool:
+    """Whether a frame has one file."""
+    return style.parts is Parts.ALL or style.gathering is Gathering.CHANNELS
 
 
 def style_for(path: Path, style: MatteStyle) -> MatteStyle:
@@ -280,7 +288,7 @@ def _plan(
     """The files of each frame: plain names, no two of them equal."""
     plan: dict[int, list[Path]] = {}
     taken: dict[Path, int] = {}
-    is_single = style.parts is Parts.ALL or style.gathering is Gathering.CHANNELS
+    is_single = _is_single(style)
     for frame in frames:
         name = name_for(frame)
         if name in ("", ".", "..") or name != Path(name).name or "\0" in name:

@@ -238,6 +238,14 @@ class Transform:
         return bool(self.parts.keys() - {PIVOT, PIVOT + 1, PIVOT + 2})
 
     @property
+    def pivot(self) -> Array | None:
+        """The point in the plane `(2,)` about which it turns, y up; None where that is not told, or moves."""
+        parts = [self.parts.get(PIVOT), self.parts.get(PIVOT + 1)]
+        if any(part is None or not part.is_constant for part in parts):
+            return None
+        return np.array([part.values[0] for part in parts if part is not None])
+
+    @property
     def unknown(self) -> list[str]:
         """Parts that are set and that this reader leaves out."""
         ranges = {"rotation in depth": (ROTATE, ROTATE + 2), "skew": (SKEW, EXTRA), "perspective": (31, LENGTH - 1)}

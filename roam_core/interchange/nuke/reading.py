@@ -56,7 +56,8 @@ class NukeImporter:
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Read all shapes of all Roto nodes; paint strokes, expressions and the like are named and left out.
 
-        A node without a format is taken to have that of the script, or else the clip's size.
+        Each node is scaled from its own format to the clip's. One without is taken to have that of the script, or else
+        the clip's size; where its pivot speaks of another, that is told.
         """
         reader = ShapeReader(path, clip, options)
         script = Script(reader)
@@ -66,22 +67,18 @@ class NukeImporter:
             raise RoamError(f"{path} holds no Roto or RotoPaint node.")
         scripts = [_size(knobs["format"]) for species, knobs in every if species == "Root" and "format" in knobs]
         script_size = scripts[-1] if scripts else None
-        sizes = [_size(knobs["format"]) if "format" in knobs else None for knobs in nodes]
-        size = next((size for size in (*sizes, script_size) if size is not None), None)
-        if any(own not in (None, size) for own in sizes):
-            reader.note("The nodes differ in their formats; all were scaled as the first.")
 
         def root_of(knobs: dict[str, Word]) -> Layer:
-            own = _size(knobs["format"]) if "format" in knobs else None
+            told = (_size(knobs["format"]) if "format" in knobs else None) or script_size
             names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
-            height = (own or script_size or clip.size)[1]
-            return _NodeReader(reader, height, _name(knobs), names).root(knobs["curves"])
+            node = _NodeReader(reader, (told or clip.size)[1], _name(knobs), names, tells_size=told is not None)
+            return reader.fitted(node.root(knobs["curves"]), told)
 
         whole = joined(every, root_of, reader) if is_joined(every) else None
         layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
         if len(layers) == 1 and _says_nothing(layers[0]):
-            return reader.finished(layers[0].children, size)
-        return reader.finished(tuple(reversed(layers)), size)
+            return reader.finished(layers[0].children)
+        return reader.finished(tuple(reversed(layers)))
 
 
 def _offsets(value: Array) -> Array | None:
@@ -118,6 +115,7 @@ class _NodeReader:
     height: float
     node: str
     true_names: dict[str, str]
+    tells_size: bool
 
     def root(self, curves: Word) -> Layer:
         """The node's layers and shapes, in a layer that bears its name."""
@@ -147,6 +145,8 @@ class _NodeReader:
                 flags = _flags(parts[1:])
             elif head in ("t", "tx"):
                 form = self._transform(item, "layer", name)
+                if not outer and not self.tells_size:
+                    self._doubt_size(form)
             elif head == "a":
                 attributes = Attributes(item.nested(), self._teller("layer", name))
             elif head == "layer":
@@ -162,6 +162,17 @@ class _NodeReader:
             opacity=attributes.opacity(self.reader),
             invert=attributes.number("inv", 0) != 0,
             blend=attributes.blend(),
+        )
+
+    def _doubt_size(self, form: Transform) -> None:
+        """Tell where the root turns about the middle of other pictures than the clip's: Nuke puts its pivot there."""
+        middle = form.pivot
+        if middle is None or np.abs(2.0 * middle - self.reader.clip.size).max() <= 1.0:
+            return
+        (width, height), (own_width, own_height) = np.rint(2.0 * middle), self.reader.clip.size
+        self.reader.note(
+            f"The node {brief(self.node)} names no format, and was read as of the clip's, {own_width} x {own_height} "
+            f"pixels; its middle is that of {width:g} x {height:g}. If its shapes lie askew, set its format in Nuke."
         )
 
     def _shape(self, word: Word, parts: list[Word], outer: Sequence[Transform]) -> Iterator[RotoShape]:

@@ -21,8 +21,9 @@ from roam_core.geometry import projective, similarity
 from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.nuke.keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke.text import HEAD, tcl_word
-from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, exported_keys
 from roam_core.roto import Clip, Layer, Project, RotoShape
+from roam_core.roto.bounds import is_near
 from roam_core.roto.placement import matrix_at
 from roam_core.translatable import N_, sentence
 
@@ -58,7 +59,7 @@ class Track:
             raise ValueError(f"track {self.name!r} has {len(self.frames)} frames, positions {np.shape(self.positions)}")
         if (np.diff(self.frames) <= 0).any():
             raise ValueError(f"the frames of track {self.name!r} do not rise")
-        if max(abs(frame) for frame in self.frames) > LAST_EXACT_FRAME or not (np.abs(self.positions) < FARTHEST).all():
+        if max(abs(frame) for frame in self.frames) > LAST_EXACT_FRAME or not is_near(self.positions):
             raise RoamError(f"The track {self.name!r} goes where no image is; it cannot be exported.")
 
 

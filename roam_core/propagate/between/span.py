@@ -6,7 +6,7 @@ import threading
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -35,6 +35,7 @@ from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
 from roam_core.roto.shape import shapes_of
 from roam_core.threads import each
@@ -78,7 +79,8 @@ def fill_span(
     ValueError
         when an argument is not what it should be, such as an id in `only` that no shape has.
     RoamError
-        when no shape that is wanted has artist keys on two frames of the range, or one to be filled is open or a point.
+        when no shape that is wanted has artist keys on two frames of the range, or one to be filled is open, a point,
+        or has a point that lies nowhere near the image.
     Cancelled
         at a safe point after `token` was cancelled.
     """
@@ -100,6 +102,8 @@ def fill_span(
     filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
     result = list(shapes)
     for first, last, members in gaps:
+        for shape, end in product((shapes[k] for k in members), (first, last)):
+            require_near(shape, end, shape.at(end).points)
         for k, keys in filling.filled(shapes, (first, last), [k for k in members if asked[k]]).items():
             result[k] = set_engine_keys(result[k], keys)
     meter.end()

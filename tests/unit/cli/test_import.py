@@ -101,3 +101,15 @@ def test_a_tolerance_that_is_none_is_refused(roam: Roam, project: Path) -> None:
     assert done.status != 0
     assert "positive number of pixels" in done.err
     assert len(file.load(project).shapes) == 1
+
+
+@pytest.mark.parametrize("words", [(), ("--json",)])
+def test_why_nothing_could_be_read_is_told(roam: Roam, project: Path, words: tuple[str, ...]) -> None:
+    """With --json too, of which no line comes then: a script has the reason in its log."""
+    path = project.with_name("p.svg")
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="48" height="36"><text x="5" y="9">A</text></svg>')
+    done = roam("import", path, "--into", project, *words)
+    assert (done.status, done.out) == (1, "")
+    *reasons, refusal = done.err.splitlines()
+    assert any("text" in reason for reason in reasons)
+    assert "holds no shape that ROAM can read" in refusal

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import OpenImageIO as oiio  # noqa: N813
 import pytest
 
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
 from tests.judges.exr_header import header, rate, time_code
-from tests.unit.cli.conftest import Roam, read_matte
+from tests.unit.cli.conftest import Roam, read_matte, write_picture
 from tests.unit.matte.conftest import rectangle
 
 
@@ -125,3 +128,55 @@ def test_a_shape_that_is_not_there_is_named_with_those_that_are(
     assert done.status == 1
     assert done.err == "roam: There is no shape 'Left'; the shapes of the project: 'Left arm', 'Right'.\n"
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("out", ["m.%04d.png", "m.####.exr", "m.mov"])
+def test_a_folder_is_not_named_as_pictures_are(roam: Roam, project: Path, tmp_path: Path, out: str) -> None:
+    """`--out m.%04d.png` is meant as the files' pattern; it made a folder of that name without a word."""
+    done = roam("render", project, "--out", tmp_path / "out" / out)
+    assert done.status == 1
+    assert "is the name of pictures; name the folder that they go to. How they are called there is --name" in done.err
+    assert sorted(tmp_path.iterdir()) == [project]
+    (tmp_path / out).mkdir()
+    assert roam("render", project, "--out", tmp_path / out, "--end", 7).status == 0
+    assert names(tmp_path / out) == ["0007.png"]
+
+
+@pytest.mark.parametrize(
+    ("name", "words", "reason"),
+    [
+        ("{nope}.####.png", (), "nothing is put in place of {nope}; {name} stands for a layer or shape"),
+        ("{nope}.{name}.png", ("--per", "shape"), "nothing is put in place of {nope}"),
+        ("{name}.####.png", (), "{name} stands for a layer or shape, but there is one matte of all"),
+        ("{name}.####.exr", ("--channels",), "{name} stands for a layer or shape, but there is one matte of all"),
+    ],
+)
+@pytest.mark.parametrize("command", ["render", "export"])
+def test_braces_that_would_stay_in_the_names_are_refused(
+    roam: Roam, project: Path, tmp_path: Path, command: str, name: str, words: tuple[str, ...], reason: str
+) -> None:
+    out = tmp_path / "out"
+    where = ("--out", out, "--name", name) if command == "render" else ("--to", "mattes", out / name)
+    done = roam(command, project, *where, *words)
+    assert (done.status, reason in done.err) == (1, True), done.err
+    assert not out.exists()
+
+
+def test_a_project_without_shapes_says_so(roam: Roam, project: Path, tmp_path: Path) -> None:
+    empty = tmp_path / "empty.roam"
+    file.save(Project(file.load(project).clip), empty)
+    assert f"{empty} holds no shape: its mattes are black." in roam("render", empty, "--out", tmp_path / "out").err
+    done = roam("export", empty, tmp_path / "p.nk", "--to", "nuke", "--json")
+    assert json.loads(done.out)["notes"] == [f"{empty} holds no shape: what was written is empty."]
+
+
+def test_frames_without_a_picture_are_named_where_they_get_no_matte(roam: Roam, project: Path, tmp_path: Path) -> None:
+    """Of a plate that is wholly out of reach, as `project`'s, every frame gets one."""
+    loaded = file.load(project)
+    (tmp_path / "plate").mkdir()
+    for frame in (7, 9):
+        write_picture(tmp_path / "plate" / f"p.{frame}.png", np.zeros((16, 24, 3), np.uint8))
+    file.save(Project(replace(loaded.require_clip(), path=tmp_path / "plate"), loaded.root), project)
+    done = roam("render", project, "--out", tmp_path / "out")
+    assert (done.status, names(tmp_path / "out")) == (0, ["p.7.png", "p.9.png"])
+    assert "The plate has no picture of frame(s) 8: no matte is written there" in done.err

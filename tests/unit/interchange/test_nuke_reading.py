@@ -312,11 +312,22 @@ def test_the_format_of_the_node_turns_y_over_and_scales_to_the_clip(read: Read) 
     assert ["scaled" in note for note in imported.notes] == [True]
 
 
-def test_nodes_of_several_formats_are_scaled_as_the_first_and_it_is_said(read: Read) -> None:
-    big, small = (node(group(), knobs=f' format "{size} 0 0 {size} 1 x"') for size in ("400 300", "200 100"))
-    note = "The nodes differ in their formats; all were scaled as the first."
-    assert note in read(big + small).notes
-    assert note not in read(big + big).notes
+def test_each_node_is_scaled_from_its_own_format(read: Read) -> None:
+    """A node without one is of the clip's; all were scaled as the first that had one, and lay in a wrong place."""
+    knobs = (' format "400 300 0 0 400 300 1 x"', "", ' format "200 200 0 0 200 200 1 x"')
+    imported = read("".join(node(group(), knobs=each) for each in knobs))
+    first = [np.round(shape.at(1001).anchors[0], 3).tolist() for shape in reversed(list(imported.layer.shapes()))]
+    assert first == [[5.0, 93.333], [10.0, 80.0], [10.0, 90.0]]
+    assert ["were scaled" in note for note in imported.notes] == [True, True]
+
+
+@pytest.mark.parametrize(
+    ("pivot", "told"), [("100 50", False), ("100.5 50", False), ("1024 778", True), ("0 50", False)]
+)
+def test_a_node_without_format_that_turns_about_another_middle_is_doubted(read: Read, pivot: str, told: bool) -> None:
+    root = f"{{f 512}} {{t {pivot}}} {{a}}"
+    assert ["middle is that of 2048 x 1556" in note for note in read(node(group(), root=root)).notes] == [True] * told
+    assert read('Root {\n format "200 100 0 0 200 100 1 x"\n}\n' + node(group(), root=root)).notes == ()
 
 
 def test_handles_may_be_told_as_places(read: Read) -> None:

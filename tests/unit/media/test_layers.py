@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.media import DamagedFrame, open_clip
-from roam_core.media.image_file import read_image
+from roam_core.media.image_file import read_alpha, read_channels, read_image
 from roam_core.media.layers import Part, colour_layer, layers_of
 from roam_core.roto import Clip
 from tests.unit.media.conftest import HEIGHT, WIDTH, write_image, write_parts
@@ -113,6 +113,32 @@ def test_a_data_window_counts_in_every_part(tmp_path: Path) -> None:
     assert image.shape == (HEIGHT, WIDTH, 3)
     assert np.all(image[:, :2] == 0.0)
     assert np.all(image[:, 2:] == (1.0, 1.125, 1.25))
+
+
+@pytest.mark.parametrize(
+    ("parts", "values"),
+    [
+        ([("", "", (*RGBA, "Z"))], (0.0, 0.125, 0.25, 0.375)),
+        ([("", "", ("Y", "Z"))], (0.0,)),
+        ([("", "", ("A", "Z"))], (0.0,)),
+        ([("", "", ("A", "Left.A"))], (0.125, 0.0)),
+        ([("", "", (*of("diffuse", RGBA), *of("N", ("X", "Y", "Z"))))], (0.0, 0.125, 0.25, 0.375)),
+        (SHOT, (1.0, 1.125, 1.25, 1.375)),
+        ([SHOT[1], SHOT[0]], (0.0, 0.125, 0.25, 0.375)),
+    ],
+)
+def test_a_mask_is_told_by_the_picture_and_its_alpha_alone(
+    tmp_path: Path, parts: list[tuple[str, str, tuple[str, ...]]], values: tuple[float, ...]
+) -> None:
+    """What lies beside them is no part of a mask; depth was the brightest channel of one, or taken for its alpha."""
+    path = write_parts(tmp_path / "m.exr", parts)
+    channels, alpha = read_channels(path), read_alpha(path)
+    assert channels is not None
+    np.testing.assert_array_equal(channels[1, 1], values)
+    has_alpha = any(name.rpartition(".")[2] == "A" for _, _, names in parts for name in names)
+    assert (alpha is not None) == has_alpha
+    if alpha is not None:
+        np.testing.assert_array_equal(alpha[1, 1], values[-1])
 
 
 def test_a_layer_that_is_not_there_is_told_with_those_that_are(tmp_path: Path) -> None:
