@@ -15,7 +15,9 @@ from roam_core.arrays import Array
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.features.pyramid import Pyramid
-from roam_core.geometry import bezier
+from roam_core.geometry import bezier, plane_motion, projective
+from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.kernels.coverage import coverage
 from roam_core.motion.flow import dense_flow
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.motion.template import Template
@@ -156,6 +158,26 @@ def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionP
     x, y = np.floor(found.grid.to_grid(pose.look.places)).astype(np.intp).T
     inside = found.inside[np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)]
     return pose.look.against(inside) < params.pose_against
+
+
+def continued(pose: Pose, parts: Sequence[Part], found: Field, size: tuple[int, int], params: RegionParams) -> Field:
+    """The region of an object of which more is in the picture than its key, of `size` (h, w), shows.
+
+    What may be a limb, looks as on the key and is disputed by the region lies by its pose, which puts it at `parts`,
+    where the key shows it, and as it was `found` beyond the edge of the key's picture.
+    """
+    if pose.look is None or not may_be_limb(pose, params) or pose.unlike >= params.pose_unlike:
+        return found
+    known = pose.template.levels[0].places
+    motion = plane_motion.fit(PlaneMotion.AFFINE, known, pose.carried(known))
+    if motion is None:
+        return found
+    height, width = size
+    edge = projective.apply(motion, np.array([[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]]))
+    is_shown = coverage(found.grid.to_grid(edge), found.grid.shape) > 0.5
+    under_pose = Field.of_coverage(found.grid, enclosed(parts, found.grid))
+    both = Field(found.grid, np.where(is_shown, under_pose.values, found.values))
+    return found if overlap(both.inside, found.inside) >= params.pose_agrees else both
 
 
 def trust(pose: Pose, params: ConfidenceParams) -> float:

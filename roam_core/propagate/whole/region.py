@@ -194,9 +194,11 @@ def _carried(
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, observation.sources.expected.possible, params.overlap, params.components.speck)
-    if state.pose is not None and not _is_opened(state, state.pose, frame.size):
+    if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
-        if posed.is_believed(state.pose, parts, found, params, state.is_posed):
+        if _is_opened(state, state.pose, frame.size):
+            found = posed.continued(state.pose, parts, found, state.key.frame.size, params)
+        elif posed.is_believed(state.pose, parts, found, params, state.is_posed):
             return _as_posed(state, observation, state.pose, parts, params)
     return _along(state, observation, found, params)
 

@@ -132,6 +132,12 @@ def arm_like_its_body(count: int = 6) -> Figure:
     return Figure((body, Moving("arm", box(14, 44), (88, 60), (1.5, 0.0), 2.0, texture(13, 0.55, 0.7))), count)
 
 
+def arm_that_comes_in(count: int = 6) -> Figure:
+    """A body and an arm of the same cloth over it, both cut off by the lower edge at first: they move up."""
+    body = Moving("body", box(60, 200), (80, 150), (0.0, -3.0), 0.0, texture(11, 0.58, 0.66))
+    return Figure((body, Moving("arm", box(16, 50), (84, 108), (0.0, -3.0), 4.0, texture(13, 0.58, 0.66))), count)
+
+
 def body_and_sleeve(count: int = 6) -> Figure:
     """A large body, and a sleeve of the same cloth that turns before its edge: alone it is held to its pose."""
     body = Moving("body", box(100, 76), (72, 62), (0.8, -0.3), 0.6, texture(11, 0.56, 0.66))

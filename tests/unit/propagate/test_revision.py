@@ -26,6 +26,7 @@ from tests.golden.shots import Shot, blob, pose
 from tests.unit.propagate.dimmed import dimmed_body
 from tests.unit.propagate.figures import (
     arm_like_its_body,
+    arm_that_comes_in,
     bending_body_on_a_pan,
     body_and_sleeve,
     body_behind_a_post,
@@ -132,6 +133,13 @@ def coming_in_posed() -> Points:
     return _tracked(pictures, masks[0])
 
 
+def coming_in_limb() -> Points:
+    """An arm alone that comes in with its body, of the same cloth: by its pose, and by its region beyond the key."""
+    figure = arm_that_comes_in()
+    *_, last = track(figure.read, figure.shapes()[1:], figure.frames, "best")
+    return _points([last.results[0].shape])
+
+
 def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
     *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(len(pictures)), "best")
     return _points([result.shape for result in last.results])
@@ -153,6 +161,7 @@ RUNS: dict[str, Callable[[], Points]] = {
         dimmed,
         coming_in,
         coming_in_posed,
+        coming_in_limb,
     )
 }
 

@@ -13,8 +13,9 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import shape_matte
 from roam_core.params import RigidityParams
 from roam_core.propagate.whole.cut_off import CutOff
+from roam_core.roto import Keyframe, RotoShape
 from tests.unit.propagate import figures
-from tests.unit.propagate.figures import disc_that_comes_in
+from tests.unit.propagate.figures import arm_that_comes_in, disc_that_comes_in
 
 SIZE = 480, 640
 PARAMS = RigidityParams(cut=2.0, opened=6.0)
@@ -65,3 +66,15 @@ def test_an_object_that_comes_in_is_followed_to_the_edge_of_the_picture(radius: 
         (result,) = tracked.results
         ours, true = shape_matte(result.shape, tracked.frame, figures.SIZE) > 0.5, masks[tracked.frame] > 0
         assert (ours & true).sum() / (ours | true).sum() > 0.95
+
+
+def test_an_arm_that_comes_in_with_its_body_is_told_from_it() -> None:
+    """Both are of one cloth: what the key shows of the arm lies by its pose, what came in of it by its region."""
+    figure = arm_that_comes_in()
+    overlaps = []
+    for tracked in track(figure.read, figure.shapes()[1:], figure.frames, "best"):
+        (result,) = tracked.results
+        true = RotoShape("true", "true", (Keyframe(tracked.frame, figure.parts[1].truth(tracked.frame)),))
+        ours, theirs = (shape_matte(shape, tracked.frame, figures.SIZE) > 0.5 for shape in (result.shape, true))
+        overlaps.append((ours & theirs).sum() / (ours | theirs).sum())
+    assert np.mean(overlaps[1:]) > 0.87

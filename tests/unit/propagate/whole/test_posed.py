@@ -13,7 +13,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.motion.pose import Look, Pose
 from roam_core.params import RegionParams, params_for
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.whole.posed import is_believable, is_believed, is_steady
+from roam_core.propagate.whole.posed import continued, is_believable, is_believed, is_steady
 from roam_core.proposal.cues.evidence import SURE, Field
 from tests.unit.motion.test_pose import PATCH, learned
 
@@ -98,3 +98,29 @@ def test_a_large_shape_is_steady_while_a_quarter_of_it_is_as_on_its_key(
     assert changed.look is not None
     apart = np.where(np.arange(len(PLACES)) < alike * len(PLACES), 0.25, changed.look.apart)
     assert is_steady(replace(changed, look=replace(changed.look, apart=apart)), PARAMS) is steady
+
+
+@pytest.mark.parametrize(
+    ("area", "apart", "is_taken"),
+    [(SMALL, 1.0, True), (SMALL, 9.0, False), (LARGE, 1.0, False)],
+    ids=["looks as on its key", "unlike its key", "no limb"],
+)
+def test_a_limb_that_came_in_lies_by_its_pose_where_the_key_shows_it(area: float, apart: float, is_taken: bool) -> None:
+    """Cut off by the lower edge of its key, it moved up by 30 pixels; the region leaks to one side all the way down."""
+    there = pose(area, SEAMED, apart)
+    there = replace(there, values=there.values + np.eye(len(there.values))[1] * -30.0)
+    parts = (Part(polygon_points([(60, 40), (80, 40), (80, 90), (60, 90)])),)
+    found = Field(GRID, np.full(GRID.shape, -SURE, np.float32))
+    found.values[40:110, 60:120] = SURE
+    inside = continued(there, parts, found, (120, 160), PARAMS).inside
+    above, beyond = np.s_[:90], np.s_[90:]
+    assert np.array_equal(inside[beyond], found.inside[beyond])
+    assert np.count_nonzero(inside[above]) == (20 * 50 if is_taken else 60 * 50)
+
+
+def test_a_limb_that_came_in_lies_by_its_region_where_that_agrees_with_the_pose() -> None:
+    there = pose(SMALL, SEAMED, 1.0)
+    parts = (Part(polygon_points([(60, 40), (80, 40), (80, 120), (60, 120)])),)
+    found = Field(GRID, np.full(GRID.shape, -SURE, np.float32))
+    found.values[41:, 60:80] = SURE
+    assert continued(there, parts, found, (120, 160), PARAMS) is found
