@@ -105,10 +105,10 @@ def observed(
         patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     if params.label_propagation_weight > 0:
         before = carried_by_flow(state.region.nats_on(fine), flows[1], is_continued=True)
-        flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
-        lines = label_propagation(
-            pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
-        )
+        # What lay beyond the last grid lay outside of the object: there the flow has been as sound as on the key.
+        unreliable = grid.warped(np.float32(1.0) - state.flow_reliability, state.region.grid.map_to_image)
+        reliable = np.float32(1.0) - unreliable
+        lines = label_propagation(pictures, before, (forth, back), reliable, grid, frame.size, params.label_propagation)
     background = key.background(grid) if params.background is not None else None
     sources = Sources(
         *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,

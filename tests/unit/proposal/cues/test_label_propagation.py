@@ -53,7 +53,7 @@ def brought(before: PreparedFrame, after: PreparedFrame, flow_reliability: float
     there = carried_by_flow(sides(40), backward)
     pictures = COARSE.of(before.image), COARSE.of(after.image)
     return label_propagation(
-        pictures, there, flows, np.full(COARSE.shape, flow_reliability, np.float32), COARSE, 1.0, PARAMS
+        pictures, there, flows, np.full(COARSE.shape, flow_reliability, np.float32), COARSE, SIZE, PARAMS
     )
 
 
@@ -104,6 +104,37 @@ def test_a_cell_that_is_decided_otherwise_forgets_most_of_the_key() -> None:
     found = LabelPropagation(depth, np.ones_like(depth), np.full_like(depth, 0.8), PARAMS)
     after = found.after(np.array([[True, False, False, True]]))
     np.testing.assert_allclose(after, [[0.8, 0.8 * PARAMS.contradicted, 0.8, 0.8 * PARAMS.contradicted]])
+
+
+@pytest.mark.parametrize("left", [0, 40])
+def test_what_comes_from_beyond_the_cells_but_not_from_beyond_the_picture_lay_outside_for_sure(left: int) -> None:
+    grid = Grid.over(Region(left, 20, 120, 80), 0.5)
+    cells = np.zeros((*grid.shape, 3), np.uint8)
+    flow = np.zeros((*grid.shape, 2), np.float32)
+    flow[..., 0] = 5.0
+    unknown, outside = np.zeros(grid.shape, np.float32), np.full((60, 120 - left), -1.0, np.float32)
+    found = label_propagation((cells, cells), outside, (flow, -flow), unknown, grid, SIZE, PARAMS)
+    expected = np.zeros(grid.shape, np.float32)
+    expected[:, :5] = 1.0 if left > 0 else 0.0
+    np.testing.assert_array_equal(found.flow_reliability, expected)
+    assert (found.log_ratio[:, :5] <= 0.0).all()
+
+
+def test_cells_that_were_not_looked_at_before_lay_outside_for_sure() -> None:
+    params = RegionParams()
+    card = Part(polygon_points([(40, 30), (60, 30), (60, 80), (40, 80)]))
+    state = begin(picture(40), (card,), params)
+    state = replace(state, flow_reliability=np.zeros_like(state.flow_reliability))
+    there = replace(card, points=card.points + np.array([24.0, 0.0]))
+    seen = observed(replace(state, parts=(there,)), picture(40), params)
+    assert seen is not None
+    assert seen.sources.label_propagation is not None
+    old, grid = state.region.grid.region, seen.sources.grid
+    assert old.x1 + 4 < grid.region.x1 < SIZE[1]
+    column = round(float(grid.to_grid(np.array([old.x1, 0.0]))[0]))
+    reliable = seen.sources.label_propagation.flow_reliability
+    assert reliable[:, column + 2 :].min() > 0.8
+    assert reliable[:, : column - 2].max() < 0.1
 
 
 def test_where_the_lines_are_broken_the_other_cues_speak_alone() -> None:
