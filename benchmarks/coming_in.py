@@ -14,7 +14,6 @@ import numpy as np
 
 from benchmarks import processes, report, shots
 from benchmarks.shots import Shot
-from roam_core import shapes_from_mask, track
 from roam_core.arrays import Array, Image
 from roam_core.params import params_for
 
@@ -99,14 +98,7 @@ def _share(shot: Shot, frame: int, window: Window) -> float:
 
 def _tracked(shot: Shot, frames: Sequence[int], window: Window, config: str) -> tuple[float, float, float]:
     masks = [window.of(shot.mask(frame)) for frame in frames]
-    pairs = []
-    for result in track(
-        lambda k: window.of(shot.read(frames[k])), shapes_from_mask(masks[0]), range(len(frames)), config
-    ):
-        if result.frame > 0:
-            ours = shots.matte([each.shape for each in result.results], result.frame, masks[0].shape)
-            sure = float(np.mean([each.confidence for each in result.results]))
-            pairs.append((shots.overlap(ours, masks[result.frame]), sure))
+    pairs = shots.tracked(lambda k: window.of(shot.read(frames[k])), masks, config)
     iou, confidence = np.mean(pairs, axis=0)
     return pairs[0][0], float(iou), float(confidence)
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from benchmarks import report
-from roam_core import render_matte, shapes_from_mask
+from roam_core import render_matte, shapes_from_mask, track
 from roam_core.arrays import Bools, Image
 from roam_core.errors import RoamError
 from roam_core.matte.vectorise import coverage_of, read_mask
@@ -106,6 +106,20 @@ def load(name: str) -> Shot:
 def first_shapes(shot: Shot) -> list[RotoShape]:
     """The shapes of the first frame, from its true mask."""
     return shapes_from_mask(shot.mask(shot.first), shot.first)
+
+
+def tracked(read: Callable[[int], Image], masks: Sequence[Bools], config: str) -> list[tuple[float, float]]:
+    """What is tracked from the first of true masks, on every further frame: IoU with its mask, and confidence.
+
+    `read(k)` gives the picture that `masks[k]` belongs to. Of several shapes the confidence is their mean.
+    """
+    found = []
+    for result in track(read, shapes_from_mask(masks[0]), range(len(masks)), config):
+        if result.frame > 0:
+            ours = matte([each.shape for each in result.results], result.frame, masks[0].shape)
+            sure = float(np.mean([each.confidence for each in result.results]))
+            found.append((overlap(ours, masks[result.frame]), sure))
+    return found
 
 
 def overlap(ours: Bools, true: Bools) -> float:
