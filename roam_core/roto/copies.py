@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
@@ -10,6 +9,7 @@ from itertools import count
 
 from roam_core.roto.baking import baked
 from roam_core.roto.edit import add_shape
+from roam_core.roto.free_names import counted_on, next_id
 from roam_core.roto.layers import Item, all_baked, top_items
 from roam_core.roto.linking import relinked
 from roam_core.roto.project import Layer, Project
@@ -73,9 +73,7 @@ def _fresh(project: Project, items: Iterable[Item]) -> list[Item]:
     ids, names, uncoloured = {item.id for item in there}, {item.name for item in there}, count()
 
     def fresh(item: Item) -> Item:
-        kind = "layer" if isinstance(item, Layer) else "shape"
-        first = 1 + sum(each.startswith(f"{kind}-") for each in ids)  # as `Project.free_id`
-        item_id = next(each for number in count(first) if (each := f"{kind}-{number}") not in ids)
+        item_id = next_id("layer" if isinstance(item, Layer) else "shape", ids)
         name = counted_on(item.name, names)
         ids.add(item_id)
         names.add(name)
@@ -85,15 +83,6 @@ def _fresh(project: Project, items: Iterable[Item]) -> list[Item]:
         return copy if copy.colour != NO_COLOUR else replace(copy, colour=project.free_colour(next(uncoloured)))
 
     return [fresh(item) for item in items]
-
-
-def counted_on(name: str, taken: Collection[str]) -> str:
-    """The name itself where it is free; else with the next free number: `Arm` gives `Arm 1`, `Arm 1` gives `Arm 2`."""
-    if name not in taken:
-        return name
-    found = re.fullmatch(r"(.*) ([0-9]{1,9})", name, re.DOTALL)
-    stem, last = (found[1], int(found[2])) if found else (name, 0)
-    return next(each for number in count(last + 1) if (each := f"{stem} {number}") not in taken)
 
 
 def _seen(project: Project, item_id: str) -> Item:

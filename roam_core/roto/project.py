@@ -12,6 +12,7 @@ from roam_core.errors import RoamError
 from roam_core.media.content import content_of
 from roam_core.media.layers import PLAIN
 from roam_core.roto.animated import Animatable, value_at
+from roam_core.roto.free_names import counted_on, next_id
 from roam_core.roto.placement import LayerTransform, Placement
 from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, placed, unplaced
 
@@ -232,19 +233,11 @@ class Project:
 
     def free_id(self, kind: str) -> str:
         """The next unused id of a kind: `shape-1`, `layer-3`. Deterministic, so that equal work gives equal files."""
-        taken = {item.id for item in self.root.items()}
-        number = 1 + sum(item_id.startswith(f"{kind}-") for item_id in taken)
-        while f"{kind}-{number}" in taken:
-            number += 1
-        return f"{kind}-{number}"
+        return next_id(kind, {item.id for item in self.root.items()})
 
     def free_name(self, stem: str) -> str:
         """`stem 1`, `stem 2`, ...: the first that no shape or layer bears."""
-        taken = {item.name for item in self.root.items()}
-        number = 1
-        while f"{stem} {number}" in taken:
-            number += 1
-        return f"{stem} {number}"
+        return counted_on(f"{stem} 1", {item.name for item in self.root.items()})
 
     def free_colour(self, after: int = 0) -> tuple[float, float, float]:
         """The palette's colour in turn for the next shape, or for one that comes `after` so many more."""

@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Layer, LayerTransform, Project, edit, file, linking
-from roam_core.roto.copies import counted_on, duplicated, joined, taken_out
+from roam_core.roto.copies import duplicated, joined, taken_out
 from roam_core.roto.shape import NO_COLOUR
 
 SQUARE = polygon_points([(2.0, 2.0), (12.0, 2.0), (12.0, 9.0), (2.0, 9.0)])
@@ -44,23 +44,6 @@ def told(layer: Layer) -> str:
 
 def places(project: Project, shape_id: str) -> np.ndarray:
     return np.array([project.shape(shape_id).at(frame).points for frame in FRAMES])
-
-
-@pytest.mark.parametrize(
-    ("name", "taken", "expected"),
-    [
-        ("Arm", {"Leg"}, "Arm"),
-        ("Arm", {"Arm"}, "Arm 1"),
-        ("Arm 1", {"Arm", "Arm 1"}, "Arm 2"),
-        ("Arm 1", {"Arm 1", "Arm 2", "Arm 4"}, "Arm 3"),
-        ("Take 019", {"Take 019"}, "Take 20"),
-        ("7", {"7"}, "7 1"),
-        ("", {""}, " 1"),
-        ("Arm " + 12 * "9", {"Arm " + 12 * "9"}, "Arm " + 12 * "9" + " 1"),
-    ],
-)
-def test_names_that_are_taken_count_on(name: str, taken: set[str], expected: str) -> None:
-    assert counted_on(name, taken) == expected
 
 
 def test_a_layer_is_duplicated_with_what_lies_in_it(project: Project) -> None:
