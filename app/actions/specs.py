@@ -192,6 +192,9 @@ SPECS: tuple[ActionSpec, ...] = (
         "key.paste_range", N_("Paste key to range…"), _VIEWER, tip=N_("Hold the copied key through a range of frames")
     ),
     ActionSpec(
+        "key.shift", N_("Shift in time…"), tip=N_("All keys and notes, or those of what is selected, later or earlier")
+    ),
+    ActionSpec(
         "key.ripple", N_("Ripple edit"), _VIEWER, "", N_("An edit changes all keys of the in/out range alike"), True
     ),
     ActionSpec(

@@ -15,6 +15,7 @@ from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import Clip, Project, backups, file, project_lock
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.project_lock import Holder
+from roam_core.roto.relinking import is_renumbered
 
 from ..jobs.decode import PlateReader
 from ..jobs.found_clip import looked_at
@@ -50,6 +51,8 @@ class Files(QObject):
         document's place when `show` is called.
     contested(path, holder) : a project was not opened, because the `Holder` has it open.
     opened(path) : the project or clip that the artist named is open.
+    renumbered(before) : the plate that was relinked has the pictures of the clip `before` under other numbers; the keys
+        are on the frames on which they were.
     looked(found) : the clip that `look_at` was asked about, as a `FoundClip`.
     """
 
@@ -62,6 +65,7 @@ class Files(QObject):
     contested = Signal(object, object)
     opened = Signal(object)
     looked = Signal(object)
+    renumbered = Signal(object)
 
     def __init__(
         self,
@@ -322,6 +326,7 @@ class Files(QObject):
         """Give the project, as it is now, the clip that was found; not another one that was opened since.
 
         In and out stay as far as the clip has their frames; where they were its ends they are those of the new one.
+        With pictures that are numbered anew they go along, and so does the playhead.
         """
         if sitting != self._document.sitting:
             return
@@ -329,16 +334,20 @@ class Files(QObject):
         if view.is_in_use:
             view.set_tool("select")  # a shape that is half drawn is finished: with another clip it would be dropped
         frame, selection, layers = view.frame, view.selection, view.layers
-        before, (first, stop) = self._document.project.require_clip().frame_range, view.play_range
+        replaced = self._document.project.require_clip()
+        before, (first, stop) = replaced.frame_range, view.play_range
+        offset = clip.first - replaced.first if is_renumbered(replaced, clip) else 0
         self._reader.open(None)
         self._document.relink(clip)
         view.set_play_range(
-            clip.first if first == before.start else max(first, clip.first),
-            clip.last + 1 if stop == before.stop else min(stop, clip.last + 1),
+            clip.first if first == before.start else max(first + offset, clip.first),
+            clip.last + 1 if stop == before.stop else min(stop + offset, clip.last + 1),
         )
-        view.set_frame(min(max(frame, clip.first), clip.last))
+        view.set_frame(min(max(frame + offset, clip.first), clip.last))
         view.select(selection.shapes, selection.points, layers)
         self._reader.open(found.source)
+        if offset:
+            self.renumbered.emit(replaced)
 
     def _show(self, found: Found) -> None:
         # The old plate goes first and the new one comes last: no frame is ever asked of the wrong one.

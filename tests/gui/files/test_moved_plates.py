@@ -9,6 +9,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QMessageBox
 from pytestqt.qtbot import QtBot
 
 from app.canvas.plate.stage import LOST
@@ -16,7 +17,9 @@ from app.dialogs import questions
 from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
 from roam_core.media import declared
-from roam_core.roto import Keyframe, Origin, RotoShape, edit, file
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, stamp
+from roam_core.roto import Keyframe, Origin, RotoShape, edit, file, timing
 from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
 
 SQUARE = bezier.polygon_points([[20.0, 20.0], [90.0, 20.0], [90.0, 80.0], [20.0, 80.0]])
@@ -96,6 +99,40 @@ def test_a_clip_is_relinked_to_another_version_below_the_same_shapes(
     assert document.path == tmp_path / "a.roam"
     np.testing.assert_array_equal(shown.args[1], cv2.imread(str(version / f"plate.{FIRST}.png"))[..., ::-1])
     assert "is not that of the plate" in window.status.sentence.text()
+
+
+@pytest.mark.parametrize("follows", [True, False])
+def test_a_plate_whose_pictures_are_numbered_anew_takes_keys_and_notes_along_if_the_artist_says_so(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, follows: bool
+) -> None:
+    document, view = window.document, window.view_state
+    drawn = edit.new_shape(document.project, SQUARE, FIRST)[0]
+    clip = clip_stamp(drawn.clip)
+    inputs = stamp(drawn.shapes, FIRST + 1, FIRST, CONFIGS[DEFAULT_CONFIG], clip, forward=True)
+    key = Keyframe(FIRST + 1, SQUARE, origin=Origin.ENGINE, inputs=inputs)
+    tracked = drawn.with_shape(drawn.shapes[0].with_key(key))
+    document.open(timing.set_mark(tracked, FIRST, "look"), tmp_path / "a.roam")
+    view.set_frame(FIRST + 1)
+    view.set_play_range(FIRST + 1, FIRST + 2)
+    renumbered = tmp_path / "plate_0001"
+    renumbered.mkdir()
+    for frame in (1, 2):
+        shutil.copyfile(tmp_path / "plate" / f"plate.{FIRST + frame - 1}.png", renumbered / f"plate.{frame:04d}.png")
+    with qtbot.waitSignal(window.files.renumbered, timeout=WAIT):
+        window.files.open_plate(renumbered)
+    box = window.findChild(QMessageBox)
+    assert box is not None
+    assert "numbered from 1 now, not from 1001" in box.informativeText()
+    assert (view.frame, view.play_range) == (2, (2, 3))  # the same picture
+    wanted = f"Shift by {1 - FIRST}" if follows else "Leave them"
+    next(button for button in box.buttons() if button.text() == wanted).click()
+    (shape,), (mark,) = document.project.shapes, document.project.marks
+    first = 1 if follows else FIRST
+    assert shape.frames == (first, first + 1)
+    assert mark.frame == first
+    stale = Stamps.of(document.project.shapes, document.project.clip).is_stale(shape, shape.keys[1])
+    assert stale is not follows
+    assert document.undo_stack.count() == int(follows)
 
 
 def test_what_was_declared_of_the_plate_holds_for_its_next_version(
