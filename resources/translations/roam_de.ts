@@ -6070,6 +6070,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} flimmert</translation>
     </message>
     <message>
+        <source>{name} in {layer}</source>
+        <translation>{name} in {layer}</translation>
+    </message>
+    <message>
         <source>{name} is a single point; draw an outline around the object to track it.</source>
         <translation>{name} ist ein einzelner Punkt; zum Tracken einen Umriss um das Objekt zeichnen.</translation>
     </message>
