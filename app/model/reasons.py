@@ -1,15 +1,18 @@
-"""Why nothing is edited, or seen to move: sentences for the status bar."""
+"""Why nothing is edited, or seen to move, or is out of date all at once: sentences for the status bar."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roam_core.roto import Clip, Project, RotoShape
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.roto import Clip, Origin, Project, RotoShape
 
 from ..translation import N_, tr
 from .shown import editable_shapes
 from .view_state import ViewState, selected_shapes
 
+MOST_NAMES = 3
+"""Shapes that a sentence names."""
 NOTHING_SELECTED = N_("Select a shape or some of its points first.")
 
 
@@ -40,3 +43,27 @@ def keys_beside(shapes: Iterable[RotoShape], clip: Clip) -> str:
         first=clip.first,
         last=clip.last,
     )
+
+
+def outdated_by(before: Project, after: Project) -> str:
+    """A sentence where shapes that an edit added made tracked frames of others stale: they are parts of their objects.
+
+    Empty where no shape that the edit left alone has tracked frames that held `before` and do not `after`.
+    """
+    there = {shape.id: shape for shape in after.shapes}
+    left = [shape for shape in before.shapes if there.get(shape.id) is shape and _is_tracked(shape)]
+    if not left:
+        return ""
+    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    names = [s.name for s in left if any(now.is_stale(s, key) and not held.is_stale(s, key) for key in s.keys)]
+    if not names:
+        return ""
+    return tr(
+        "Tracked frames of {names} are out of date: what is new lies on it and counts as a part of its object. Move it "
+        "away, or solve it by itself: <object.apart>.",
+        names=", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else ""),
+    )
+
+
+def _is_tracked(shape: RotoShape) -> bool:
+    return any(key.origin is Origin.ENGINE for key in shape.keys)

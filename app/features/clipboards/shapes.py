@@ -13,7 +13,7 @@ from roam_core.roto import Layer, Project, file
 from roam_core.roto.copies import joined, taken_out
 
 from ...model.document import Document
-from ...model.reasons import keys_beside
+from ...model.reasons import keys_beside, outdated_by
 from ...model.view_state import ViewState
 from ...translation import tr
 from ..verbs.shapes import delete, rows_in_hand, select_items
@@ -82,10 +82,12 @@ class ShapeClipboard:
                 self._view.say(tr("There is no shape to paste; copy one first, here or in another program."))
             return
         project, ids = joined(self._document.project, copied.children)
+        outdated = outdated_by(self._document.project, project)
         self._document.apply(tr("Paste"), project)
         select_items(self._document, self._view, ids)
-        if project.clip is not None and (sentence := keys_beside(copied.shapes(), project.clip)):
-            self._view.say(sentence)
+        beside = "" if project.clip is None else keys_beside(copied.shapes(), project.clip)
+        if beside or outdated:
+            self._view.say(beside or outdated)
 
     def _selected(self) -> list[str]:
         return rows_in_hand(self._document.project, self._view)

@@ -10,6 +10,7 @@ from roam_core.roto.copies import duplicated
 from roam_core.roto.layers import top_items
 
 from ...model.document import Document
+from ...model.reasons import outdated_by
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
@@ -82,8 +83,11 @@ class ShapeVerbs:
         """Copies of the selected layers and shapes on top of what holds them, selected in their place."""
         if rows := self._rows():
             project, copies = duplicated(self._document.project, rows)
+            outdated = outdated_by(self._document.project, project)
             self._document.apply(tr("Duplicate"), project)
             select_items(self._document, self._view, copies)
+            if outdated:
+                self._view.say(outdated)
 
     def toggle_lock(self) -> None:
         toggle(self._document, "locked", self._rows())

@@ -10,11 +10,14 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from app.features.clipboards.shapes import ShapeClipboard
+from app.features.verbs.finishing import finish_shape
 from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Project, edit
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import clip_stamp, stamp
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -205,3 +208,27 @@ def test_a_layer_is_duplicated_cut_and_pasted_whole(document: Document, view_sta
     clipboard.cut()
     assert document.project.has(layer.id)
     assert "What is locked stays" in view_state.message
+
+
+@pytest.mark.parametrize("how", ["duplicate", "paste", "draw", "draw apart"])
+def test_what_lies_on_a_tracked_shape_and_makes_its_frames_stale_is_told(
+    document: Document, view_state: ViewState, how: str
+) -> None:
+    clip = Clip(Path("plate"), 1, 9, (120, 80))
+    drawn = RotoShape("shape-1", "Car", (Keyframe(1, SQUARE),))
+    inputs = stamp([drawn], 2, 1, CONFIGS[DEFAULT_CONFIG], clip_stamp(clip), forward=True)
+    tracked = drawn.with_key(Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=inputs))
+    document.open(edit.add_items(Project(clip), [tracked])[0], None)
+    view_state.select(frozenset({"shape-1"}))
+    if how == "duplicate":
+        ShapeVerbs(document, view_state).duplicate()
+    elif how == "paste":
+        clipboard = ShapeClipboard(document, view_state)
+        clipboard.copy()
+        clipboard.paste()
+    else:
+        finish_shape(document, view_state, "polygon", SQUARE + (5.0 if how == "draw" else 60.0), 1)
+    assert len(document.project.shapes) == 2
+    is_told = view_state.message.startswith("Tracked frames of Car are out of date")
+    assert is_told is (how != "draw apart")
+    assert not is_told or "Solve by itself" in view_state.message
