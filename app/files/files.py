@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
+from roam_core.media.colour_spaces import config_trouble
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import Clip, Project, backups, file, project_lock
 from roam_core.roto.fingerprint import Fingerprint
@@ -104,7 +105,7 @@ class Files(QObject):
         def work(report: Report) -> str:
             report.progress(0.0, tr("Looking at {name} …", name=path.name))
             report.partial(looked_at(path, layer))
-            return ""
+            return config_trouble()
 
         job = self._runner.start("look", work)
         job.progress.connect(self.progress)
@@ -124,7 +125,7 @@ class Files(QObject):
             sentence = tr(
                 "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=gaps_of(source)
             ).rstrip()
-            return Found(project, source, sentence)
+            return Found(project, source, " ".join(filter(None, (sentence, config_trouble()))))
 
         self._open(tr("Opening {name} …", name=path.name), read, origin=path)
 

@@ -9,11 +9,12 @@ from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_of
-from roam_core.cli.plate import add_layer, opened
+from roam_core.cli.plate import add_layer, opened, tell
 from roam_core.cli.spans import Gap
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
+from roam_core.media.colour_spaces import config_trouble
 from roam_core.media.finding import is_there
 from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.departed import departed_settings
@@ -43,6 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
             print(line)
         return 0
     source = open_clip(arguments.project, arguments.layer)
+    tell(config_trouble())
     if arguments.json:
         print_json(
             {"clip": _clip_values(Clip.of(source)) | {"missing": list(source.missing), "layers": list(source.layers)}}
