@@ -23,12 +23,15 @@ def why_not(project: Project, view: ViewState) -> str:
     if kept is None:
         return tr(NOTHING_SELECTED)
     if not kept.exists_at(view.frame):
-        return tr(
-            "{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.",
-            name=kept.name,
-            frame=view.frame,
-        )
+        return does_not_exist(kept, view.frame)
     return tr("{name!r} is locked or hidden; unlock and show it to edit it.", name=kept.name)
+
+
+def does_not_exist(shape: RotoShape, frame: int) -> str:
+    """That a frame lies outside of a shape's lifetime, and where that is changed."""
+    return tr(
+        "{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.", name=shape.name, frame=frame
+    )
 
 
 def keys_beside(shapes: Iterable[RotoShape], clip: Clip) -> str:
