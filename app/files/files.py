@@ -52,8 +52,8 @@ class Files(QObject):
         document's place when `show` is called.
     contested(path, holder) : a project was not opened, because the `Holder` has it open.
     opened(path) : the project or clip that the artist named is open.
-    renumbered(before) : the plate that was relinked has the pictures of the clip `before` under other numbers; the keys
-        are on the frames on which they were.
+    renumbered(before) : the plate that was relinked, or opened with its project, has the pictures of the clip `before`
+        under other numbers; the keys are on the frames on which they were.
     looked(found) : the clip that `look_at` was asked about, as a `FoundClip`.
     """
 
@@ -152,8 +152,9 @@ class Files(QObject):
             sentence = differences(project, source) or tr(
                 "The plate is {name} now; save to keep that.", name=source.path.name
             )
-            clip = replace(Clip.of(source), extra=project.require_clip().extra)
-            sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip))))
+            held = project.require_clip()
+            clip = replace(Clip.of(source), extra=held.extra)
+            sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip, held))))
             return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
 
         self._start(_reading(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting))
@@ -181,7 +182,7 @@ class Files(QObject):
             found = read_project(path)
             first = tr("A copy of {name}; save to keep it.", name=path.name)
             sentence = " ".join(filter(None, (first, departed_settings(found.project.shapes))))
-            return Found(found.project, found.source, sentence, is_unsaved=True)
+            return Found(found.project, found.source, sentence, is_unsaved=True, before=found.before)
 
         self._open(tr("Opening {name} …", name=path.name), read)
 
@@ -322,6 +323,8 @@ class Files(QObject):
         self._show(found)
         if origin is not None:
             self.opened.emit(origin)
+        if found.before is not None:
+            self.renumbered.emit(found.before)
 
     def _relink(self, found: Found, sitting: int) -> None:
         """Give the project, as it is now, the clip that was found; not another one that was opened since.

@@ -34,15 +34,28 @@ def does_not_exist(shape: RotoShape, frame: int) -> str:
     )
 
 
-def keys_beside(shapes: Iterable[RotoShape], clip: Clip) -> str:
-    """A sentence where shapes have keys, but none on the clip: they came from another shot, and never move here."""
+def keys_beside(shapes: Iterable[RotoShape], clip: Clip, before: Clip | None = None) -> str:
+    """A sentence where shapes have keys, but none on the clip: they came from another shot, and never move here.
+
+    Also where some lie beside it that lay on the clip `before`, of which this one has taken the place.
+    """
     frames = [frame for shape in shapes for frame in shape.frames]
-    if not frames or any(frame in clip.frame_range for frame in frames):
+    lost = [frame for frame in frames if before and frame in before.frame_range and frame not in clip.frame_range]
+    if frames and not any(frame in clip.frame_range for frame in frames):
+        return tr(
+            "The keys lie on frames {low} to {high}, none of them on the clip's {first} to {last}; "
+            "<key.shift> moves them.",
+            low=min(frames),
+            high=max(frames),
+            first=clip.first,
+            last=clip.last,
+        )
+    if not lost:
         return ""
     return tr(
-        "The keys lie on frames {low} to {high}, none of them on the clip's {first} to {last}.",
-        low=min(frames),
-        high=max(frames),
+        "Keys on frames {low} to {high} lie beside the clip now, which has {first} to {last}; <key.shift> shifts keys.",
+        low=min(lost),
+        high=max(lost),
         first=clip.first,
         last=clip.last,
     )

@@ -1913,6 +1913,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ändert sich, ohne Keyframe auf diesem Frame. Klicken setzt einen</translation>
     </message>
     <message>
+        <source>Its plate is numbered from {first} now, not from {before}.</source>
+        <translation>Seine Plate ist jetzt ab {first} nummeriert, nicht ab {before}.</translation>
+    </message>
+    <message>
         <source>JSON (ROAM, COCO, MLT)</source>
         <translation>JSON (ROAM, COCO, MLT)</translation>
     </message>
@@ -1984,6 +1988,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Keys of shapes</source>
         <translation>Keyframes der Formen</translation>
+    </message>
+    <message>
+        <source>Keys on frames {low} to {high} lie beside the clip now, which has {first} to {last}; &lt;key.shift&gt; shifts keys.</source>
+        <translation>Keyframes auf den Frames {low} bis {high} liegen jetzt neben dem Clip, der {first} bis {last} hat; &lt;key.shift&gt; verschiebt Keyframes.</translation>
     </message>
     <message>
         <source>Keys, lifetimes, opacity and feather, depth and the motion of layers go along; the clip stays. Earlier is below zero.</source>
@@ -4179,8 +4187,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Keyframes davor und danach, wie weit sie auch liegen</translation>
     </message>
     <message>
-        <source>The keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}.</source>
-        <translation>Die Keyframes liegen auf den Frames {low} bis {high}, keiner davon auf denen des Clips von {first} bis {last}.</translation>
+        <source>The keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}; &lt;key.shift&gt; moves them.</source>
+        <translation>Die Keyframes liegen auf den Frames {low} bis {high}, keiner davon auf denen des Clips, {first} bis {last}; &lt;key.shift&gt; verschiebt sie.</translation>
     </message>
     <message>
         <source>The keys of your shapes appear here.</source>
