@@ -255,7 +255,9 @@ SPECS: tuple[ActionSpec, ...] = (
         "planar.forward", N_("Planar track forward"), icon="planar-forward", tip=N_("Follow the surface in the shapes")
     ),
     ActionSpec(
-        "track.delete_engine_keys", N_("Delete tracked frames"), tip=N_("Delete every tracked frame; artist keys stay")
+        "track.delete_engine_keys",
+        N_("Delete tracked frames"),
+        tip=N_("All of them, or those between in and out; artist keys stay"),
     ),
     ActionSpec(
         "object.one", N_("Solve as one object"), _VIEWER, tip=N_("Track the selected shapes as one whole object")

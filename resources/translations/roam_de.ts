@@ -375,6 +375,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Alle Keyframes und Notizen oder die der Auswahl früher oder später setzen</translation>
     </message>
     <message>
+        <source>All of them, or those between in and out; artist keys stay</source>
+        <translation>Alle oder die zwischen In und Out; eigene Keyframes bleiben</translation>
+    </message>
+    <message>
         <source>All other visible shapes lie before the surface</source>
         <translation>Alle anderen sichtbaren Formen liegen vor der Fläche</translation>
     </message>
@@ -541,6 +545,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Besides:</source>
         <translation>Außerdem:</translation>
+    </message>
+    <message>
+        <source>Between in and out, {first} to {last}, no frame is tracked.</source>
+        <translation>Zwischen In und Out, {first} bis {last}, ist kein Frame getrackt.</translation>
     </message>
     <message>
         <source>Bezier</source>
@@ -952,10 +960,6 @@ Jetzt: {level}, {changes}</translation>
         <translation>Alle Keyframes löschen</translation>
     </message>
     <message>
-        <source>Delete every tracked frame; artist keys stay</source>
-        <translation>Alle getrackten Frames löschen; eigene Keyframes bleiben</translation>
-    </message>
-    <message>
         <source>Delete key</source>
         <translation>Keyframe löschen</translation>
     </message>
@@ -982,6 +986,20 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Delete tracked frames</source>
         <translation>Getrackte Frames löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Deleted %n tracked frame(s) from {first} to {last}.</source>
+        <translation>
+            <numerusform>%n getrackter Frame von {first} bis {last} gelöscht.</numerusform>
+            <numerusform>%n getrackte Frames von {first} bis {last} gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Deleted %n tracked frame(s).</source>
+        <translation>
+            <numerusform>%n getrackter Frame gelöscht.</numerusform>
+            <numerusform>%n getrackte Frames gelöscht.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Depth</source>

@@ -73,8 +73,19 @@ class ShapeVerbs:
         self._edit_each(tr("Delete key"), lambda shape: edit.delete_keys(shape, [frame]))
 
     def delete_engine_keys(self) -> None:
-        """Delete every tracked frame of the selected shapes."""
-        self._edit_each(tr("Delete tracked frames"), edit.delete_engine_keys)
+        """Delete the tracked frames of the selected shapes: all, or those between in and out where these are set."""
+        project, (first, stop) = self._document.project, self._view.play_range
+        is_whole = project.clip is None or (first, stop) == (project.clip.first, project.clip.last + 1)
+        frames = None if is_whole else range(first, stop)
+        free = [project.shape(shape_id) for shape_id in self._free(self._selected())]
+        gone = sum(len(shape.keys) - len(edit.delete_engine_keys(shape, frames).keys) for shape in free)
+        if gone:
+            self._edit_each(tr("Delete tracked frames"), lambda shape: edit.delete_engine_keys(shape, frames))
+            between = tr("Deleted %n tracked frame(s) from {first} to {last}.", "", gone, first=first, last=stop - 1)
+            self._view.say(tr("Deleted %n tracked frame(s).", "", gone) if is_whole else between)
+        elif free:
+            none = tr("Between in and out, {first} to {last}, no frame is tracked.", first=first, last=stop - 1)
+            self._view.say(tr("No frame is tracked yet.") if is_whole else none)
 
     def delete(self) -> None:
         delete(self._document, self._view, self._selected())

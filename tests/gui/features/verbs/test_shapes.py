@@ -232,3 +232,29 @@ def test_what_lies_on_a_tracked_shape_and_makes_its_frames_stale_is_told(
     is_told = view_state.message.startswith("Tracked frames of Car are out of date")
     assert is_told is (how != "draw apart")
     assert not is_told or "Solve by itself" in view_state.message
+
+
+@pytest.mark.parametrize(
+    ("in_out", "left", "told"),
+    [
+        ((1, 10), (1,), "Deleted 8 tracked frames."),
+        ((4, 7), (1, 2, 3, 7, 8, 9), "Deleted 3 tracked frames from 4 to 6."),
+        ((1, 2), tuple(range(1, 10)), "Between in and out, 1 to 1, no frame is tracked."),
+    ],
+)
+def test_tracked_frames_are_deleted_between_in_and_out(
+    document: Document, view_state: ViewState, in_out: tuple[int, int], left: tuple[int, ...], told: str
+) -> None:
+    keys = [Keyframe(1, SQUARE), *(Keyframe(frame, SQUARE, origin=Origin.ENGINE) for frame in range(2, 10))]
+    tracked = RotoShape("shape-1", "Car", tuple(keys))
+    document.open(edit.add_items(Project(Clip(Path("plate"), 1, 9, (120, 80))), [tracked])[0], None)
+    view_state.select(frozenset({"shape-1"}))
+    view_state.set_play_range(*in_out)
+    ShapeVerbs(document, view_state).delete_engine_keys()
+    assert document.project.shapes[0].frames == left
+    assert view_state.message == told
+    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+    before = document.project
+    ShapeVerbs(document, view_state).delete_engine_keys()
+    assert document.project is before
+    assert "locked" in view_state.message
