@@ -127,6 +127,8 @@ def _project_lines(path: Path) -> list[str]:
     lines.extend(f"note     {mark.frame}: {' '.join(mark.text.split())}" for mark in project.marks if mark.text)
     stamps = Stamps.of(project.shapes, project.clip)
     missing = frozenset[int]() if project.clip is None else missing_now(project.clip)
+    if project.clip is not None and len(missing) == len(project.clip.frame_range):
+        lines.append("note     The plate has none of these frames; where it was numbered anew, roam shift follows it.")
     lines.extend(_shape_line(shape, stamps, missing, project.clip) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):
         lines.append(f"note     {sentence}")
