@@ -258,3 +258,34 @@ def test_tracked_frames_are_deleted_between_in_and_out(
     ShapeVerbs(document, view_state).delete_engine_keys()
     assert document.project is before
     assert "locked" in view_state.message
+
+
+@pytest.mark.parametrize(
+    ("copied", "selected", "home"),
+    [
+        (("shape-1", ()), ("", ("layer-1",)), "layer-1"),  # cut or copied here, pasted into another layer
+        (("shape-2", ()), ("shape-2", ()), "layer-1"),  # beside what was copied
+        (("shape-2", ()), ("", ()), "root"),
+        (("", ("layer-1",)), ("", ("layer-1",)), "root"),  # no copy of a layer in the layer itself
+        (("", ("layer-2",)), ("", ("layer-2",)), "layer-1"),
+        (("", ("layer-1",)), ("", ("layer-2",)), "layer-2"),
+    ],
+)
+def test_what_is_pasted_comes_into_the_layer_in_hand(
+    document: Document, view_state: ViewState,
+    copied: tuple[str, tuple[str, ...]], selected: tuple[str, tuple[str, ...]], home: str,
+) -> None:  # fmt: skip
+    opened(document, 3)
+    project, outer = grouped(document.project, {"shape-2", "shape-3"})
+    project, inner = grouped(project, {"shape-3"})
+    assert (outer.id, inner.id) == ("layer-1", "layer-2")
+    document.open(project, None)
+    clipboard = ShapeClipboard(document, view_state)
+    for (shape_id, layers), call in ((copied, clipboard.copy), (selected, clipboard.paste)):
+        held = {shape.id for layer in layers for shape in project.find(layer).shapes()} | ({shape_id} - {""})
+        view_state.select(frozenset(held), layers=frozenset(layers))
+        call()
+    new = view_state.layers or view_state.selection.shapes
+    assert {document.project.layers_above(item_id)[-1].id for item_id in new} == {home}
+    assert len(new) == 1
+    assert not any(project.has(item_id) for item_id in new)
