@@ -62,7 +62,8 @@ def keys_beside(shapes: Iterable[RotoShape], clip: Clip, before: Clip | None = N
 
 
 def outdated_by(before: Project, after: Project) -> str:
-    """A sentence where shapes that an edit added made tracked frames of others stale: they are parts of their objects.
+    """A sentence where shapes that an edit added or deleted made tracked frames of others stale, of whose objects they
+    are, or were, parts.
 
     Empty where no shape that the edit left alone has tracked frames that held `before` and do not `after`.
     """
@@ -75,10 +76,13 @@ def outdated_by(before: Project, after: Project) -> str:
     names = [s.name for s in joined if any(now.is_stale(s, key) and not held.is_stale(s, key) for key in s.keys)]
     if not names:
         return ""
+    told = ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")
+    if there.keys() <= {shape.id for shape in before.shapes}:
+        return tr("Tracked frames of {names} are out of date: what is gone was a part of its object.", names=told)
     return tr(
         "Tracked frames of {names} are out of date: what is new lies on it and counts as a part of its object. Move it "
         "away, or solve it by itself: <object.apart>.",
-        names=", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else ""),
+        names=told,
     )
 
 

@@ -4594,6 +4594,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Getrackte Frames sind veraltet: Sie wurden auf anderen Bildern berechnet.</translation>
     </message>
     <message>
+        <source>Tracked frames of {names} are out of date: what is gone was a part of its object.</source>
+        <translation>Getrackte Frames von {names} sind veraltet: Was gelöscht ist, war Teil desselben Objekts.</translation>
+    </message>
+    <message>
         <source>Tracked frames of {names} are out of date: what is new lies on it and counts as a part of its object. Move it away, or solve it by itself: &lt;object.apart&gt;.</source>
         <translation>Getrackte Frames von {names} sind veraltet: Was neu ist, liegt darauf und gilt als Teil desselben Objekts. Wegschieben oder für sich berechnen: &lt;object.apart&gt;.</translation>
     </message>

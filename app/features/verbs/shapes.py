@@ -162,10 +162,13 @@ def delete(document: Document, view: ViewState, item_ids: Iterable[str], text: s
     """Delete layers and shapes, but for what is locked or holds what is; `text` names the step."""
     ids = list(item_ids)
     free = [item_id for item_id in ids if not document.project.holds_locked(item_id)]
+    before = document.project
     if free:
-        document.apply(text or tr("Delete"), edit.remove_items(document.project, free))
+        document.apply(text or tr("Delete"), edit.remove_items(before, free))
     if len(free) < len(ids):
         view.say(tr(LOCKED_STAYS))
+    elif outdated := outdated_by(before, document.project):
+        view.say(outdated)
 
 
 def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:

@@ -289,3 +289,13 @@ def test_what_is_pasted_comes_into_the_layer_in_hand(
     assert {document.project.layers_above(item_id)[-1].id for item_id in new} == {home}
     assert len(new) == 1
     assert not any(project.has(item_id) for item_id in new)
+
+
+def test_what_is_gone_and_was_a_part_of_a_tracked_object_is_told(document: Document, view_state: ViewState) -> None:
+    clip = Clip(Path("plate"), 1, 9, (120, 80))
+    parts = [RotoShape(f"shape-{k}", f"Part {k}", (Keyframe(1, SQUARE + 5.0 * k),)) for k in (1, 2)]
+    inputs = stamp(parts, 2, 1, CONFIGS[DEFAULT_CONFIG], clip_stamp(clip), forward=True)
+    tracked = [part.with_key(Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=inputs)) for part in parts]
+    document.open(edit.add_items(Project(clip), tracked)[0], None)
+    delete(document, view_state, ["shape-2"])
+    assert view_state.message == "Tracked frames of Part 1 are out of date: what is gone was a part of its object."
