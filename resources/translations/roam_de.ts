@@ -2013,7 +2013,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>Keys, lifetimes, opacity and feather, depth and the motion of layers go along; the clip stays. Earlier is below zero.</source>
-        <translation>Keyframes, Lebensdauer, Deckkraft und weiche Kante, Tiefe und die Bewegung von Ebenen gehen mit; der Clip bleibt. Früher heißt: unter null.</translation>
+        <translation>Keyframes, Lebensdauer, Deckkraft und Feather, Tiefe und die Bewegung von Ebenen gehen mit; der Clip bleibt. Früher heißt: unter null.</translation>
     </message>
     <message>
         <source>Keys…</source>
