@@ -192,6 +192,9 @@ SPECS: tuple[ActionSpec, ...] = (
         "key.paste_range", N_("Paste key to range…"), _VIEWER, tip=N_("Hold the copied key through a range of frames")
     ),
     ActionSpec(
+        "key.shift", N_("Shift in time…"), tip=N_("All keys and notes, or those of what is selected, later or earlier")
+    ),
+    ActionSpec(
         "key.ripple", N_("Ripple edit"), _VIEWER, "", N_("An edit changes all keys of the in/out range alike"), True
     ),
     ActionSpec(
@@ -252,7 +255,9 @@ SPECS: tuple[ActionSpec, ...] = (
         "planar.forward", N_("Planar track forward"), icon="planar-forward", tip=N_("Follow the surface in the shapes")
     ),
     ActionSpec(
-        "track.delete_engine_keys", N_("Delete tracked frames"), tip=N_("Delete every tracked frame; artist keys stay")
+        "track.delete_engine_keys",
+        N_("Delete tracked frames"),
+        tip=N_("All of them, or those between in and out; artist keys stay"),
     ),
     ActionSpec(
         "object.one", N_("Solve as one object"), _VIEWER, tip=N_("Track the selected shapes as one whole object")

@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 from enum import Enum
 from pathlib import Path
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..translation import N_, tr, translated
@@ -131,6 +132,26 @@ def ask_stop_writing(parent: QWidget) -> bool:
     box.setEscapeButton(keep)
     box.exec()
     return box.clickedButton() is stop
+
+
+def renumbered_question(parent: QWidget, before: int, now: int) -> QMessageBox:
+    """Whether keys go along with a plate that begins on frame `now` instead of `before`: accepted where they do."""
+    box = QMessageBox(parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setWindowTitle("ROAM")
+    box.setText(tr("Shift keys and notes with the new numbers?"))
+    box.setInformativeText(
+        tr(
+            "The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to "
+            "date if you shift them now; with Shape > Shift in time later they do not.",
+            now=now,
+            before=before,
+        )
+    )
+    by = tr("Shift by {number}", number=f"{now - before:+}")
+    box.setDefaultButton(box.addButton(by, QMessageBox.ButtonRole.AcceptRole))
+    box.addButton(tr("Leave them"), QMessageBox.ButtonRole.RejectRole)
+    return box
 
 
 def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:

@@ -14,6 +14,7 @@ from roam_core.roto import Layer, Project, RotoShape
 from ..jobs.filling import Gap, gaps_of
 from ..jobs.propagation import Propagation
 from ..model.document import Document
+from ..model.reasons import does_not_exist
 from ..model.view_state import ViewState, shapes_in_hand
 from ..translation import N_, tr
 from .boil import boil_of_document
@@ -176,8 +177,12 @@ class Tracking:
         elif len(frames) < 2:
             self._view.say(tr(CLIP_ENDS if step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
+            lived = _as_long_as_any_exists(frames, shapes)
+            if len(lived) < 2:
+                self._view.say(does_not_exist(shapes[0], frames[1]))
+                return
             ids, alone = [shape.id for shape in shapes], self.scope is Scope.ALONE
-            self._propagation.start(ids, frames, self.configuration, alone=alone)
+            self._propagation.start(ids, lived, self.configuration, alone=alone)
 
     def _gaps_meant(self, gaps: list[Gap]) -> list[Gap]:
         """In and out mean the gaps between them, where they are set around the playhead; otherwise it lies in a gap.
@@ -256,6 +261,12 @@ class Tracking:
         else:
             none = tr("No doubtful frame after frame {frame}.", frame=here)
             self._view.say(none if step > 0 else tr("No doubtful frame before frame {frame}.", frame=here))
+
+
+def _as_long_as_any_exists(frames: range, shapes: Sequence[RotoShape]) -> range:
+    """The frames of a run up to the last one on which it makes keys: outside of its lifetime a shape gets none."""
+    last = max((k for k, frame in enumerate(frames) if any(shape.exists_at(frame) for shape in shapes)), default=0)
+    return frames[: last + 1]
 
 
 def tracks_of(project: Project, shapes: Sequence[RotoShape]) -> list[tuple[str, int, float]]:

@@ -12,10 +12,13 @@ from PySide6.QtWidgets import QWidget
 
 from roam_core.errors import RoamError
 from roam_core.interchange.registry import SHAPE_SUFFIXES
+from roam_core.roto import Clip
 from roam_core.roto.project_lock import Holder
+from roam_core.roto.shifting import frames_held
 
 from ..dialogs import questions
 from ..dialogs.questions import Contested, Doubted, Unsaved
+from ..features.verbs.shifting import follow_numbers
 from ..folders import cache_folder
 from ..jobs.export import Export
 from ..jobs.found_clip import FoundClip
@@ -70,6 +73,7 @@ class FileActions(QObject):
         document.replaced.connect(self._disarm)
         files.doubted.connect(self._ask_doubted)
         files.contested.connect(self._ask_contested)
+        files.renumbered.connect(self._ask_renumbered)
         files.overtaken.connect(self.leave_project)
         files.looked.connect(self._show_found)
 
@@ -356,6 +360,17 @@ class FileActions(QObject):
         else:
             self._view.say(tr("{name} was not opened.", name=path.name))
             self.refused_to_open.emit()
+
+    def _ask_renumbered(self, before: Clip) -> None:
+        """Ask, once the plate is there, whether what stands on frames goes along with their new numbers."""
+        if not frames_held(self._document.project):
+            return
+        sitting, clip = self._document.sitting, self._document.project.require_clip()
+        box = questions.renumbered_question(self._window, before.first, clip.first)
+        box.accepted.connect(
+            lambda: follow_numbers(self._document, self._view, before) if sitting == self._document.sitting else None
+        )
+        box.open()
 
     def _start_folder(self, purpose: Purpose) -> Path:
         """Where choosers begin: where the last one of the kind was used, else beside the project, the clip, what was

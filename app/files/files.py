@@ -11,10 +11,12 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
+from roam_core.media.colour_spaces import config_trouble
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import Clip, Project, backups, file, project_lock
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.project_lock import Holder
+from roam_core.roto.relinking import is_renumbered
 
 from ..jobs.decode import PlateReader
 from ..jobs.found_clip import looked_at
@@ -50,6 +52,8 @@ class Files(QObject):
         document's place when `show` is called.
     contested(path, holder) : a project was not opened, because the `Holder` has it open.
     opened(path) : the project or clip that the artist named is open.
+    renumbered(before) : the plate that was relinked, or opened with its project, has the pictures of the clip `before`
+        under other numbers; the keys are on the frames on which they were.
     looked(found) : the clip that `look_at` was asked about, as a `FoundClip`.
     """
 
@@ -62,6 +66,7 @@ class Files(QObject):
     contested = Signal(object, object)
     opened = Signal(object)
     looked = Signal(object)
+    renumbered = Signal(object)
 
     def __init__(
         self,
@@ -100,7 +105,7 @@ class Files(QObject):
         def work(report: Report) -> str:
             report.progress(0.0, tr("Looking at {name} …", name=path.name))
             report.partial(looked_at(path, layer))
-            return ""
+            return config_trouble()
 
         job = self._runner.start("look", work)
         job.progress.connect(self.progress)
@@ -120,7 +125,7 @@ class Files(QObject):
             sentence = tr(
                 "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=gaps_of(source)
             ).rstrip()
-            return Found(project, source, sentence)
+            return Found(project, source, " ".join(filter(None, (sentence, config_trouble()))))
 
         self._open(tr("Opening {name} …", name=path.name), read, origin=path)
 
@@ -147,8 +152,9 @@ class Files(QObject):
             sentence = differences(project, source) or tr(
                 "The plate is {name} now; save to keep that.", name=source.path.name
             )
-            clip = replace(Clip.of(source), extra=project.require_clip().extra)
-            sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip))))
+            held = project.require_clip()
+            clip = replace(Clip.of(source), extra=held.extra)
+            sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip, held))))
             return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
 
         self._start(_reading(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting))
@@ -176,7 +182,7 @@ class Files(QObject):
             found = read_project(path)
             first = tr("A copy of {name}; save to keep it.", name=path.name)
             sentence = " ".join(filter(None, (first, departed_settings(found.project.shapes))))
-            return Found(found.project, found.source, sentence, is_unsaved=True)
+            return Found(found.project, found.source, sentence, is_unsaved=True, before=found.before)
 
         self._open(tr("Opening {name} …", name=path.name), read)
 
@@ -317,11 +323,14 @@ class Files(QObject):
         self._show(found)
         if origin is not None:
             self.opened.emit(origin)
+        if found.before is not None:
+            self.renumbered.emit(found.before)
 
     def _relink(self, found: Found, sitting: int) -> None:
         """Give the project, as it is now, the clip that was found; not another one that was opened since.
 
         In and out stay as far as the clip has their frames; where they were its ends they are those of the new one.
+        With pictures that are numbered anew they go along, and so does the playhead.
         """
         if sitting != self._document.sitting:
             return
@@ -329,16 +338,20 @@ class Files(QObject):
         if view.is_in_use:
             view.set_tool("select")  # a shape that is half drawn is finished: with another clip it would be dropped
         frame, selection, layers = view.frame, view.selection, view.layers
-        before, (first, stop) = self._document.project.require_clip().frame_range, view.play_range
+        replaced = self._document.project.require_clip()
+        before, (first, stop) = replaced.frame_range, view.play_range
+        offset = clip.first - replaced.first if is_renumbered(replaced, clip) else 0
         self._reader.open(None)
         self._document.relink(clip)
         view.set_play_range(
-            clip.first if first == before.start else max(first, clip.first),
-            clip.last + 1 if stop == before.stop else min(stop, clip.last + 1),
+            clip.first if first == before.start else max(first + offset, clip.first),
+            clip.last + 1 if stop == before.stop else min(stop + offset, clip.last + 1),
         )
-        view.set_frame(min(max(frame, clip.first), clip.last))
+        view.set_frame(min(max(frame + offset, clip.first), clip.last))
         view.select(selection.shapes, selection.points, layers)
         self._reader.open(found.source)
+        if offset:
+            self.renumbered.emit(replaced)
 
     def _show(self, found: Found) -> None:
         # The old plate goes first and the new one comes last: no frame is ever asked of the wrong one.

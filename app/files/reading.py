@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import BlendMode, Clip, Project, edit, file
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
-from roam_core.roto.relinking import open_plate, other_content, other_size, relinked
+from roam_core.roto.relinking import is_renumbered, open_plate, other_content, other_size, relinked
 
 from ..jobs.runner import Report
 from ..translation import N_, tr, translated
@@ -31,7 +31,8 @@ class Found:
     """What was opened: the project, its plate or None, and the sentence about it.
 
     `path` is the file that saving writes to, `fingerprint` that of the file that was read; `follows` is the journal
-    that the project was recovered from. It is unsaved work where no file holds it.
+    that the project was recovered from. It is unsaved work where no file holds it. `before` is the clip as the file has
+    it, where the plate's pictures bear other numbers now.
     """
 
     project: Project
@@ -41,6 +42,7 @@ class Found:
     fingerprint: Fingerprint | None = None
     is_unsaved: bool = False
     follows: Path | None = None
+    before: Clip | None = None
 
 
 def clip_project(
@@ -106,8 +108,14 @@ def read_project(path: Path) -> Found:
         if project is stored
         else tr(" Its plate was found at {path}; save to keep that.", path=project.require_clip().path)
     )
-    more = filter(None, (_beyond(project, source), _older(project, version), departed_settings(project.shapes)))
-    sentence = " ".join([problem or tr("Opened {name}.{moved}", name=path.name, moved=moved), *more])
+    told = problem or tr("Opened {name}.{moved}", name=path.name, moved=moved)
+    more = [_older(project, version), departed_settings(project.shapes)]
+    if (before := project.clip) is not None and source is not None and is_renumbered(before, now := Clip.of(source)):
+        numbers = tr("Its plate is numbered from {first} now, not from {before}.", first=now.first, before=before.first)
+        project = replace(project, clip=replace(now, extra=before.extra))
+        sentence = " ".join(filter(None, (told, numbers, *more)))
+        return Found(project, source, sentence, path, fingerprint, is_unsaved=True, before=before)
+    sentence = " ".join(filter(None, (told, _beyond(project, source), *more)))
     return Found(project, source, sentence, path, fingerprint)
 
 

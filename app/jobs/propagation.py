@@ -416,12 +416,17 @@ def _with_engine_keys(project: Project, made: Mapping[str, Sequence[Keyframe]]) 
 
 
 def _with_curves_of(project: Project, other: Project, ids: Sequence[str]) -> Project:
-    """The project with the keys that its shapes have in another one, and with those of the shapes that it lacks."""
+    """The project with the keys that its shapes have in another one, and with those of the shapes that it lacks.
+
+    These come into the layer in which they lie there; with what they came off they are the outlines of one thing.
+    """
     for shape in (other.shape(shape_id) for shape_id in ids):
         if project.has(shape.id):
-            project = project.with_shape(replace(project.shape(shape.id), keys=shape.keys))
+            held = project.shape(shape.id)
+            project = project.with_shape(replace(held, keys=shape.keys, compound=shape.compound))
         else:
-            project = edit.add_shape(project, shape)
+            home = other.layers_above(shape.id)[-1].id
+            project = edit.add_shape(project, shape, home if project.has(home) else project.root.id)
     return project
 
 

@@ -1,15 +1,18 @@
-"""Why nothing is edited, or seen to move: sentences for the status bar."""
+"""Why nothing is edited, or seen to move, or is out of date all at once: sentences for the status bar."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roam_core.roto import Clip, Project, RotoShape
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.roto import Clip, Origin, Project, RotoShape
 
 from ..translation import N_, tr
 from .shown import editable_shapes
 from .view_state import ViewState, selected_shapes
 
+MOST_NAMES = 3
+"""Shapes that a sentence names."""
 NOTHING_SELECTED = N_("Select a shape or some of its points first.")
 
 
@@ -20,23 +23,68 @@ def why_not(project: Project, view: ViewState) -> str:
     if kept is None:
         return tr(NOTHING_SELECTED)
     if not kept.exists_at(view.frame):
-        return tr(
-            "{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.",
-            name=kept.name,
-            frame=view.frame,
-        )
+        return does_not_exist(kept, view.frame)
     return tr("{name!r} is locked or hidden; unlock and show it to edit it.", name=kept.name)
 
 
-def keys_beside(shapes: Iterable[RotoShape], clip: Clip) -> str:
-    """A sentence where shapes have keys, but none on the clip: they came from another shot, and never move here."""
+def does_not_exist(shape: RotoShape, frame: int) -> str:
+    """That a frame lies outside of a shape's lifetime, and where that is changed."""
+    return tr(
+        "{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.", name=shape.name, frame=frame
+    )
+
+
+def keys_beside(shapes: Iterable[RotoShape], clip: Clip, before: Clip | None = None) -> str:
+    """A sentence where shapes have keys, but none on the clip: they came from another shot, and never move here.
+
+    Also where some lie beside it that lay on the clip `before`, of which this one has taken the place.
+    """
     frames = [frame for shape in shapes for frame in shape.frames]
-    if not frames or any(frame in clip.frame_range for frame in frames):
+    lost = [frame for frame in frames if before and frame in before.frame_range and frame not in clip.frame_range]
+    if frames and not any(frame in clip.frame_range for frame in frames):
+        return tr(
+            "The keys lie on frames {low} to {high}, none of them on the clip's {first} to {last}; "
+            "<key.shift> moves them.",
+            low=min(frames),
+            high=max(frames),
+            first=clip.first,
+            last=clip.last,
+        )
+    if not lost:
         return ""
     return tr(
-        "The keys lie on frames {low} to {high}, none of them on the clip's {first} to {last}.",
-        low=min(frames),
-        high=max(frames),
+        "Keys on frames {low} to {high} lie beside the clip now, which has {first} to {last}; <key.shift> shifts keys.",
+        low=min(lost),
+        high=max(lost),
         first=clip.first,
         last=clip.last,
     )
+
+
+def outdated_by(before: Project, after: Project) -> str:
+    """A sentence where shapes that an edit added or deleted made tracked frames of others stale, of whose objects they
+    are, or were, parts.
+
+    Empty where no shape that the edit left alone has tracked frames that held `before` and do not `after`.
+    """
+    there = {shape.id: shape for shape in after.shapes}
+    left = [shape for shape in before.shapes if there.get(shape.id) is shape and _is_tracked(shape)]
+    if not left:
+        return ""
+    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    joined = [shape for shape in left if now.together(shape) != held.together(shape)]  # to compare all keys takes long
+    names = [s.name for s in joined if any(now.is_stale(s, key) and not held.is_stale(s, key) for key in s.keys)]
+    if not names:
+        return ""
+    told = ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")
+    if there.keys() <= {shape.id for shape in before.shapes}:
+        return tr("Tracked frames of {names} are out of date: what is gone was a part of its object.", names=told)
+    return tr(
+        "Tracked frames of {names} are out of date: what is new lies on it and counts as a part of its object. Move it "
+        "away, or solve it by itself: <object.apart>.",
+        names=told,
+    )
+
+
+def _is_tracked(shape: RotoShape) -> bool:
+    return any(key.origin is Origin.ENGINE for key in shape.keys)

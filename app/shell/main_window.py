@@ -34,6 +34,7 @@ from ..features.verbs.layers import LayerVerbs
 from ..features.verbs.masks import MaskShapes
 from ..features.verbs.objects import ObjectVerbs
 from ..features.verbs.shapes import ShapeVerbs
+from ..features.verbs.shifting import Shifting
 from ..features.verbs.splines import SplineVerbs
 from ..files.file_actions import FileActions
 from ..files.files import Files
@@ -290,7 +291,6 @@ class MainWindow(QMainWindow):
         nodes = NodeClipboard(self.document, self.view_state, self.copying, self.importing)
         clipboard = ShapeClipboard(self.document, self.view_state, self, nodes.paste)
         history = History(self.document, self.view_state, self.canvas.in_hand.take_back)
-        files, tracking, time, playback = self.file_actions, self.tracking, self.navigation, self.playback
         handlers: dict[str, Callable[[], object]] = {
             "file.quit": self.close,
             "shape.delete": self._delete_in_list,
@@ -312,18 +312,19 @@ class MainWindow(QMainWindow):
             self.reviewing,
             self.recovering,
             self.defects,
-            files,
+            self.file_actions,
             history,
             clipboard,
             nodes,
             self.shape_verbs,
-            MaskShapes(files.choose_mask, self.document, self.view_state, self.pictures),
+            MaskShapes(self.file_actions.choose_mask, self.document, self.view_state, self.pictures),
             SplineVerbs(self.document, self.view_state),
             *plate_verbs(self, self.document, self.view_state, self.plate_jobs),
-            tracking,
+            Shifting(self, self.document, self.view_state),
+            self.tracking,
             self.proposals,
-            time,
-            playback,
+            self.navigation,
+            self.playback,
         ):
             handlers |= part.handlers()
         return self.timeline.taking_over(handlers)

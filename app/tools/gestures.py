@@ -173,9 +173,9 @@ class Marquee(Gesture):
     def __init__(self, document: Document, view_state: ViewState, pressed: Pointer) -> None:
         super().__init__(document, view_state, pressed)
         self._removes = pressed.holds(Modifier.ControlModifier) and not pressed.holds(Modifier.AltModifier)
-        keeps = self._removes or pressed.holds(Modifier.ShiftModifier)
+        self._keeps = self._removes or pressed.holds(Modifier.ShiftModifier)
         self._held = view_state.selection
-        self._before = self._held if keeps else Selection()
+        self._before = self._held if self._keeps else Selection()
 
     def drag(self, pointer: Pointer) -> None:
         before = self._before.points
@@ -183,7 +183,9 @@ class Marquee(Gesture):
         self.view_state.select(self._before.shapes, points)
 
     def click(self) -> None:
-        self.view_state.select(self._before.shapes, self._before.points)
+        """Nothing stays selected, no empty layer either: what is drawn next would come into it."""
+        layers = None if self._keeps else frozenset[str]()
+        self.view_state.select(self._before.shapes, self._before.points, layers)
 
     def drop(self) -> None:
         held = pruned(self._held, self.document.project)

@@ -371,6 +371,14 @@ Jetzt: {level}, {changes}</translation>
         <translation>Alle Kanäle</translation>
     </message>
     <message>
+        <source>All keys and notes, or those of what is selected, later or earlier</source>
+        <translation>Alle Keyframes und Notizen oder die der Auswahl früher oder später setzen</translation>
+    </message>
+    <message>
+        <source>All of them, or those between in and out; artist keys stay</source>
+        <translation>Alle oder die zwischen In und Out; eigene Keyframes bleiben</translation>
+    </message>
+    <message>
         <source>All other visible shapes lie before the surface</source>
         <translation>Alle anderen sichtbaren Formen liegen vor der Fläche</translation>
     </message>
@@ -539,6 +547,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Außerdem:</translation>
     </message>
     <message>
+        <source>Between in and out, {first} to {last}, no frame is tracked.</source>
+        <translation>Zwischen In und Out, {first} bis {last}, ist kein Frame getrackt.</translation>
+    </message>
+    <message>
         <source>Bezier</source>
         <translation>Bézier</translation>
     </message>
@@ -613,6 +625,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Browse…</source>
         <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Um</translation>
     </message>
     <message>
         <source>By itself</source>
@@ -944,10 +960,6 @@ Jetzt: {level}, {changes}</translation>
         <translation>Alle Keyframes löschen</translation>
     </message>
     <message>
-        <source>Delete every tracked frame; artist keys stay</source>
-        <translation>Alle getrackten Frames löschen; eigene Keyframes bleiben</translation>
-    </message>
-    <message>
         <source>Delete key</source>
         <translation>Keyframe löschen</translation>
     </message>
@@ -974,6 +986,20 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Delete tracked frames</source>
         <translation>Getrackte Frames löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Deleted %n tracked frame(s) from {first} to {last}.</source>
+        <translation>
+            <numerusform>%n getrackter Frame von {first} bis {last} gelöscht.</numerusform>
+            <numerusform>%n getrackte Frames von {first} bis {last} gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Deleted %n tracked frame(s).</source>
+        <translation>
+            <numerusform>%n getrackter Frame gelöscht.</numerusform>
+            <numerusform>%n getrackte Frames gelöscht.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Depth</source>
@@ -1905,6 +1931,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ändert sich, ohne Keyframe auf diesem Frame. Klicken setzt einen</translation>
     </message>
     <message>
+        <source>Its plate is numbered from {first} now, not from {before}.</source>
+        <translation>Seine Plate ist jetzt ab {first} nummeriert, nicht ab {before}.</translation>
+    </message>
+    <message>
         <source>JSON (ROAM, COCO, MLT)</source>
         <translation>JSON (ROAM, COCO, MLT)</translation>
     </message>
@@ -1976,6 +2006,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Keys of shapes</source>
         <translation>Keyframes der Formen</translation>
+    </message>
+    <message>
+        <source>Keys on frames {low} to {high} lie beside the clip now, which has {first} to {last}; &lt;key.shift&gt; shifts keys.</source>
+        <translation>Keyframes auf den Frames {low} bis {high} liegen jetzt neben dem Clip, der {first} bis {last} hat; &lt;key.shift&gt; verschiebt Keyframes.</translation>
+    </message>
+    <message>
+        <source>Keys, lifetimes, opacity and feather, depth and the motion of layers go along; the clip stays. Earlier is below zero.</source>
+        <translation>Keyframes, Lebensdauer, Deckkraft und Feather, Tiefe und die Bewegung von Ebenen gehen mit; der Clip bleibt. Früher heißt: unter null.</translation>
     </message>
     <message>
         <source>Keys…</source>
@@ -2056,6 +2094,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Leave the shape as it is</source>
         <translation>Die Form lassen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Leave them</source>
+        <translation>Nicht verschieben</translation>
     </message>
     <message>
         <source>Leave this action without a key</source>
@@ -2592,6 +2634,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing yet</source>
         <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
     </message>
     <message>
         <source>Now: {shown}</source>
@@ -3595,6 +3641,30 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Scheren {percent:+.1f} %</translation>
     </message>
     <message>
+        <source>Shift</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Shift by {number}</source>
+        <translation>Um {number} verschieben</translation>
+    </message>
+    <message>
+        <source>Shift in time</source>
+        <translation>Zeitlich verschieben</translation>
+    </message>
+    <message>
+        <source>Shift in time…</source>
+        <translation>Zeitlich verschieben…</translation>
+    </message>
+    <message>
+        <source>Shift keys and notes with the new numbers?</source>
+        <translation>Keyframes und Notizen mit den neuen Nummern verschieben?</translation>
+    </message>
+    <message>
+        <source>Shift to the new numbers</source>
+        <translation>Auf die neuen Nummern verschieben</translation>
+    </message>
+    <message>
         <source>Shift+click, Ctrl+click</source>
         <translation>Umschalt+Klick, Strg+Klick</translation>
     </message>
@@ -3605,6 +3675,20 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Shift+drag, Ctrl+drag</source>
         <translation>Umschalt+Ziehen, Strg+Ziehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Shifted %n frame(s) earlier.</source>
+        <translation>
+            <numerusform>Um %n Frame nach vorn verschoben.</numerusform>
+            <numerusform>Um %n Frames nach vorn verschoben.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Shifted %n frame(s) later.</source>
+        <translation>
+            <numerusform>Um %n Frame nach hinten verschoben.</numerusform>
+            <numerusform>Um %n Frames nach hinten verschoben.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Show</source>
@@ -4121,8 +4205,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Keyframes davor und danach, wie weit sie auch liegen</translation>
     </message>
     <message>
-        <source>The keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}.</source>
-        <translation>Die Keyframes liegen auf den Frames {low} bis {high}, keiner davon auf denen des Clips von {first} bis {last}.</translation>
+        <source>The keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}; &lt;key.shift&gt; moves them.</source>
+        <translation>Die Keyframes liegen auf den Frames {low} bis {high}, keiner davon auf denen des Clips, {first} bis {last}; &lt;key.shift&gt; verschiebt sie.</translation>
     </message>
     <message>
         <source>The keys of your shapes appear here.</source>
@@ -4233,6 +4317,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Plate ist jetzt {name}; durch Speichern bleibt das so.</translation>
     </message>
     <message>
+        <source>The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to date if you shift them now; with Shape &gt; Shift in time later they do not.</source>
+        <translation>Die Plate zeigt dieselben Bilder, jetzt ab {now} nummeriert statt ab {before}. Jetzt verschoben bleiben getrackte Frames aktuell; später mit Form &gt; Zeitlich verschieben nicht.</translation>
+    </message>
+    <message>
         <source>The plate with its shapes</source>
         <translation>Die Plate mit ihren Formen</translation>
     </message>
@@ -4307,6 +4395,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The translation {code!r} is not installed; choose another language in the settings.</source>
         <translation>Die Übersetzung {code!r} ist nicht installiert; bitte in den Einstellungen eine andere Sprache wählen.</translation>
+    </message>
+    <message>
+        <source>The whole project, what is locked and notes too</source>
+        <translation>Das ganze Projekt, auch Gesperrtes und Notizen</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Dann</translation>
     </message>
     <message>
         <source>There is a file of that name in {folder}, now that {suffix} is added to it. It would be lost.</source>
@@ -4409,6 +4505,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt nichts wiederherzustellen.</translation>
     </message>
     <message>
+        <source>There is nothing to shift: the project has neither keys nor notes.</source>
+        <translation>Nichts zu verschieben: Das Projekt hat weder Keyframes noch Notizen.</translation>
+    </message>
+    <message>
         <source>There is nothing to show yet; open a clip first.</source>
         <translation>Es gibt noch nichts zu zeigen; zuerst einen Clip öffnen.</translation>
     </message>
@@ -4488,6 +4588,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Track to the next key</source>
         <translation>Bis zum nächsten Keyframe tracken</translation>
+    </message>
+    <message>
+        <source>Tracked frames are out of date: they were solved on other pictures.</source>
+        <translation>Getrackte Frames sind veraltet: Sie wurden auf anderen Bildern berechnet.</translation>
+    </message>
+    <message>
+        <source>Tracked frames of {names} are out of date: what is gone was a part of its object.</source>
+        <translation>Getrackte Frames von {names} sind veraltet: Was gelöscht ist, war Teil desselben Objekts.</translation>
+    </message>
+    <message>
+        <source>Tracked frames of {names} are out of date: what is new lies on it and counts as a part of its object. Move it away, or solve it by itself: &lt;object.apart&gt;.</source>
+        <translation>Getrackte Frames von {names} sind veraltet: Was neu ist, liegt darauf und gilt als Teil desselben Objekts. Wegschieben oder für sich berechnen: &lt;object.apart&gt;.</translation>
     </message>
     <message>
         <source>Tracked {names} to frame {frame}: {paced}.{gaps}</source>
@@ -4612,6 +4724,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>What is locked stays; unlock it first (&lt;shape.lock&gt;).</source>
         <translation>Was gesperrt ist, bleibt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
+    </message>
+    <message>
+        <source>What is selected</source>
+        <translation>Was ausgewählt ist</translation>
     </message>
     <message>
         <source>What is selected is locked; unlock it first (&lt;shape.lock&gt;).</source>
@@ -5065,6 +5181,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Frames</translation>
     </message>
     <message>
+        <source>frames {first} to {last}</source>
+        <translation>Frames {first} bis {last}</translation>
+    </message>
+    <message>
         <source>freehand marquee</source>
         <translation>freihand rahmen</translation>
     </message>
@@ -5183,6 +5303,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>keyframe jump</source>
         <translation>keyframe springen</translation>
+    </message>
+    <message>
+        <source>keyframe offset slip slide renumber conform handles move all frames</source>
+        <translation>keyframe versatz versetzen umnummerieren conform alle frames</translation>
     </message>
     <message>
         <source>keyframe partial vertex single some add</source>
@@ -5978,6 +6102,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} boils</source>
         <translation>{name} flimmert</translation>
+    </message>
+    <message>
+        <source>{name} in {layer}</source>
+        <translation>{name} in {layer}</translation>
     </message>
     <message>
         <source>{name} is a single point; draw an outline around the object to track it.</source>

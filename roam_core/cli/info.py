@@ -9,11 +9,12 @@ from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_of
-from roam_core.cli.plate import add_layer, opened
+from roam_core.cli.plate import add_layer, opened, tell
 from roam_core.cli.spans import Gap
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
+from roam_core.media.colour_spaces import config_trouble
 from roam_core.media.finding import is_there
 from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.departed import departed_settings
@@ -43,6 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
             print(line)
         return 0
     source = open_clip(arguments.project, arguments.layer)
+    tell(config_trouble())
     if arguments.json:
         print_json(
             {"clip": _clip_values(Clip.of(source)) | {"missing": list(source.missing), "layers": list(source.layers)}}
@@ -125,6 +127,8 @@ def _project_lines(path: Path) -> list[str]:
     lines.extend(f"note     {mark.frame}: {' '.join(mark.text.split())}" for mark in project.marks if mark.text)
     stamps = Stamps.of(project.shapes, project.clip)
     missing = frozenset[int]() if project.clip is None else missing_now(project.clip)
+    if project.clip is not None and len(missing) == len(project.clip.frame_range):
+        lines.append("note     The plate has none of these frames; where it was numbered anew, roam shift follows it.")
     lines.extend(_shape_line(shape, stamps, missing, project.clip) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):
         lines.append(f"note     {sentence}")

@@ -24,6 +24,7 @@ COMMANDS: dict[str, str] = {
     "plane": "follow the surface under shapes",
     "soften": "make shapes as soft as the edge in the plate",
     "steady": "move tracked and filled keys so that their outlines boil less",
+    "shift": "put everything of a project on other frames, as its plate was numbered anew",
     "export": "write a project's shapes for another program",
     "import": "read another program's shapes into a project",
     "render": "write a project's mattes",

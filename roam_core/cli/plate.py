@@ -15,7 +15,7 @@ from roam_core.arrays import Image
 from roam_core.cli.environment import cache_bytes
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
-from roam_core.media.colour_spaces import known_space
+from roam_core.media.colour_spaces import config_trouble, known_space
 from roam_core.media.partial import PartialFrames, PartialPicture
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import other_content, other_size, relinked
@@ -108,13 +108,16 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
 
     The layer is the one asked for, else that of the project's `clip`, else the one that is found; so is the space of
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
-    size than the project's is refused; of one with another content stderr says so.
+    size than the project's is refused; of one with another content stderr says so, and that a studio's colour
+    configuration, which would tell the space, cannot be read.
     """
     source = open_clip(path, layer or (clip.layer if clip else ""), clip.content if clip else "")
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
+    if clip is None and not colour:
+        tell(config_trouble())
     if colour:
         source = declared(source, known_space(colour), source.fps, source.pixel_aspect)
     plate = Plate(source, cache_bytes())

@@ -74,6 +74,17 @@ def space_by_rule(file: Path) -> str | None:
     return by_rule(file)
 
 
+def config_trouble() -> str:
+    """Why the studio's configuration tells the space of no plate: a sentence; "" where it is read, or `$OCIO` unset."""
+    if not os.environ.get("OCIO"):
+        return ""
+    try:
+        offered_views()
+    except RoamError as error:
+        return str(error)
+    return ""
+
+
 def space_with_primaries(chromaticities: object) -> str | None:
     """The scene-linear space with the primaries that an EXR tells; None where it is Rec. 709's, or none is known."""
     from roam_core.media.colour_config import with_primaries

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import replace
+from itertools import takewhile
 
 from roam_core.errors import RoamError
 from roam_core.roto.baking import baked
 from roam_core.roto.edit import remove_items
 from roam_core.roto.placement import Placement
-from roam_core.roto.project import Layer, Project
+from roam_core.roto.project import ROOT, Layer, Project
 from roam_core.roto.shape import RotoShape
 
 Item = Layer | RotoShape
@@ -93,6 +94,28 @@ def ungrouped(project: Project, layer_id: str) -> Project:
     index = [child.id for child in parent.children].index(layer_id)
     without = remove_items(project, [layer_id])
     return without.map_item(parent.id, lambda holder: _inserted(holder, index, freed))
+
+
+def home_for_new(project: Project, item_ids: Collection[str]) -> Layer:
+    """The layer into which a shape comes that is drawn while layers and shapes are selected.
+
+    It is the selected layer, or that of the selected shapes; of several the innermost one that holds them all; the root
+    where nothing is selected. A layer that moves, or holds the outlines of one thing alone, takes what is drawn only
+    where it is selected itself. Where one is locked or hidden what lies around it takes the shape.
+    """
+    paths = []
+    for item_id in top_items(project, item_ids):
+        item, around = project.find(item_id), project.layers_above(item_id)
+        paths.append([*around, item] if isinstance(item, Layer) else list(takewhile(_takes_more, around)))
+    shared = [layers[0] for layers in zip(*paths, strict=False) if len({layer.id for layer in layers}) == 1]
+    free = list(takewhile(lambda layer: layer.visible and not layer.locked, shared))
+    return free[-1] if free else project.root
+
+
+def _takes_more(layer: Layer) -> bool:
+    """Whether a shape that is drawn beside those of a layer may lie in it: it neither moves nor is all of one thing."""
+    compounds = {shape.compound for shape in layer.shapes()}
+    return layer.transform is None and (layer.id == ROOT.id or len(compounds) > 1 or compounds <= {""})
 
 
 def moved(project: Project, item_ids: Collection[str], layer_id: str, index: int) -> Project:

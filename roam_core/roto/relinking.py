@@ -77,6 +77,18 @@ def other_content_now(clip: Clip) -> str:
     return _other_content(clip, clip.path, content_hash(sequence.first_file if sequence else clip.path))
 
 
+def is_renumbered(before: Clip, after: Clip) -> bool:
+    """Whether a clip has the pictures of the one `before` under other numbers: as far as can be told without decoding.
+
+    The content of the first picture, size, layer, colours and the number of frames are the same.
+    """
+
+    def told(clip: Clip) -> tuple[object, ...]:
+        return clip.content, clip.size, clip.layer, clip.colour_space, clip.last - clip.first
+
+    return bool(before.content) and before.first != after.first and told(before) == told(after)
+
+
 def missing_now(clip: Clip) -> frozenset[int]:
     """The clip's frames of which no file lies at its path; none of a movie, nor where the files cannot be told."""
     try:

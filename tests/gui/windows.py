@@ -18,6 +18,7 @@ from pytestqt.qtbot import QtBot
 from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.palette import Palette
 from app.features.clipboards.paste_range import PasteRangeDialog
+from app.features.verbs.shift_dialog import ShiftDialog
 from app.features.verbs.steady_dialog import SteadyDialog
 from app.files import files
 from app.model.personal import Personal
@@ -131,7 +132,10 @@ def dialogs_of(window: MainWindow) -> Iterator[QWidget]:
     yield palette
     palette.hide()
     in_out = FIRST, FIRST + COUNT
-    for made in (MaskDialog("masks", SIZE), PasteRangeDialog(in_out), SteadyDialog(2, in_out), NumbersDialog()):
+    shift = ShiftDialog([FIRST, FIRST + 4], [FIRST], None)
+    for made in (
+        MaskDialog("masks", SIZE), PasteRangeDialog(in_out), SteadyDialog(2, in_out), NumbersDialog(), shift
+    ):  # fmt: skip
         made.show()
         yield made
         made.close()

@@ -11,9 +11,10 @@ from PySide6.QtWidgets import QWidget
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, file
 from roam_core.roto.copies import joined, taken_out
+from roam_core.roto.layers import home_for_new, moved
 
 from ...model.document import Document
-from ...model.reasons import keys_beside
+from ...model.reasons import keys_beside, outdated_by
 from ...model.view_state import ViewState
 from ...translation import tr
 from ..verbs.shapes import delete, rows_in_hand, select_items
@@ -67,9 +68,10 @@ class ShapeClipboard:
             self._view.say(tr("Copied {shapes}.", shapes=", ".join(words for words, number in counted if number)))
 
     def paste(self) -> None:
-        """Put copied layers and shapes on top, with ids and names of their own, and select them.
+        """Put copied layers and shapes on top of the layer in hand, with ids and names of their own, and select them.
 
-        Where a key was copied last, put that on this frame.
+        That is the layer into which a shape would be drawn, and of a layer that was copied the one around it. Where a
+        key was copied last, put that on this frame.
         """
         if copied_keys() is not None:
             self.keys.paste()
@@ -82,10 +84,24 @@ class ShapeClipboard:
                 self._view.say(tr("There is no shape to paste; copy one first, here or in another program."))
             return
         project, ids = joined(self._document.project, copied.children)
+        home = self._home({item.id for item in copied.children})
+        if home.id != project.root.id:
+            project = moved(project, ids, home.id, len(home.children))
+        outdated = outdated_by(self._document.project, project)
         self._document.apply(tr("Paste"), project)
         select_items(self._document, self._view, ids)
-        if project.clip is not None and (sentence := keys_beside(copied.shapes(), project.clip)):
-            self._view.say(sentence)
+        beside = "" if project.clip is None else keys_beside(copied.shapes(), project.clip)
+        if beside or outdated:
+            self._view.say(beside or outdated)
+
+    def _home(self, copied: set[str]) -> Layer:
+        """The layer that takes what is pasted: no copy of a layer comes into its original, one of those `copied`."""
+        project, rows = self._document.project, set(self._selected())
+        layers = {item_id for item_id in rows & copied if isinstance(project.find(item_id), Layer)}
+        around = {project.layers_above(item_id)[-1].id for item_id in layers}
+        if project.root.id in around:
+            return project.root
+        return home_for_new(project, (rows - layers) | around)
 
     def _selected(self) -> list[str]:
         return rows_in_hand(self._document.project, self._view)

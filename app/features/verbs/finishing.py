@@ -7,10 +7,13 @@ from collections.abc import Sequence
 from PySide6.QtGui import QColor
 
 from roam_core.arrays import Array
-from roam_core.roto import Project, RotoShape, Spline, edit
+from roam_core.roto import Layer, Project, RotoShape, Spline, edit
 from roam_core.roto.found import add_found
+from roam_core.roto.layers import home_for_new
+from roam_core.roto.project import ROOT
 
 from ...model.document import Document
+from ...model.reasons import outdated_by
 from ...model.view_state import ViewState
 from ...translation import tr
 
@@ -34,25 +37,41 @@ def finish_shape(
 
     Where `tool`, which drew it, is still in the hand, the select tool takes its place to adjust the shape.
     """
-    project, shape = edit.new_shape(document.project, control_points, frame, closed=closed, spline=spline)
+    home = home_in_hand(document.project, view_state)
+    project, shape = edit.new_shape(
+        document.project, control_points, frame, closed=closed, spline=spline, layer_id=home.id
+    )
+    outdated = outdated_by(document.project, project)
     document.apply(tr("Draw shape"), project)
     hand_over(view_state, tool, frozenset({shape.id}))
-    said = tr("{name} is drawn: drag its points to adjust it, <track.forward> tracks it forward.", name=shape.name)
+    name = _named(shape.name, home)
+    said = tr("{name} is drawn: drag its points to adjust it, <track.forward> tracks it forward.", name=name)
     said_open = tr(
-        "{name} is drawn: drag its points to adjust it, it is open, <points.toggle_closed> closes it.", name=shape.name
+        "{name} is drawn: drag its points to adjust it, it is open, <points.toggle_closed> closes it.", name=name
     )
-    view_state.say(said if closed else said_open)
+    view_state.say(outdated or (said if closed else said_open))
 
 
 def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequence[RotoShape], text: str) -> None:
     """Make `shapes` that were found in a picture or a mask part of the project, as one undo step `text`."""
-    project, ids = add_found(document.project, shapes)
+    home = home_in_hand(document.project, view_state)
+    project, ids = add_found(document.project, shapes, home_id=home.id)
+    outdated = outdated_by(document.project, project)
     document.apply(text, project)
     hand_over(view_state, tool, frozenset(ids))
-    name = project.shape(ids[0]).name
+    name = _named(project.shape(ids[0]).name, home)
     one = tr("{name} is fitted: drag the points to adjust, <track.forward> tracks forward.", name=name)
     all_ = tr("{count} shapes are fitted: drag the points to adjust, <track.forward> tracks forward.", count=len(ids))
-    view_state.say(one if len(ids) == 1 else all_)
+    view_state.say(outdated or (one if len(ids) == 1 else all_))
+
+
+def home_in_hand(project: Project, view_state: ViewState) -> Layer:
+    """The layer that takes what is drawn: the selected one, or the one of the selected shapes."""
+    return home_for_new(project, view_state.layers | view_state.selection.shapes)
+
+
+def _named(name: str, home: Layer) -> str:
+    return name if home.id == ROOT.id else tr("{name} in {layer}", name=name, layer=home.name)
 
 
 def hand_over(view_state: ViewState, tool: str, shape_ids: frozenset[str]) -> None:

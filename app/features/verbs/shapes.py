@@ -10,6 +10,7 @@ from roam_core.roto.copies import duplicated
 from roam_core.roto.layers import top_items
 
 from ...model.document import Document
+from ...model.reasons import outdated_by
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
@@ -72,8 +73,19 @@ class ShapeVerbs:
         self._edit_each(tr("Delete key"), lambda shape: edit.delete_keys(shape, [frame]))
 
     def delete_engine_keys(self) -> None:
-        """Delete every tracked frame of the selected shapes."""
-        self._edit_each(tr("Delete tracked frames"), edit.delete_engine_keys)
+        """Delete the tracked frames of the selected shapes: all, or those between in and out where these are set."""
+        project, (first, stop) = self._document.project, self._view.play_range
+        is_whole = project.clip is None or (first, stop) == (project.clip.first, project.clip.last + 1)
+        frames = None if is_whole else range(first, stop)
+        free = [project.shape(shape_id) for shape_id in self._free(self._selected())]
+        gone = sum(len(shape.keys) - len(edit.delete_engine_keys(shape, frames).keys) for shape in free)
+        if gone:
+            self._edit_each(tr("Delete tracked frames"), lambda shape: edit.delete_engine_keys(shape, frames))
+            between = tr("Deleted %n tracked frame(s) from {first} to {last}.", "", gone, first=first, last=stop - 1)
+            self._view.say(tr("Deleted %n tracked frame(s).", "", gone) if is_whole else between)
+        elif free:
+            none = tr("Between in and out, {first} to {last}, no frame is tracked.", first=first, last=stop - 1)
+            self._view.say(tr("No frame is tracked yet.") if is_whole else none)
 
     def delete(self) -> None:
         delete(self._document, self._view, self._selected())
@@ -82,8 +94,11 @@ class ShapeVerbs:
         """Copies of the selected layers and shapes on top of what holds them, selected in their place."""
         if rows := self._rows():
             project, copies = duplicated(self._document.project, rows)
+            outdated = outdated_by(self._document.project, project)
             self._document.apply(tr("Duplicate"), project)
             select_items(self._document, self._view, copies)
+            if outdated:
+                self._view.say(outdated)
 
     def toggle_lock(self) -> None:
         toggle(self._document, "locked", self._rows())
@@ -147,10 +162,13 @@ def delete(document: Document, view: ViewState, item_ids: Iterable[str], text: s
     """Delete layers and shapes, but for what is locked or holds what is; `text` names the step."""
     ids = list(item_ids)
     free = [item_id for item_id in ids if not document.project.holds_locked(item_id)]
+    before = document.project
     if free:
-        document.apply(text or tr("Delete"), edit.remove_items(document.project, free))
+        document.apply(text or tr("Delete"), edit.remove_items(before, free))
     if len(free) < len(ids):
         view.say(tr(LOCKED_STAYS))
+    elif outdated := outdated_by(before, document.project):
+        view.say(outdated)
 
 
 def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:

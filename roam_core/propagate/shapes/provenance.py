@@ -50,6 +50,9 @@ def clip_stamp(clip: Clip | None) -> str:
 class Stamp:
     """A stamp, taken apart: `direction:configuration:digest`, then `from=F`, `to=F` and `alone` where they apply.
 
+    One more word, `shifted=N`, is part of no stamp that a run gives: a key that bears it was solved N frames earlier,
+    on another picture (`roam_core.roto.shifting`), and is stale.
+
     Attributes
     ----------
     direction : forward, backward or fill. config : name of the configuration. digest : of all that the key depends on.

@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from roam_core.propagate.shapes.provenance import FILL, Stamp, Stamps, known_params
-from roam_core.roto import Keyframe, Origin, Project
+from roam_core.roto import Clip, Keyframe, Origin, Project
 from roam_core.roto.imported import import_stamp, is_import
+from roam_core.roto.shifting import shifted
 
 
 def restamped(before: Project, after: Project, shape_ids: Iterable[str], frames: range) -> Project:
@@ -25,6 +26,25 @@ def restamped(before: Project, after: Project, shape_ids: Iterable[str], frames:
         fresh = [
             replace(key, inputs=import_stamp(shape, key.frame) if is_import(key) else _stamp(now, place[shape_id], key))
             for key in keys
+        ]
+        after = after.with_shape(shape.with_keys(fresh)) if fresh else after
+    return after
+
+
+def renumbered(project: Project, before: Clip) -> Project:
+    """The project with everything shifted to the frames of its clip: the pictures of the clip `before`, numbered anew.
+
+    No picture has changed under its keys, and no number counts in what the engine makes of one: ENGINE keys that held
+    with the clip `before` hold, those that were stale are.
+    """
+    offset = project.require_clip().first - before.first
+    after = shifted(project, offset)
+    held, now = Stamps.of(project.shapes, before), Stamps.of(after.shapes, after.clip)
+    for k, (was, shape) in enumerate(zip(project.shapes, after.shapes, strict=True)):
+        fresh = [
+            replace(new, inputs=_stamp(now, k, new))
+            for old, new in zip(was.keys, shape.keys, strict=True)
+            if old.origin is Origin.ENGINE and not is_import(old) and not held.is_stale(was, old)
         ]
         after = after.with_shape(shape.with_keys(fresh)) if fresh else after
     return after

@@ -20,7 +20,8 @@ from roam_core.propagate.frame.result import FrameResult, Termination, TrackResu
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes.provenance import Stamps, governing_key
 from roam_core.proposal.reshaping.topology import TopologyChange, TopologyKind
-from roam_core.roto import Keyframe, Origin, RotoShape, edit
+from roam_core.roto import Keyframe, Origin, RotoShape, edit, timing
+from roam_core.roto.layers import grouped
 from tests.gui.engines import Asked, StandIn, put_in
 from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
 
@@ -249,6 +250,29 @@ def test_always_makes_the_change_during_the_run_which_goes_on_with_all_parts(
     assert part.frames == tuple(range(OFFERED[0], LAST + 1))
     qtbot.keyClick(window.canvas, Qt.Key.Key_Z, CTRL)  # the run with its change is one step
     assert window.document.project is untracked
+
+
+def test_what_came_off_lies_in_its_layer_also_where_a_later_step_is_undone(
+    qtbot: QtBot, window: MainWindow, engine: Engine
+) -> None:
+    document = window.document
+    project, layer = grouped(document.project, {"shape-1"})
+    document.apply("Group", project)
+    window.proposals.answers[""] = {"shape-1": "always"}
+    frames: list[int] = []
+
+    def mark_meanwhile(result: FrameResult, _step: int) -> None:
+        frames.append(result.frame)
+        if len(frames) == 2:
+            document.apply("Mark frame", timing.set_mark(document.project, FIRST, "meanwhile"))
+
+    window.propagation.solved.connect(mark_meanwhile)
+    track(qtbot, window)
+    document.undo_stack.undo()
+    assert not document.project.marks
+    part = next(shape for shape in document.project.shapes if shape.name == "Bell part 1")
+    assert document.project.layers_above(part.id)[-1].id == layer.id
+    assert len({shape.compound for shape in document.project.shapes}) == 1
 
 
 def test_a_change_on_the_last_frame_of_a_run_ends_it_in_good_order(

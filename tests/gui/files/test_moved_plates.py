@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QMessageBox
 from pytestqt.qtbot import QtBot
 
 from app.canvas.plate.stage import LOST
@@ -16,7 +18,9 @@ from app.dialogs import questions
 from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
 from roam_core.media import declared
-from roam_core.roto import Keyframe, Origin, RotoShape, edit, file
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, stamp
+from roam_core.roto import Keyframe, Origin, RotoShape, edit, file, timing
 from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
 
 SQUARE = bezier.polygon_points([[20.0, 20.0], [90.0, 20.0], [90.0, 80.0], [20.0, 80.0]])
@@ -96,6 +100,74 @@ def test_a_clip_is_relinked_to_another_version_below_the_same_shapes(
     assert document.path == tmp_path / "a.roam"
     np.testing.assert_array_equal(shown.args[1], cv2.imread(str(version / f"plate.{FIRST}.png"))[..., ::-1])
     assert "is not that of the plate" in window.status.sentence.text()
+
+
+@pytest.mark.parametrize("follows", [True, False])
+@pytest.mark.parametrize("opens", [True, False])
+def test_a_plate_whose_pictures_are_numbered_anew_takes_keys_and_notes_along_if_the_artist_says_so(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, follows: bool, opens: bool
+) -> None:
+    document, view = window.document, window.view_state
+    drawn = edit.new_shape(document.project, SQUARE, FIRST)[0]
+    clip = clip_stamp(drawn.clip)
+    inputs = stamp(drawn.shapes, FIRST + 1, FIRST, CONFIGS[DEFAULT_CONFIG], clip, forward=True)
+    key = Keyframe(FIRST + 1, SQUARE, origin=Origin.ENGINE, inputs=inputs)
+    tracked = drawn.with_shape(drawn.shapes[0].with_key(key))
+    document.open(timing.set_mark(tracked, FIRST, "look"), tmp_path / "a.roam")
+    document.save(tmp_path / "a.roam")
+    view.set_frame(FIRST + 1)
+    view.set_play_range(FIRST + 1, FIRST + 2)
+    renumbered = tmp_path / ("plate" if opens else "plate_0001")
+    renumbered.mkdir(exist_ok=True)
+    for frame in (1, 2):
+        picture = tmp_path / "plate" / f"plate.{FIRST + frame - 1}.png"
+        (shutil.move if opens else shutil.copyfile)(picture, renumbered / f"plate.{frame:04d}.png")
+    with qtbot.waitSignal(window.files.renumbered, timeout=WAIT):
+        if opens:
+            window.files.open(tmp_path / "a.roam")
+        else:
+            window.files.open_plate(renumbered)
+    box = window.findChild(QMessageBox)
+    assert box is not None
+    assert "numbered from 1 now, not from 1001" in box.informativeText()
+    assert (view.frame, view.play_range) == (2, (1, 3) if opens else (2, 3))  # relinked: the same picture, in and out
+    assert document.is_modified
+    assert document.path == tmp_path / "a.roam"
+    wanted = f"Shift by {1 - FIRST}" if follows else "Leave them"
+    next(button for button in box.buttons() if button.text() == wanted).click()
+    (shape,), (mark,) = document.project.shapes, document.project.marks
+    first = 1 if follows else FIRST
+    assert shape.frames == (first, first + 1)
+    assert mark.frame == first
+    stale = Stamps.of(document.project.shapes, document.project.clip).is_stale(shape, shape.keys[1])
+    assert stale is not follows
+    assert document.undo_stack.count() == int(follows)
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "told"),
+    [
+        (FIRST, FIRST + 1, f"Keys on frames {FIRST + 2} to {FIRST + 2} lie beside the clip now, which has"),
+        (FIRST + 50, FIRST + 52, f"The keys lie on frames {FIRST} to {FIRST + 2}, none of them on"),
+        (FIRST, FIRST + 5, ""),
+    ],
+)
+def test_keys_that_a_cut_leaves_beside_the_clip_are_told(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, first: int, last: int, told: str
+) -> None:
+    document = window.document
+    project, shape = edit.new_shape(document.project, SQUARE, FIRST)
+    clip = replace(project.require_clip(), last=FIRST + 2)
+    document.open(replace(project.with_shape(edit.key_here(shape, FIRST + 2)), clip=clip), None)
+    cut = tmp_path / "cut"
+    cut.mkdir()
+    for frame in range(first, last + 1):
+        cv2.imwrite(str(cut / f"plate.{frame}.png"), np.full((120, 160, 3), frame % 200, np.uint8))
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open_plate(cut)
+    said = window.status.sentence.text()
+    assert told in said
+    assert ("Shift in time" in said) is bool(told)
 
 
 def test_what_was_declared_of_the_plate_holds_for_its_next_version(

@@ -10,6 +10,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
+from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.questions import Unsaved
 from app.jobs import export
 from app.journal import recovery
@@ -149,3 +150,15 @@ def test_a_shape_that_is_half_drawn_stays_when_the_plate_is_linked_anew(
     with qtbot.waitSignal(window.document.replaced, timeout=WAIT):
         window.files.open_plate(write_clip(tmp_path / "v002", 3))
     assert [shape.point_count for shape in window.document.project.shapes] == [4, 3]
+
+
+def test_a_colour_configuration_that_cannot_be_read_is_told_as_a_clip_opens(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("OCIO", str(tmp_path / "studio.ocio"))
+    for read in (window.files.look_at, window.files.open_clip):
+        with qtbot.waitSignal(window.files.finished, timeout=WAIT) as told:
+            read(tmp_path / "plate")
+        assert "studio.ocio cannot be read" in told.args[1]
+        for dialog in window.findChildren(ClipDialog):
+            dialog.reject()

@@ -91,6 +91,31 @@ def test_in_and_out_bound_a_run_that_begins_between_them(
     ]
 
 
+@pytest.mark.parametrize(
+    ("lifetime", "frame", "verb", "frames"),
+    [
+        ((1003, 1015), 1010, "forward", range(1010, 1015)),
+        ((1003, 1015), 1010, "backward", range(1010, 1002, -1)),
+        ((1012, 1015), 1010, "forward", range(1010, 1015)),
+        ((1003, 1015), 1014, "forward", None),
+        ((1003, 1015), 1014, "forward_one", None),
+        ((1003, 1015), 1030, "forward", None),
+        ((1003, 1015), 1003, "backward", None),
+    ],
+)
+def test_a_run_ends_with_the_lifetimes_of_its_shapes(
+    tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState,
+    lifetime: tuple[int, int], frame: int, verb: str, frames: range | None,
+) -> None:  # fmt: skip
+    document.apply("Lifetime", edit.set_properties(document.project, "shape-1", lifetime=lifetime))
+    view_state.set_frame(frame)
+    getattr(tracking, verb)()
+    assert [asked for _, asked, _ in propagation.asked] == ([] if frames is None else [frames])
+    beyond = frame - 1 if verb == "backward" else frame + 1
+    told = f"'Shape 1' does not exist on frame {beyond}: its lifetime is in the Shape panel."
+    assert (view_state.message == told) is (frames is None)
+
+
 def test_before_a_key_there_is_nothing_to_track_up_to_it(
     tracking: Tracking, propagation: Propagation, view_state: ViewState
 ) -> None:

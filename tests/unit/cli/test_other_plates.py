@@ -143,3 +143,18 @@ def test_info_tells_of_a_plate_that_moved_or_is_gone(roam: Roam, plate: Plate, k
     project = file.load(keyed)
     file.save(replace(project, clip=replace(project.require_clip(), path=plate.folder / "gone")), keyed)
     assert "is not there\n" in roam("info", keyed).out
+
+
+def test_a_colour_configuration_that_cannot_be_read_is_told_where_it_would_have_told_the_space(
+    roam: Roam, plate: Plate, keyed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    save = ("--save", plate.folder.parent / "q.roam", "--end", 1002)
+    on_plate = ("track", plate.folder, "--init", plate.mask, *CONFIG, *save)
+    told = "studio.ocio cannot be read"
+    monkeypatch.delenv("OCIO", raising=False)
+    assert told not in roam(*on_plate).err
+    monkeypatch.setenv("OCIO", str(plate.folder / "studio.ocio"))
+    assert told in roam("info", plate.folder).err
+    assert told in roam(*on_plate, "--overwrite").err
+    assert told not in roam(*on_plate, "--overwrite", "--colour", "sRGB").err
+    assert told not in roam("fill", keyed, *CONFIG).err

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -64,6 +66,17 @@ def test_a_result_says_what_became_of_its_frame(config: str, blob_shot: Shot) ->
 
 def test_two_runs_give_the_same_bits(config: str, blob_shot: Shot) -> None:
     assert tracked(blob_shot, config) == tracked(blob_shot, config)
+
+
+def test_the_numbers_of_the_frames_tell_the_engine_nothing(config: str, blob_shot: Shot) -> None:
+    shape, first = blob_shot.shape(), blob_shot.first
+    tracker = Tracker(config)
+    tracker.start(blob_shot.read(first), replace(shape, keys=(replace(shape.keys[0], frame=7),)), 7)
+    for frame in blob_shot.frames[1:]:
+        tracker.step(blob_shot.read(frame), frame - first + 7)
+    for now, was in zip(tracker.shape.keys, tracked(blob_shot, config).keys, strict=True):
+        assert now.frame == was.frame - first + 7
+        np.testing.assert_array_equal(now.points, was.points)
 
 
 def test_floats_and_bytes_give_the_same_bits(config: str, blob_shot: Shot) -> None:

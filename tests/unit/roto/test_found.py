@@ -58,3 +58,10 @@ def test_the_pieces_of_a_mask_stay_one_thing_and_are_another_each_time() -> None
     of_first, of_second = ({project.shape(each).compound for each in ids} for ids in (first, second))
     assert len(of_first) == len(of_second) == 1
     assert of_first != of_second
+
+
+def test_they_come_into_the_layer_that_is_named() -> None:
+    project, home = edit.add_layer(Project(), "Home")
+    project, ids = add_found(project, shapes_from_mask(mask(), 3), home_id=home.id)
+    assert [child.id for child in project.root.children] == [home.id]
+    assert all(project.layers_above(shape_id)[1].id == home.id for shape_id in ids)

@@ -11,7 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import render_matte
 from roam_core.roto import Layer, LayerTransform, Project, edit
-from roam_core.roto.layers import grouped, moved, only, top_items, ungrouped
+from roam_core.roto.layers import grouped, home_for_new, moved, only, top_items, ungrouped
 
 SQUARE = polygon_points([(2.0, 2.0), (12.0, 2.0), (12.0, 9.0), (2.0, 9.0)])
 TURN = np.array([[0.8, -0.6, 9.0], [0.6, 0.8, -2.0], [1e-3, 0.0, 1.0]])
@@ -154,3 +154,29 @@ def test_a_shape_alone_stays_where_its_layers_put_it(project: Project) -> None:
     (shape,) = alone.shapes
     np.testing.assert_array_equal(shape.at(1).points, moving.shape("shape-3").at(1).points)
     assert render_matte(alone, 1, (24, 32)).max() == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize(
+    ("chosen", "changed", "home"),
+    [
+        (set(), {}, "root"),
+        ({"layer-1", "shape-2", "layer-2", "shape-3"}, {}, "layer-1"),
+        ({"layer-2", "shape-3"}, {}, "layer-2"),
+        ({"shape-3"}, {}, "layer-2"),
+        ({"shape-2", "shape-3"}, {}, "layer-1"),
+        ({"shape-1", "shape-3"}, {}, "root"),
+        ({"shape-3"}, {"layer-2": {"locked": True}}, "layer-1"),
+        ({"shape-3"}, {"layer-1": {"visible": False}}, "root"),
+        ({"layer-2", "shape-3"}, {"layer-1": {"locked": True}}, "root"),
+        ({"shape-3"}, {"layer-1": {"transform": LayerTransform.of({1: TURN})}}, "root"),
+        ({"layer-1", "shape-3"}, {"layer-1": {"transform": LayerTransform.of({1: TURN})}}, "layer-1"),
+        ({"shape-3"}, {"shape-3": {"compound": "mask-1"}}, "layer-1"),
+        ({"layer-2", "shape-3"}, {"shape-3": {"compound": "mask-1"}}, "layer-2"),
+    ],
+)
+def test_what_is_drawn_comes_into_the_layer_that_is_selected_or_whose_shapes_are(
+    project: Project, chosen: set[str], changed: dict[str, dict[str, object]], home: str
+) -> None:
+    for item_id, values in changed.items():
+        project = edit.set_properties(project, item_id, **values)
+    assert home_for_new(project, chosen).id == home

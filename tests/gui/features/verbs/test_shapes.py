@@ -10,11 +10,14 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from app.features.clipboards.shapes import ShapeClipboard
+from app.features.verbs.finishing import finish_shape
 from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Project, edit
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import clip_stamp, stamp
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -205,3 +208,94 @@ def test_a_layer_is_duplicated_cut_and_pasted_whole(document: Document, view_sta
     clipboard.cut()
     assert document.project.has(layer.id)
     assert "What is locked stays" in view_state.message
+
+
+@pytest.mark.parametrize("how", ["duplicate", "paste", "draw", "draw apart"])
+def test_what_lies_on_a_tracked_shape_and_makes_its_frames_stale_is_told(
+    document: Document, view_state: ViewState, how: str
+) -> None:
+    clip = Clip(Path("plate"), 1, 9, (120, 80))
+    drawn = RotoShape("shape-1", "Car", (Keyframe(1, SQUARE),))
+    inputs = stamp([drawn], 2, 1, CONFIGS[DEFAULT_CONFIG], clip_stamp(clip), forward=True)
+    tracked = drawn.with_key(Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=inputs))
+    document.open(edit.add_items(Project(clip), [tracked])[0], None)
+    view_state.select(frozenset({"shape-1"}))
+    if how == "duplicate":
+        ShapeVerbs(document, view_state).duplicate()
+    elif how == "paste":
+        clipboard = ShapeClipboard(document, view_state)
+        clipboard.copy()
+        clipboard.paste()
+    else:
+        finish_shape(document, view_state, "polygon", SQUARE + (5.0 if how == "draw" else 60.0), 1)
+    assert len(document.project.shapes) == 2
+    is_told = view_state.message.startswith("Tracked frames of Car are out of date")
+    assert is_told is (how != "draw apart")
+    assert not is_told or "Solve by itself" in view_state.message
+
+
+@pytest.mark.parametrize(
+    ("in_out", "left", "told"),
+    [
+        ((1, 10), (1,), "Deleted 8 tracked frames."),
+        ((4, 7), (1, 2, 3, 7, 8, 9), "Deleted 3 tracked frames from 4 to 6."),
+        ((1, 2), tuple(range(1, 10)), "Between in and out, 1 to 1, no frame is tracked."),
+    ],
+)
+def test_tracked_frames_are_deleted_between_in_and_out(
+    document: Document, view_state: ViewState, in_out: tuple[int, int], left: tuple[int, ...], told: str
+) -> None:
+    keys = [Keyframe(1, SQUARE), *(Keyframe(frame, SQUARE, origin=Origin.ENGINE) for frame in range(2, 10))]
+    tracked = RotoShape("shape-1", "Car", tuple(keys))
+    document.open(edit.add_items(Project(Clip(Path("plate"), 1, 9, (120, 80))), [tracked])[0], None)
+    view_state.select(frozenset({"shape-1"}))
+    view_state.set_play_range(*in_out)
+    ShapeVerbs(document, view_state).delete_engine_keys()
+    assert document.project.shapes[0].frames == left
+    assert view_state.message == told
+    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+    before = document.project
+    ShapeVerbs(document, view_state).delete_engine_keys()
+    assert document.project is before
+    assert "locked" in view_state.message
+
+
+@pytest.mark.parametrize(
+    ("copied", "selected", "home"),
+    [
+        (("shape-1", ()), ("", ("layer-1",)), "layer-1"),  # cut or copied here, pasted into another layer
+        (("shape-2", ()), ("shape-2", ()), "layer-1"),  # beside what was copied
+        (("shape-2", ()), ("", ()), "root"),
+        (("", ("layer-1",)), ("", ("layer-1",)), "root"),  # no copy of a layer in the layer itself
+        (("", ("layer-2",)), ("", ("layer-2",)), "layer-1"),
+        (("", ("layer-1",)), ("", ("layer-2",)), "layer-2"),
+    ],
+)
+def test_what_is_pasted_comes_into_the_layer_in_hand(
+    document: Document, view_state: ViewState,
+    copied: tuple[str, tuple[str, ...]], selected: tuple[str, tuple[str, ...]], home: str,
+) -> None:  # fmt: skip
+    opened(document, 3)
+    project, outer = grouped(document.project, {"shape-2", "shape-3"})
+    project, inner = grouped(project, {"shape-3"})
+    assert (outer.id, inner.id) == ("layer-1", "layer-2")
+    document.open(project, None)
+    clipboard = ShapeClipboard(document, view_state)
+    for (shape_id, layers), call in ((copied, clipboard.copy), (selected, clipboard.paste)):
+        held = {shape.id for layer in layers for shape in project.find(layer).shapes()} | ({shape_id} - {""})
+        view_state.select(frozenset(held), layers=frozenset(layers))
+        call()
+    new = view_state.layers or view_state.selection.shapes
+    assert {document.project.layers_above(item_id)[-1].id for item_id in new} == {home}
+    assert len(new) == 1
+    assert not any(project.has(item_id) for item_id in new)
+
+
+def test_what_is_gone_and_was_a_part_of_a_tracked_object_is_told(document: Document, view_state: ViewState) -> None:
+    clip = Clip(Path("plate"), 1, 9, (120, 80))
+    parts = [RotoShape(f"shape-{k}", f"Part {k}", (Keyframe(1, SQUARE + 5.0 * k),)) for k in (1, 2)]
+    inputs = stamp(parts, 2, 1, CONFIGS[DEFAULT_CONFIG], clip_stamp(clip), forward=True)
+    tracked = [part.with_key(Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=inputs)) for part in parts]
+    document.open(edit.add_items(Project(clip), tracked)[0], None)
+    delete(document, view_state, ["shape-2"])
+    assert view_state.message == "Tracked frames of Part 1 are out of date: what is gone was a part of its object."

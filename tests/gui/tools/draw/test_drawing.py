@@ -12,7 +12,7 @@ from app.model.view_state import ViewState
 from app.tools.draw.drawing import DrawingTool
 from app.tools.toolbox import TOOLS
 from roam_core.geometry.bezier import IN, OUT, polygon_points
-from roam_core.roto import Clip, Origin, Project
+from roam_core.roto import Clip, Origin, Project, edit
 from tests.gui.hand import CTRL, Hand
 from tests.gui.tools.conftest import OnlyShape
 
@@ -66,6 +66,22 @@ def test_clicks_place_corners_and_return_closes(
     assert view_state.selection.shapes == {shape.id}
     assert view_state.tool == "select"
     assert document.undo_stack.undoText() == "Draw shape"
+
+
+def test_a_shape_is_drawn_into_the_selected_layer_and_so_is_the_next_one(
+    hand: Hand, document: Document, view_state: ViewState, drawing: str
+) -> None:
+    project, layer = edit.add_layer(document.project, "Wall")
+    document.open(edit.new_shape(project, polygon_points(CORNERS), 1)[0], None)
+    view_state.select(frozenset(), layers=frozenset({layer.id}))
+    for name in ("Shape 2", "Shape 3"):
+        view_state.set_tool(drawing)
+        click_all(hand)
+        hand.key(RETURN)
+        drawn = document.project.layers_above(next(iter(view_state.selection.shapes)))
+        assert [each.name for each in drawn] == ["Root", "Wall"]
+        assert view_state.message.startswith(f"{name} in Wall is drawn")
+    assert [child.name for child in document.project.root.children] == ["Wall", "Shape 1"]
 
 
 def test_nothing_enters_the_document_while_drawing(hand: Hand, document: Document, view_state: ViewState, drawing: str):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from PySide6.QtCore import Qt
 
 from app.canvas.view import CanvasView
@@ -11,7 +12,7 @@ from app.model.view_state import Selection, ViewState
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, OUT, polygon_points
 from roam_core.roto import edit
-from tests.gui.hand import ALT, CTRL, SHIFT, Hand
+from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape
 
 
@@ -38,6 +39,21 @@ def test_shift_click_adds_a_shape_and_takes_it_away(hand: Hand, document: Docume
     assert view_state.selection.shapes == {square, triangle}
     hand.click((170.0, 20.0), SHIFT)
     assert view_state.selection.shapes == {square}
+
+
+@pytest.mark.parametrize(("held", "layers"), [(NONE, frozenset()), (SHIFT, frozenset({"layer-1"}))])
+def test_click_on_empty_background_lets_an_empty_layer_go(
+    hand: Hand,
+    document: Document,
+    view_state: ViewState,
+    square: str,
+    held: Qt.KeyboardModifier,
+    layers: frozenset[str],
+) -> None:
+    document.open(edit.add_layer(document.project)[0], None)
+    view_state.select(frozenset(), layers=frozenset({"layer-1"}))
+    hand.click((180.0, 130.0), held)
+    assert view_state.layers == layers
 
 
 def test_click_on_empty_background_selects_nothing(hand: Hand, view_state: ViewState, square: str) -> None:

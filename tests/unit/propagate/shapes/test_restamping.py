@@ -11,9 +11,10 @@ import pytest
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, fill_stamp, stamp
-from roam_core.propagate.shapes.restamping import restamped
+from roam_core.propagate.shapes.restamping import renumbered, restamped
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape
 from roam_core.roto.imported import IMPORT, stamped
+from roam_core.roto.shifting import shifted
 
 CLIP = Clip(Path("/plates/plate"), 1001, 1012, (160, 120))
 PARAMS = CONFIGS[DEFAULT_CONFIG]
@@ -89,3 +90,28 @@ def test_a_stamp_of_another_program_is_left_alone(config: str) -> None:
     shape = RotoShape("shape-1", "Shape 1", (key(1001), key(1002, f"forward:{config}:0123:from=1001")))
     fresh = restamped(project(shape), project(moved(shape, ALL)), ["shape-1"], ALL)
     assert fresh.shapes[0].keys[1].inputs == shape.keys[1].inputs
+
+
+@pytest.mark.parametrize("forward", [True, False])
+def test_tracked_keys_that_are_shifted_below_the_same_pictures_are_stale_until_they_are_shifted_back(
+    forward: bool,
+) -> None:
+    drawn = RotoShape("shape-1", "Shape 1", (key(1005),))  # one key alone: its outline is the same on all frames
+    frames = (1006, 1007) if forward else (1003, 1004)
+    clip = clip_stamp(CLIP)
+    before = project(drawn.with_keys(key(f, stamp([drawn], f, 1005, PARAMS, clip, forward=forward)) for f in frames))
+    assert stale(before) == []
+    assert stale(shifted(before, 2)) == [frame + 2 for frame in frames]
+    assert stale(shifted(before, 2, ["shape-1"])) == [frame + 2 for frame in frames]
+    assert stale(shifted(shifted(before, 2), -2)) == []
+
+
+def test_where_the_plate_is_numbered_anew_what_was_fresh_is_fresh_and_what_was_stale_is_stale() -> None:
+    shape = tracked()
+    shape = shape.with_key(replace(shape.key_at(1008), points=SQUARE))  # type: ignore[type-var]
+    for held in (tracked(), shape):
+        clip = replace(CLIP, path=Path("/plates/plate_v2"), first=1, last=12)
+        after = renumbered(replace(project(held), clip=clip), CLIP)
+        assert after.shapes[0].frames == tuple(frame - 1000 for frame in held.frames)
+        assert stale(after) == [frame - 1000 for frame in stale(project(held))]
+        assert after.clip == clip
