@@ -73,14 +73,16 @@ def size_of(size: Any) -> tuple[int, int]:
 def pixels_of(image: Any) -> NDArray[Any]:
     """The array of an image or a mask: itself, or what nested lists and other libraries' arrays hold.
 
-    Whole numbers in lists that 8 bits hold are 8-bit values.
+    Whole numbers in lists that 8 bits hold are 8-bit values; what a masked array hides is black.
 
     Raises
     ------
     ValueError
         when it holds no numbers.
     """
-    if isinstance(image, np.ndarray):
+    if isinstance(image, np.ma.MaskedArray):
+        array = np.asarray(image.filled(0))
+    elif isinstance(image, np.ndarray):
         array = image
     else:
         if image is None or isinstance(image, str | bytes | os.PathLike):

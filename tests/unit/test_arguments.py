@@ -103,6 +103,8 @@ def test_a_tolerance_is_no_less_than_nothing(tolerance: float) -> None:
 def test_lists_are_pictures_and_masks() -> None:
     assert tracked(IMAGES[0].tolist()) == tracked()
     assert pixels_of([[0, 256]]).dtype != np.uint8
+    hidden = pixels_of(np.ma.masked_array(np.full((1, 2), 9, np.uint8), mask=[[True, False]]))
+    assert (type(hidden), hidden.tolist()) == (np.ndarray, [[0, 9]])
     for mask in (MASK.tolist(), (MASK.astype(np.uint8) * 255).tolist(), memoryview(MASK)):
         (made,) = shapes_from_mask(mask, FIRST)  # type: ignore[arg-type]
         assert made.keys == SHAPE.keys
