@@ -68,6 +68,25 @@ def test_backward_from_the_last_frame(roam: Roam, plate: Plate) -> None:
     assert shape.frames == tuple(FRAMES)
 
 
+@pytest.mark.parametrize(
+    ("name", "words", "told"),
+    [
+        ("mask.1003.png", (), "is taken for frame 1001; if it is of frame 1003, say --start 1003."),
+        ("mask.1003.png", ("--backward",), "is taken for frame 1006; if it is of frame 1003, say --start 1003."),
+        ("mask.1003.png", ("--start", 1001), ""),
+        ("mask.1001.png", (), ""),
+        ("mask_v1003.png", (), ""),
+        ("mask.7.png", (), ""),
+    ],
+)
+def test_a_mask_numbered_as_another_frame_is_told(
+    roam: Roam, plate: Plate, name: str, words: tuple[object, ...], told: str
+) -> None:
+    mask = plate.mask.rename(plate.mask.with_name(name))
+    done = roam("track", plate.folder, "--init", mask, "--config", "baseline", "--json", *words)
+    assert (done.status, done.err) == (0, f"The mask {mask} {told}\n" if told else "")
+
+
 def test_part_of_a_clip(roam: Roam, plate: Plate) -> None:
     path, out = plate.folder.parent / "p.roam", plate.folder.parent / "mattes"
     words = ("--start", 1001, "--end", 1003, "--save", path, "--matte", out)
