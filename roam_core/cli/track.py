@@ -392,8 +392,11 @@ def require_writable(folder: Path, *, create: bool) -> None:
 
 
 def print_line(solved: FrameResult) -> None:
-    """One line of JSON: the frame's seconds by the clock, energy over all shapes, confidence, and what costs most."""
-    results = solved.results
+    """One line of JSON: the frame's seconds by the clock, energy over all shapes, confidence, and what costs most.
+
+    Shapes that do not exist on the frame say nothing of it, unless there are no others.
+    """
+    results = [each for each in solved.results if each.shape.exists_at(solved.frame)] or list(solved.results)
     confidence, worst = whole_confidence([(result.shape, result.confidence) for result in results], solved.frame)
     line = {
         "frame": solved.frame,

@@ -11,10 +11,13 @@ import cv2
 import numpy as np
 import pytest
 
+from roam_core.cli.track import print_line
 from roam_core.params import CONFIGS
+from roam_core.propagate import FrameResult, Termination, TrackResult
 from roam_core.roto import Layer, Origin, Project, edit, file
 from tests.golden.shots import overlap
 from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte, write_picture
+from tests.unit.matte.conftest import rectangle
 from tests.unit.propagate.figures import body_with_arms
 
 FRAMES = list(SHOT.frames)
@@ -45,6 +48,24 @@ def test_a_line_of_json_a_frame(roam: Roam, plate: Plate) -> None:
     assert lines[0]["termination"] == "artist_key"
     assert all(line["termination"] in ("converged", "max_iterations", "low_confidence") for line in lines[1:])
     assert all(0.0 <= line["confidence"] <= 1.0 for line in lines)
+
+
+def test_a_line_is_of_the_shapes_that_are_there(capsys: pytest.CaptureFixture[str]) -> None:
+    """A large one that had ended made a frame sure on which the other one was lost."""
+    large, small = (
+        replace(shape, id=name, name=name)
+        for name, shape in zip("ab", (rectangle(0.0, 0.0, 90.0, 90.0), rectangle(5.0, 5.0, 9.0, 9.0)), strict=True)
+    )
+
+    def line(frame: int) -> dict[str, object]:
+        given = TrackResult(frame, replace(large, lifetime=(0, 5)), 1.0, {}, Termination.ARTIST_KEY)
+        lost = TrackResult(frame, small, 0.1, {}, Termination.LOW_CONFIDENCE)
+        print_line(FrameResult(frame, (given, lost)))
+        told: dict[str, object] = json.loads(capsys.readouterr().out)
+        return told
+
+    assert (line(5)["confidence"], line(5)["termination"]) == (0.1, "low_confidence")
+    assert line(4)["confidence"] == pytest.approx(1.0, abs=0.01)
 
 
 def test_in_a_pipe_there_is_one_sentence_and_no_bar(roam: Roam, plate: Plate) -> None:
