@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -129,17 +130,27 @@ def _is_large(ring: Array) -> bool:
 
 def _regions(mask: NDArray[Any]) -> list[list[Array]]:
     """All regions of a mask, however small, as `outlines` has them; those of each label where there are several."""
-    channel = _telling(mask)
-    labels = _labels(channel)
-    fields = (channel == label for label in labels) if len(labels) > 1 else (_shares(channel),)
     regions = []
-    for field in fields:
+    for field, corner in _fields(_telling(mask)):
         generator: Any = contour_generator(z=np.pad(field.astype(np.float64), 1), fill_type=FillType.OuterOffset)
         points, offsets = generator.filled(0.5, np.inf)
         for vertices, starts in zip(points, offsets, strict=True):
-            # Index space of the padded array, whose first pixel's centre is (-0.5, -0.5) of the image.
-            regions.append([vertices[a : b - 1] - 0.5 for a, b in pairwise(starts)])
+            # Index space of the padded array, whose first pixel's centre is (-0.5, -0.5) of the field.
+            regions.append([vertices[a : b - 1] - 0.5 + corner for a, b in pairwise(starts)])
     return sorted(regions, key=lambda rings: -abs(polyline.signed_area(rings[0])))
+
+
+def _fields(channel: NDArray[Any]) -> Iterator[tuple[NDArray[Any], tuple[int, int]]]:
+    """The coverage that a channel (h, w) tells, whole; or each label's in a box around it, with the box's (x, y)."""
+    labels = _labels(channel)
+    if len(labels) <= 1:
+        yield _shares(channel), (0, 0)
+        return
+    from scipy import ndimage  # a large library, for labels alone
+
+    numbers = np.where(channel > 0, np.searchsorted(labels, channel) + 1, 0)
+    for number, (rows, columns) in enumerate(ndimage.find_objects(numbers), start=1):
+        yield numbers[rows, columns] == number, (columns.start, rows.start)
 
 
 def coverage_of(mask: NDArray[Any]) -> Array:

@@ -301,6 +301,13 @@ def test_of_a_mask_of_labels_each_gives_shapes(kind: type, ids: tuple[int, int])
     assert overlap(found[2] | found[3], other) > 0.97
 
 
+def test_each_of_many_labels_lies_where_it_is() -> None:
+    numbers = np.arange(1, 36, dtype=np.uint32).reshape(5, 7)[::-1]
+    labels = np.kron(numbers * np.uint32(100_000_000), np.ones((20, 20), np.uint32))
+    found = {tuple(shape.at(0).anchors.mean(axis=0).round()) for shape in shapes_from_mask(labels)}
+    assert found == {(10.0 + 20.0 * x, 10.0 + 20.0 * y) for x in range(7) for y in range(5)}
+
+
 def test_wide_integers_of_a_picture_are_shades() -> None:
     soft = (np.clip(disc(60.0, 45.0, 25.0) * 1.2 - 0.1, 0.0, 1.0) * 255).astype(np.uint8)
     for reckoned in (soft.astype(np.uint32), soft.astype(np.int64) * 257, soft.astype(np.uint32) * 0x01010101):
