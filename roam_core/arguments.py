@@ -53,6 +53,26 @@ def moment(frame: Any) -> float:
     raise ValueError(f"a frame is a number such as 1001, not {shown(frame)}")
 
 
+def finite(value: Any, name: str) -> float:
+    """A number as a plain `float`; `name` is what it is, such as "the opacity of 'Arm'".
+
+    Raises
+    ------
+    ValueError
+        when it is none, or not finite.
+    """
+    if type(value) is float and math.isfinite(value):
+        return value
+    if not isinstance(value, str | bytes):
+        try:
+            number = float(value)
+        except (TypeError, ValueError, OverflowError):
+            number = math.nan
+        if math.isfinite(number):
+            return number
+    raise ValueError(f"{name} is a number, not {shown(value)}")
+
+
 def size_of(size: Any) -> tuple[int, int]:
     """The size (h, w) of a picture as plain `int`s.
 
@@ -73,14 +93,16 @@ def size_of(size: Any) -> tuple[int, int]:
 def pixels_of(image: Any) -> NDArray[Any]:
     """The array of an image or a mask: itself, or what nested lists and other libraries' arrays hold.
 
-    Whole numbers in lists that 8 bits hold are 8-bit values.
+    Whole numbers in lists that 8 bits hold are 8-bit values; what a masked array hides is black.
 
     Raises
     ------
     ValueError
         when it holds no numbers.
     """
-    if isinstance(image, np.ndarray):
+    if isinstance(image, np.ma.MaskedArray):
+        array = np.asarray(image.filled(0))
+    elif isinstance(image, np.ndarray):
         array = image
     else:
         if image is None or isinstance(image, str | bytes | os.PathLike):

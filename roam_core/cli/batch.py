@@ -75,6 +75,8 @@ def run(arguments: argparse.Namespace) -> int:
     found = jobs_from(
         arguments.jobs, steps=arguments.steps, handles=arguments.handles, inits=arguments.inits, out=arguments.out
     )
+    for note in found.notes:
+        print(note, file=sys.stderr)
     if arguments.write is not None:
         write_atomically(arguments.write, json.dumps(as_document(found.jobs), indent=1).encode() + b"\n")
         print(f"Wrote {len(found.jobs.jobs)} job(s) to {arguments.write}.", file=sys.stderr)

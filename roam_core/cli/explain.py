@@ -63,6 +63,8 @@ def run(arguments: argparse.Namespace) -> int:
                 Sources.of(plate.source, arguments.project),
                 overwrite=arguments.overwrite,
             )
+            if arguments.picture.suffix.lower() != ".png":
+                raise RoamError(f"The picture is written as PNG; {arguments.picture.name} does not end in .png.")
         if arguments.frame not in plate.source.frames:
             raise RoamError(f"Frame {arguments.frame} is missing from the clip {plate.source.path}; choose another.")
         explanations = explained(plate, project, arguments.frame, wanted)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -91,10 +92,13 @@ def run(arguments: argparse.Namespace) -> int:
         for part in parts:
             project = taken(project, part, gaps, params, picking)
         wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
+        there, missing, began = len(gaps) - len(wanted), wanted, time.perf_counter()
         if arguments.workers > 1 and wanted:
             project = filled_apart(project, wanted, params, picking, arguments.workers, write)
             parts.append(project)
             wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
+        apart = [gap for gap in missing if gap not in wanted]
+        shares = seconds_by_frame(apart, time.perf_counter() - began)
         filled = fill_project(plate, project, wanted, params, write, picking)
         project = filled.project
         if not wanted and (target != arguments.project or parts):
@@ -105,11 +109,17 @@ def run(arguments: argparse.Namespace) -> int:
             write_mattes(plate, project, shown, arguments.matte)
     if arguments.json:
         for frame in frames:
-            print_json(line_of(project, frame, filled.seconds.get(frame, 0.0)))
+            print_json(line_of(project, frame, shares.get(frame, 0.0) + filled.seconds.get(frame, 0.0)))
     elif filled.gaps or not wanted:
-        rest = len(gaps) - len(wanted)
-        print(f"Filled {len(filled.gaps)} gap(s)" + (f"; {rest} already filled." if rest else "."), file=sys.stderr)
+        count = len(apart) + len(filled.gaps)
+        print(f"Filled {count} gap(s)" + (f"; {there} already filled." if there else "."), file=sys.stderr)
     return FAILED if len(filled.gaps) < len(wanted) else 0
+
+
+def seconds_by_frame(gaps: Sequence[Gap], seconds: float) -> dict[int, float]:
+    """The time that gaps took together, by the clock, in equal shares for the frames within them; gaps may overlap."""
+    inside = [frame for first, last in gaps for frame in range(first + 1, last)]
+    return {frame: times * seconds / len(inside) for frame, times in Counter(inside).items()}
 
 
 @dataclass(frozen=True)
@@ -153,9 +163,8 @@ def fill_project(
                 project = project.with_shape(shape)
             keeper.offer(project)
             done.append(gap)
-            inside = range(gap[0] + 1, gap[1])
-            share = (time.perf_counter() - began) / len(inside)
-            seconds.update({frame: seconds.get(frame, 0.0) + share for frame in inside})
+            shares = seconds_by_frame([gap], time.perf_counter() - began)
+            seconds.update({frame: seconds.get(frame, 0.0) + share for frame, share in shares.items()})
     return FilledProject(project, done, seconds)
 
 

@@ -67,7 +67,7 @@ def run(arguments: argparse.Namespace) -> int:
         [(target, Kind.PROJECT)],
         Sources.of_clip(project.clip, arguments.into, *read_files(arguments.source)),
         overwrite=arguments.overwrite,
-        rewritten=arguments.into,
+        rewritten=arguments.into if arguments.clip is None else None,
     )
     tell_of_holder(target)
     masks = MaskOptions(arguments.tolerance, KeyChoice(arguments.keys), arguments.speckle)

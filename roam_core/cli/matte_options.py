@@ -23,11 +23,16 @@ def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options of pictures."""
     group = parser.add_argument_group("mattes")
     words = sorted({word for compressions in COMPRESSIONS.values() for word in compressions})
-    group.add_argument("--file", choices=list(MatteFile), help="kind of the pictures (png)")
-    group.add_argument("--depth", choices=list(Depth), help="bits, or floating point (8; half for exr)")
+    group.add_argument("--file", choices=[file.value for file in MatteFile], help="kind of the pictures (png)")
+    group.add_argument(
+        "--depth", choices=[depth.value for depth in Depth], help="bits, or floating point (8; half for exr)"
+    )
     group.add_argument("--compression", choices=words, help="without loss in any case (zip)")
     group.add_argument(
-        "--per", choices=list(Parts), default=Parts.ALL, help="what has a matte of its own (%(default)s)"
+        "--per",
+        choices=[parts.value for parts in Parts],
+        default=Parts.ALL,
+        help="what has a matte of its own (%(default)s)",
     )
     group.add_argument("--channels", action="store_true", help="exr: layers or shapes as channels of one file")
     group.add_argument("--tight", action="store_true", help="exr: leave out the black around the shapes")

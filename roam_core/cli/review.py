@@ -51,9 +51,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the clip's first)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the clip's last)")
     parser.add_argument(
-        "--view", choices=list(ReviewView), default=ReviewView.OVERLAY, help="outlines on the plate, or a cut-out"
+        "--view",
+        choices=[view.value for view in ReviewView],
+        default=ReviewView.OVERLAY,
+        help="outlines on the plate, or a cut-out",
     )
-    parser.add_argument("--ground", choices=list(Ground), default=Ground.GREY, help="what a cut-out lies on")
+    parser.add_argument(
+        "--ground", choices=[ground.value for ground in Ground], default=Ground.GREY, help="what a cut-out lies on"
+    )
     parser.add_argument(
         "--burn",
         default="frame,note",

@@ -30,8 +30,9 @@ from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
 from roam_core.interchange.registry import SHAPE_SUFFIXES, read_shapes
-from roam_core.interchange.targets import Sources, require_free
+from roam_core.interchange.targets import PROJECT, Sources, require_free
 from roam_core.matte.vectorise import LEAST_AREA, coverage_of, read_mask, shapes_from_mask, specks_left_out
+from roam_core.media.numbering import split_number
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
@@ -39,7 +40,6 @@ from roam_core.propagate.shapes.provenance import clip_stamp
 from roam_core.roto import Clip, Layer, Project, RotoShape, edit, file
 
 Report = Callable[[FrameResult], None]
-PROJECT = ".roam"
 MANY = 100
 """Shapes of one mask, beyond which it may be noise."""
 
@@ -93,6 +93,8 @@ def run(arguments: argparse.Namespace) -> int:
             require_in_clip(start, init, plate.source.frames)
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(init, given, plate, frames[0])
+        if given is None and arguments.start is None:
+            tell_of_number(init, plate.source.frames, frames[0])
         trackable(project, picking)  # refuses a name that no shape of the mask has
         plate.read(frames[0])
         if arguments.save is not None:
@@ -331,6 +333,16 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
     return Project(clip, Layer("root", "Root", tuple(shapes)))
 
 
+def tell_of_number(mask: Path, frames: tuple[int, ...], start: int) -> None:
+    """Say that a mask whose name bears the number of another of the clip's frames is taken for the first one."""
+    before, number, _ = split_number(mask.stem) or ("", "", "")
+    if number and int(number) in frames and int(number) != start and not before.lower().endswith("v"):
+        print(
+            f"The mask {mask} is taken for frame {start}; if it is of frame {number}, say --start {number}.",
+            file=sys.stderr,
+        )
+
+
 def _odd_about(mask: NDArray[Any], init: Path, count: int) -> Iterator[str]:
     """What an artist should know of a mask that became `count` shapes."""
     left_out = specks_left_out(mask)
@@ -380,8 +392,11 @@ def require_writable(folder: Path, *, create: bool) -> None:
 
 
 def print_line(solved: FrameResult) -> None:
-    """One line of JSON: the frame's seconds by the clock, energy over all shapes, confidence, and what costs most."""
-    results = solved.results
+    """One line of JSON: the frame's seconds by the clock, energy over all shapes, confidence, and what costs most.
+
+    Shapes that do not exist on the frame say nothing of it, unless there are no others.
+    """
+    results = [each for each in solved.results if each.shape.exists_at(solved.frame)] or list(solved.results)
     confidence, worst = whole_confidence([(result.shape, result.confidence) for result in results], solved.frame)
     line = {
         "frame": solved.frame,

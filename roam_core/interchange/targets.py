@@ -19,6 +19,8 @@ from roam_core.media.numbering import parse_pattern
 from roam_core.roto import Clip, Project
 from roam_core.roto.backups import rotate
 
+PROJECT = ".roam"
+"""What the names of projects end in: by that they are told from plates and other programs' files."""
 BACKUPS = 9
 """How many older projects are kept beside a project that is written over."""
 SHOWN = 40
@@ -72,7 +74,8 @@ def exported(
 class Obstacles:
     """Why files may not be written, first come first: those that are `read`, those `in_plate`, those not `ours`.
 
-    `odd` are no plain files, `twice` those that two results would go to; names that are `too_long` lead nowhere.
+    `odd` are no plain files, `twice` those that two results would go to; names that are `too_long` lead nowhere, and a
+    project under one of the `misnamed` would be taken for none.
     """
 
     too_long: tuple[Path, ...] = ()
@@ -80,6 +83,7 @@ class Obstacles:
     in_plate: tuple[Path, ...] = ()
     odd: tuple[Path, ...] = ()
     twice: tuple[Path, ...] = ()
+    misnamed: tuple[Path, ...] = ()
     foreign: tuple[Path, ...] = ()
 
     def refuse_always(self) -> None:
@@ -94,6 +98,9 @@ class Obstacles:
         ):
             if paths:
                 raise RoamError(f"{listed(paths)} {reason}.")
+        if self.misnamed:
+            name, better = self.misnamed[0].name, self.misnamed[0].with_suffix(PROJECT).name
+            raise RoamError(f"{name} is no name for a project; end it in {PROJECT}, as {better}.")
 
     def refuse_foreign(self) -> None:
         """Raise `RoamError` for what is permitted only on the user's word."""
@@ -129,6 +136,7 @@ def obstacles(targets: Iterable[tuple[Path, Kind]], sources: Sources, rewritten:
         ),
         odd=tuple(path for path, _ in there if not path.is_file() and not path.is_dir()),
         twice=tuple(dict.fromkeys(path for path, _ in wanted if places[os.path.realpath(path)] > 1)),
+        misnamed=tuple(path for path, kind in rest if kind is Kind.PROJECT and path.suffix.lower() != PROJECT),
         foreign=tuple(path for path, kind in there if path.is_file() and not _is_free(path, kind)),
     )
 

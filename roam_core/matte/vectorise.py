@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -22,11 +23,13 @@ from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
 
 LABELS = 16
-"""Integers up to this are labels, not shades."""
+"""Integers up to this are labels, not shades; so are wider integers of no more tones than these."""
 NARROWER = (255.0, 1023.0, 4095.0)
 """White of 8, 10 and 12 bits."""
 PICTURES = (255.0, 65535.0)
 """White of the integers in which pictures are mostly held."""
+CHANNELS = 4
+"""A picture of no more rows than this and more channels has its channels first, as networks give them."""
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
 
@@ -37,7 +40,8 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None
     Parameters
     ----------
     mask : (h, w) or (h, w, c); bool, integer or float; white inside. A grey antialiased edge is met at half intensity.
-        White is 1 in floating point, but 255 or 65535 where the largest value is that of such a picture.
+        White is 1 in floating point, but 255 or 65535 where the largest value is that of such a picture. Integers that
+        are labels (up to 16, or the ids of 32 bits) give shapes of each label.
     frame : the frame of the shapes' one artist key.
     tolerance : pixels by which the spline may stray from the mask's outline; None: one, as the engine sees a picture
         of that size (`params.enlargement_for`).
@@ -88,6 +92,8 @@ def require_image(mask: NDArray[Any]) -> None:
     """Refuse what is no image, in a sentence."""
     if mask.ndim not in (2, 3) or 0 in mask.shape:
         raise RoamError(f"A mask of shape {mask.shape} is no image; give one of (height, width) pixels.")
+    if mask.ndim == 3 and mask.shape[0] <= CHANNELS < mask.shape[2]:
+        raise RoamError(f"A mask of shape {mask.shape} has its channels first; give one of them, such as mask[0].")
 
 
 def tolerance_for(size: tuple[int, int]) -> float:
@@ -123,25 +129,57 @@ def _is_large(ring: Array) -> bool:
 
 
 def _regions(mask: NDArray[Any]) -> list[list[Array]]:
-    """All regions of a mask, however small, as `outlines` has them."""
-    field = np.pad(coverage_of(mask), 1)
-    generator: Any = contour_generator(z=field, fill_type=FillType.OuterOffset)
-    points, offsets = generator.filled(0.5, np.inf)
+    """All regions of a mask, however small, as `outlines` has them; those of each label where there are several."""
     regions = []
-    for vertices, starts in zip(points, offsets, strict=True):
-        # Index space of the padded array, whose first pixel's centre is (-0.5, -0.5) of the image.
-        regions.append([vertices[a : b - 1] - 0.5 for a, b in pairwise(starts)])
+    for field, corner in _fields(_telling(mask)):
+        generator: Any = contour_generator(z=np.pad(field.astype(np.float64), 1), fill_type=FillType.OuterOffset)
+        points, offsets = generator.filled(0.5, np.inf)
+        for vertices, starts in zip(points, offsets, strict=True):
+            # Index space of the padded array, whose first pixel's centre is (-0.5, -0.5) of the field.
+            regions.append([vertices[a : b - 1] - 0.5 + corner for a, b in pairwise(starts)])
     return sorted(regions, key=lambda rings: -abs(polyline.signed_area(rings[0])))
+
+
+def _fields(channel: NDArray[Any]) -> Iterator[tuple[NDArray[Any], tuple[int, int]]]:
+    """The coverage that a channel (h, w) tells, whole; or each label's in a box around it, with the box's (x, y)."""
+    labels = _labels(channel)
+    if len(labels) <= 1:
+        yield _shares(channel), (0, 0)
+        return
+    from scipy import ndimage  # a large library, for labels alone
+
+    numbers = np.where(channel > 0, np.searchsorted(labels, channel) + 1, 0)
+    for number, (rows, columns) in enumerate(ndimage.find_objects(numbers), start=1):
+        yield numbers[rows, columns] == number, (columns.start, rows.start)
 
 
 def coverage_of(mask: NDArray[Any]) -> Array:
     """A mask as coverage (h, w) in [0, 1]: alpha where there is one that is not opaque all over, else the brightest
-    colour.
+    colour. All labels are white.
     """
+    return _shares(_telling(mask))
+
+
+def _telling(mask: NDArray[Any]) -> NDArray[Any]:
+    """The channel (h, w) of a mask that tells what is inside: alpha, or at each pixel the brightest colour."""
     if mask.ndim == 3 and mask.shape[2] in (2, 4):
         alpha = _shares(mask[:, :, -1])
-        return alpha if alpha.size and alpha.min() < 1.0 else _shares(mask[:, :, :-1].max(axis=2))
-    return _shares(mask.max(axis=2) if mask.ndim == 3 else mask)
+        return mask[:, :, -1] if alpha.size and alpha.min() < 1.0 else mask[:, :, :-1].max(axis=2)
+    return mask.max(axis=2) if mask.ndim == 3 else mask
+
+
+def _labels(channel: NDArray[Any]) -> NDArray[Any]:
+    """The labels of objects that a channel (h, w) holds, rising; none where its values are shades.
+
+    Integers of more than 16 bits hold ids, as EXR files do, or a picture on which somebody reckoned: that has many
+    tones, or the white of one.
+    """
+    top = channel.max() if channel.size and np.issubdtype(channel.dtype, np.integer) else 0
+    if top > LABELS and (channel.dtype.itemsize <= 2 or top in (*PICTURES, np.iinfo(channel.dtype).max)):
+        return channel[:0].ravel()
+    labels = np.unique(channel[channel > 0]) if top > 0 else channel[:0].ravel()
+    are_ids = top <= LABELS or top > PICTURES[-1] or len(labels) <= LABELS
+    return labels if are_ids else labels[:0]
 
 
 def _shares(mask: NDArray[Any]) -> Array:
@@ -162,6 +200,8 @@ def _shares_of_white(mask: NDArray[Any]) -> Array:
     if mask.dtype == bool:
         return values
     top = float(values.max()) if values.size else 0.0
+    if len(_labels(mask)):
+        return (mask > 0).astype(np.float64)
     if np.issubdtype(mask.dtype, np.integer):
         return np.clip(values / _white_of(mask.dtype, top), 0.0, 1.0)
     values = np.nan_to_num(values, nan=0.0, posinf=1.0, neginf=0.0)
@@ -179,15 +219,14 @@ def _white_of_floats(top: float) -> float:
 def _white_of(dtype: np.dtype[Any], top: float) -> float:
     """The integer that is white in a mask whose largest value is `top`.
 
-    A mask of zeros and ones (or other small labels) is white at its largest value, a picture of 8 or 16 bits where its
-    type ends; one of 16 bits whose largest value is just that of 8, 10 or 12 bits holds such a picture. Wider integers
-    come of arithmetic with one.
+    A picture of 8 or 16 bits is white where its type ends; one of 16 bits whose largest value is just that of 8, 10 or
+    12 bits holds such a picture. Wider integers come of arithmetic with one.
     """
-    if top <= LABELS or (dtype == np.uint16 and top in NARROWER):
-        return max(top, 1.0)
+    if dtype == np.uint16 and top in NARROWER:
+        return top
     if dtype in (np.uint8, np.uint16):
         return float(np.iinfo(dtype).max)
-    return next((white for white in PICTURES if top <= white), top)
+    return next((white for white in PICTURES if top <= white), max(top, 1.0))
 
 
 def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[Any]:

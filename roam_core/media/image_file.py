@@ -18,7 +18,7 @@ from roam_core.media.colour_spaces import space_by_rule, space_called, space_wit
 from roam_core.media.curves import LINEAR, LOG, SRGB
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of, listed, mask_channels
 from roam_core.media.measure import plain_name, require_size, require_told_size
-from roam_core.media.source import DamagedFrame, ImageHeader
+from roam_core.media.source import ImageHeader
 
 if TYPE_CHECKING:
     from roam_core.media.scanlines import ScanlineReader
@@ -117,26 +117,6 @@ def size_in_areas(file: Path, layer: str = "", scanlines: ScanlineReader | None 
     if _scanlines(file, source, chosen.part, channel, last_row, scanlines) is None:
         _channels(file, source, chosen.part, channel, last_row)
     return _display_size(source)
-
-
-def read_alpha(file: Path) -> Image | None:
-    """The alpha of one image, thrice `(h, w, 3)` in its display window, as it is stored; None where it has none.
-
-    Raises
-    ------
-    DamagedFrame
-        when it is no image, damaged or cut short.
-    """
-    try:
-        source, _ = _open(file)
-        told = mask_channels(_parts(source))
-        if told is None or told.alpha is None or not source.seek_subimage(told.part, 0):
-            return None
-        stored = _stored_area(source, None)
-        pixels = _pixels(file, source, told.part, (told.alpha, told.alpha + 1), stored)
-    except RoamError as error:
-        raise DamagedFrame(str(error)) from None
-    return _in_display_window(np.repeat(pixels, 3, axis=2), source, stored, None)
 
 
 def read_channels(file: Path) -> Image | None:

@@ -90,9 +90,9 @@ def is_combed(pictures: Sequence[Image]) -> bool:
 
     Parameters
     ----------
-    pictures : (h, w', 3) uint8, `thinned`: each `PIECE` columns lie side by side.
+    pictures : (h, w', 3) uint8, `thinned`: each `PIECE` columns lie side by side. Narrower ones say nothing.
     """
-    greys = [_grey(picture) for picture in pictures]
+    greys = [_grey(picture) for picture in pictures if picture.size]
     found = [combing for before, after in pairwise(greys) if (combing := _combing(before, after)) is not None]
     least, ratio = COMBED
     combed = [near > least and near > ratio * far and near > SIDEWAYS * across for near, far, across in found]

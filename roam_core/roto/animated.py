@@ -9,6 +9,8 @@ from enum import StrEnum
 from itertools import pairwise, zip_longest
 from typing import Any
 
+from roam_core.arguments import finite
+
 
 class Interpolation(StrEnum):
     """How a shape or a value moves from a key to the next one."""
@@ -44,6 +46,9 @@ class ValueKey:
     interpolation: Interpolation = Interpolation.LINEAR
     slopes: Slopes | None = None
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "value", finite(self.value, "the value of a key"))
 
 
 @dataclass(frozen=True)
@@ -131,6 +136,11 @@ def _bezier(u: float, a: float, b: float, c: float, d: float) -> float:
 
 Animatable = float | Animated
 """A value that stays, or one that varies with time."""
+
+
+def checked(value: Animatable, name: str) -> Animatable:
+    """A value as it is, a number as a plain `float`; `ValueError` where it is neither, naming it by `name`."""
+    return value if isinstance(value, Animated) else finite(value, name)
 
 
 def value_at(value: Animatable, frame: float) -> float:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from roam_core.errors import RoamError
 from roam_core.media.content import content_of
 from roam_core.media.layers import PLAIN
-from roam_core.roto.animated import Animatable, value_at
+from roam_core.roto.animated import Animatable, checked, value_at
 from roam_core.roto.free_names import counted_on, next_id
 from roam_core.roto.placement import LayerTransform, Placement
 from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, placed, unplaced
@@ -110,6 +110,9 @@ class Layer:
     blend: BlendMode = BlendMode.ADD
     transform: LayerTransform | None = None
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "opacity", checked(self.opacity, f"the opacity of {self.name!r}"))
 
     def opacity_at(self, frame: float) -> float:
         """The opacity of its joint matte at `frame`."""

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from roam_core.arguments import frame_number, shown
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
-from roam_core.roto.animated import Animatable, Interpolation, value_at
+from roam_core.roto.animated import Animatable, Interpolation, checked, value_at
 from roam_core.roto.placement import Placement, carried, matrix_at
 
 NO_COLOUR = (0.90, 0.60, 0.0)
@@ -136,6 +136,8 @@ class Keyframe:
         points = frozen_array(self.points)
         if points.ndim != 3 or points.shape[1:] != (3, 2):
             raise ValueError(f"a key's points have shape {points.shape}, not (P, 3, 2)")
+        if len(points) == 0:
+            raise ValueError("a key has no points")
         object.__setattr__(self, "frame", frame_number(self.frame))
         if not (isinstance(self.origin, Origin) and isinstance(self.interpolation, Interpolation)):
             object.__setattr__(self, "origin", Origin(self.origin))
@@ -194,7 +196,7 @@ class RotoShape:
     keys : at least one key, strictly increasing frames.
     colour : of the outline on the screen, (r, g, b) in [0, 1]; `NO_COLOUR` until it joins a project.
     opacity : in [0, 1], constant or through time.
-    lifetime : half-open frame range in which the shape exists, or None for always.
+    lifetime : half-open frame range in which the shape exists, or None for always; an end given as None is open.
     feather : width of the uniform soft edge in pixels, outwards positive, constant or through time.
     spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
     link : the artist's word on what is solved together: shapes of one link are one whole object, and nothing else is;
@@ -241,6 +243,10 @@ class RotoShape:
             raise ValueError(f"the keys of shape {self.name!r} differ in their number of points")
         if len({key.frame for key in keys}) != len(keys):
             raise ValueError(f"shape {self.name!r} has two keys on one frame")
+        for value in ("opacity", "feather"):
+            object.__setattr__(self, value, checked(getattr(self, value), f"the {value} of {self.name!r}"))
+        if self.lifetime is not None and None in self.lifetime:
+            object.__setattr__(self, "lifetime", lifetime_of(*self.lifetime))
 
     @property
     def point_count(self) -> int:

@@ -17,10 +17,14 @@ MATTES = "mattes"
 
 @dataclass(frozen=True)
 class Found:
-    """Jobs, and what writes an edit with their mattes to a path (of an edit; others refuse)."""
+    """Jobs, and what writes an edit with their mattes to a path (of an edit; others refuse).
+
+    `notes` are sentences about what was passed over.
+    """
 
     jobs: Jobs
     write_timeline: Callable[[Path], None]
+    notes: tuple[str, ...] = ()
 
 
 def jobs_from(
@@ -44,7 +48,7 @@ def jobs_from(
         if wanted is not None:
             raise RoamError(f"{path} says its steps itself; --steps is for folders of shots and edits.")
         jobs = read_jobs(path)
-    return Found(_into(jobs, out), _no_timeline)
+    return Found(_into(jobs, out), _no_timeline, half_shots_in(path) if path.is_dir() else ())
 
 
 def shots_in(folder: Path, steps: tuple[Step, ...] | None = None) -> Jobs:
@@ -53,8 +57,7 @@ def shots_in(folder: Path, steps: tuple[Step, ...] | None = None) -> Jobs:
     A folder `mattes` in place of an init is imported. Without `steps` a shot with a mask is tracked and rendered, one
     with a project is filled between its keys, and one with mattes has them imported and rendered.
     """
-    shots = [each for each in sorted(folder.iterdir()) if each.is_dir() and not each.name.startswith(".")]
-    jobs = tuple(job for shot in shots if (job := _shot(shot, steps)) is not None)
+    jobs = tuple(job for shot in _folders(folder) if (job := _shot(shot, steps)) is not None)
     if not jobs:
         raise RoamError(
             f"{folder} holds no shots: folders with a plate each ({', '.join(PLATES[:2])}), and with an init.png, an "
@@ -66,11 +69,32 @@ def shots_in(folder: Path, steps: tuple[Step, ...] | None = None) -> Jobs:
     return Jobs(jobs, folder.absolute().with_name(f"{folder.absolute().name}-roam"))
 
 
-def _shot(folder: Path, steps: tuple[Step, ...] | None) -> Job | None:
+def half_shots_in(folder: Path) -> tuple[str, ...]:
+    """Sentences about folders that hold half of what a shot is: a plate alone, or what begins one alone."""
+    notes = []
+    for shot in _folders(folder):
+        plate, init, has_mattes = _parts(shot)
+        if plate is not None and init is None and not has_mattes:
+            notes.append(f"{shot} is left out: it has no init.png, init.roam or folder mattes.")
+        if plate is None and (init is not None or has_mattes):
+            notes.append(f"{shot} is left out: it has no plate ({', '.join(PLATES)}).")
+    return tuple(notes)
+
+
+def _folders(folder: Path) -> list[Path]:
+    return [each for each in sorted(folder.iterdir()) if each.is_dir() and not each.name.startswith(".")]
+
+
+def _parts(folder: Path) -> tuple[Path | None, Path | None, bool]:
+    """The plate of a shot's folder, its init, and whether it has mattes."""
     plate, init = (
         next((folder / name for name in names if (folder / name).exists()), None) for names in (PLATES, INITS)
     )
-    has_mattes = (folder / MATTES).is_dir()
+    return plate, init, (folder / MATTES).is_dir()
+
+
+def _shot(folder: Path, steps: tuple[Step, ...] | None) -> Job | None:
+    plate, init, has_mattes = _parts(folder)
     if plate is None or (init is None and not has_mattes):
         return None
     chosen = _usual(init) if steps is None else steps

@@ -35,6 +35,7 @@ from roam_core import (
 )
 from roam_core.arguments import frame_number, moment, names_of, pixels_of, shown, size_of
 from roam_core.errors import RoamError
+from roam_core.roto import Animated, ValueKey
 from tests.golden.shots import gliding, square
 
 SHOT = gliding(square(24.0), 4, (40.0, 38.0), (1.5, 0.5), size=(72, 96))
@@ -103,6 +104,8 @@ def test_a_tolerance_is_no_less_than_nothing(tolerance: float) -> None:
 def test_lists_are_pictures_and_masks() -> None:
     assert tracked(IMAGES[0].tolist()) == tracked()
     assert pixels_of([[0, 256]]).dtype != np.uint8
+    hidden = pixels_of(np.ma.masked_array(np.full((1, 2), 9, np.uint8), mask=[[True, False]]))
+    assert (type(hidden), hidden.tolist()) == (np.ndarray, [[0, 9]])
     for mask in (MASK.tolist(), (MASK.astype(np.uint8) * 255).tolist(), memoryview(MASK)):
         (made,) = shapes_from_mask(mask, FIRST)  # type: ignore[arg-type]
         assert made.keys == SHAPE.keys
@@ -245,6 +248,29 @@ def test_words_stand_for_the_kinds_that_they_name() -> None:
             call()
 
 
+@pytest.mark.parametrize("value", [np.nan, np.inf, None, "1", [0.5]])
+def test_what_is_no_number_never_becomes_a_value(value: Any) -> None:
+    """It went into the files of other programs: nan."""
+    for call in (
+        lambda: replace(SHAPE, opacity=value),
+        lambda: replace(SHAPE, feather=value),
+        lambda: Layer("root", "Root", opacity=value),
+        lambda: ValueKey(FIRST, value),
+    ):
+        with pytest.raises(ValueError, match=r"(opacity|feather|value) of .* is a number, not"):
+            call()
+
+
+def test_a_value_is_a_plain_number_and_an_open_lifetime_has_ends(tmp_path: Path) -> None:
+    """A number of NumPy's ended the exports as JSON in a TypeError, and so did None in a lifetime all of them."""
+    shape = replace(SHAPE, opacity=np.float32(0.5), feather=2, lifetime=(None, LAST))  # type: ignore[arg-type]
+    layer = Layer("root", "Root", (shape,), opacity=Animated((ValueKey(FIRST, np.float64(0.5)),)))
+    assert (type(shape.opacity), type(shape.feather)) == (float, float)
+    assert (shape.exists_at(FIRST - 1000), shape.exists_at(LAST)) == (True, False)
+    for name, suffix in (("nuke", ".nk"), ("json", ".json"), ("after-effects", ".jsx")):
+        write_shapes(Project(CLIP, layer), tmp_path / f"shapes{suffix}", name)
+
+
 CLIP = Clip("/plates/plate.%04d.exr", FIRST, LAST, (96, 72))  # type: ignore[arg-type]
 
 
@@ -254,13 +280,12 @@ CLIP = Clip("/plates/plate.%04d.exr", FIRST, LAST, (96, 72))  # type: ignore[arg
         Project(CLIP, Layer("root", "Root", (SHAPE, SHAPE))),
         Project(CLIP, Layer("root", "Root", (replace(SHAPE, id=5),))),  # type: ignore[arg-type]
         Project(CLIP, Layer("root", "Root", (replace(SHAPE, name=5),))),  # type: ignore[arg-type]
-        Project(CLIP, Layer("root", "Root", (replace(SHAPE, opacity="1"),))),  # type: ignore[arg-type]
         Project(CLIP, Layer("root", "Root", (replace(SHAPE, lifetime=(1.5, 3)),))),  # type: ignore[arg-type]
         Project(CLIP, Layer("root", "Root", (RotoShape("a", "A", (Keyframe(1, SHAPE.keys[0].points * np.nan),)),))),
         Project(CLIP, Layer("root", "Root", (RotoShape("a", "A", (Keyframe(10**12, SHAPE.keys[0].points),)),))),
         Project(replace(CLIP, first=LAST + 1)),
     ],
-    ids=["twice", "id", "name", "opacity", "lifetime", "nan", "far", "clip"],
+    ids=["twice", "id", "name", "lifetime", "nan", "far", "clip"],
 )
 def test_a_project_that_could_not_be_opened_again_is_not_written(tmp_path: Path, project: Project) -> None:
     path = tmp_path / "p.roam"

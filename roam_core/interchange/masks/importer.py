@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -16,7 +15,7 @@ from roam_core.interchange.protocol import KeyChoice
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, MaskOptions, ShapeReader
 from roam_core.matte.vectorise import coverage_of
 from roam_core.media import open_clip
-from roam_core.media.decoding import read_alpha
+from roam_core.media.decoding import read_channels
 from roam_core.media.sequence import ImageSequence
 from roam_core.media.source import DamagedFrame, PlateSource
 from roam_core.params import scale_for
@@ -106,12 +105,12 @@ def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Track
 
 def _coverage(source: PlateSource, number: int) -> Array:
     """A mask as coverage: its alpha where it has one that is not white all over, else its brightest channel."""
-    alpha: Any = read_alpha(source.file_of(number)) if isinstance(source, ImageSequence) else None
-    if alpha is not None:
-        covered = coverage_of(alpha)
-        if covered.min() < 1.0:
-            return covered
-    return coverage_of(source.read(number))
+    width, height = source.size
+    if isinstance(source, ImageSequence):
+        stored = read_channels(source.file_of(number))
+        if stored is not None and stored.shape[:2] == (height, width):
+            return coverage_of(stored)
+    return coverage_of(source.read(number))  # a movie; and what is wrong with a picture is told in reading it
 
 
 def _without_specks(tracker: Tracker, reader: ShapeReader, speck: float) -> list[Track]:

@@ -91,15 +91,6 @@ def size_in_areas(file: Path, layer: str = "") -> tuple[int, int] | None:
     return None if told.fields.get("size") is None else told.size()
 
 
-def read_alpha(file: Path) -> Image | None:
-    """The alpha of an image (`roam_core.media.image_file.read_alpha`)."""
-    if _pool is None:
-        from roam_core.media.image_file import read_alpha
-
-        return read_alpha(file)
-    return _pool.ask(file, "alpha", {}).pixels
-
-
 def read_channels(file: Path) -> Image | None:
     """All channels of an image as they are stored (`roam_core.media.image_file.read_channels`)."""
     if _pool is None:

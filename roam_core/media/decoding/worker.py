@@ -28,7 +28,6 @@ from roam_core.media.area import Area
 from roam_core.media.decoding.answers import write_pixels
 from roam_core.media.image_file import (
     has_several_images,
-    read_alpha,
     read_channels,
     read_header,
     read_image,
@@ -113,9 +112,6 @@ class Worker:
     def _size_in_areas(self, file: str, layer: str) -> Result:
         return {"size": size_in_areas(Path(file), layer, self._scanlines)}, None
 
-    def _alpha(self, file: str) -> Result:
-        return {}, read_alpha(Path(file))
-
     def _channels(self, file: str) -> Result:
         return {}, read_channels(Path(file))
 
@@ -146,7 +142,6 @@ class Worker:
         "header": _header,
         "image": _image,
         "size in areas": _size_in_areas,
-        "alpha": _alpha,
         "channels": _channels,
         "several images": _several_images,
         "software": _software,

@@ -216,6 +216,18 @@ def test_targets_that_cannot_be_written_are_refused_before_any_work(roam: Roam, 
     assert tree(plate.folder.parent) == before
 
 
+@pytest.mark.parametrize("name", ["p", "p.json", "p.nk"])
+def test_a_project_that_nothing_would_take_for_one_is_not_written(roam: Roam, plate: Plate, name: str) -> None:
+    """`--init` and the window tell a project by its name."""
+    before, target = tree(plate.folder.parent), plate.folder.parent / name
+    for words in (
+        ("track", plate.folder, "--init", plate.mask, "--save", target),
+        ("import", plate.mask, "--into", target, "--clip", plate.folder),
+    ):
+        require_refusal(roam(*words), "p.roam")
+    assert tree(plate.folder.parent) == before
+
+
 @pytest.mark.skipif(
     not hasattr(os, "geteuid") or os.geteuid() == 0,
     reason="root, and Windows, may write to any folder; the test of paths through a file stands in",

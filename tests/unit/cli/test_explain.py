@@ -143,3 +143,9 @@ def test_a_stale_key_and_a_project_without_a_clip_are_refused(roam: Roam, tracke
     require_refusal(roam("explain", tracked, "--frame", 1003), "out of date")
     file.save(type(file.load(tracked))(None, file.load(tracked).root), tracked)
     require_refusal(roam("explain", tracked, "--frame", 1003), "clip")
+
+
+@pytest.mark.parametrize("name", ["out.jpg", "out"])
+def test_a_picture_is_written_under_the_name_of_what_it_is(roam: Roam, tracked: Path, name: str) -> None:
+    done = roam("explain", tracked, "--frame", 1003, "--picture", tracked.parent / name)
+    assert (done.status, done.err) == (1, f"roam: The picture is written as PNG; {name} does not end in .png.\n")

@@ -46,6 +46,17 @@ def test_every_gap_is_filled_and_the_artists_keys_stay(roam: Roam, plate: Plate,
         assert overlap(read_matte(out / f"plate.{frame}.png") > 127, SHOT.matte(frame) > 0.5) > 0.9
 
 
+def test_what_other_processes_filled_is_counted_as_filled(roam: Roam, keyed: Path) -> None:
+    """It was told as filled before, in no time."""
+    other = keyed.with_name("other.roam")
+    words = ("fill", keyed, *CONFIG, "--workers", 2, "--save", other)
+    assert roam(*words).err == "Filled 2 gap(s).\n"
+    other.unlink()
+    seconds = {line["frame"]: line["seconds"] for line in map(json.loads, roam(*words, "--json").out.splitlines())}
+    assert {frame for frame, took in seconds.items() if took > 0.0} == {1002, 1003, 1005}
+    assert roam("fill", other, *CONFIG, "--workers", 2).err == "Filled 0 gap(s); 2 already filled.\n"
+
+
 def test_what_is_filled_is_not_solved_again(roam: Roam, keyed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert roam("fill", keyed, *CONFIG).status == 0
     once = keyed.read_bytes()

@@ -96,17 +96,17 @@ def test_the_first_file_is_named_and_the_others_are_counted(roam: Roam, plate: P
 
 
 WAYS_ONTO_ANOTHERS = [
-    "track {plate} --init {mask} --save {theirs}",
+    "track {plate} --init {mask} --save {theirs}.roam",
     "track {plate} --init {mask} --matte {out}",
     "track {plate} --init {mask} --config medium --landmarks {theirs}.nk",
-    "fill {project} --config baseline --save {theirs}",
+    "fill {project} --config baseline --save {theirs}.roam",
     "fill {project} --config baseline --matte {out}",
     "render {project} --out {out}",
     "export {project} {theirs} --to nuke",
     "export {project} {out}/plate.####.png --to mattes",
     "export {project} {out}/plate.####.png --to svg",
-    "import {mask} --into {project} --save {theirs}",
-    "explain {project} --frame 1001 --picture {theirs}",
+    "import {mask} --into {project} --save {theirs}.roam",
+    "explain {project} --frame 1001 --picture {theirs}.png",
 ]
 
 
@@ -115,7 +115,7 @@ def test_anothers_file_is_written_over_on_the_users_word(roam: Roam, plate: Plat
     folder = plate.folder.parent
     theirs, out = folder / "theirs", folder / "out"
     out.mkdir()
-    for path in (theirs, folder / "theirs.nk"):
+    for path in (theirs, *(folder / f"theirs{suffix}" for suffix in (".nk", ".roam", ".png"))):
         path.write_text("version 13.0 v1\n# my own work\n")
     cv2.imwrite(str(out / "plate.1003.png"), np.zeros((110, 130), np.uint8))
     places = {"plate": plate.folder, "mask": plate.mask, "project": project, "theirs": theirs, "out": out}
@@ -184,7 +184,7 @@ def test_another_project_is_kept_aside(roam: Roam, plate: Plate, project: Path) 
 
 
 def test_the_demo_keeps_to_the_same_rules(roam: Roam, tmp_path: Path) -> None:
-    theirs, frames = tmp_path / "theirs.txt", tmp_path / "frames"
+    theirs, frames = tmp_path / "theirs.roam", tmp_path / "frames"
     frames.mkdir()
     for path in (theirs, frames / "demo.1003.png"):
         path.write_text("my own work")

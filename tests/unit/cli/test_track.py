@@ -11,10 +11,13 @@ import cv2
 import numpy as np
 import pytest
 
+from roam_core.cli.track import print_line
 from roam_core.params import CONFIGS
+from roam_core.propagate import FrameResult, Termination, TrackResult
 from roam_core.roto import Layer, Origin, Project, edit, file
 from tests.golden.shots import overlap
 from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte, write_picture
+from tests.unit.matte.conftest import rectangle
 from tests.unit.propagate.figures import body_with_arms
 
 FRAMES = list(SHOT.frames)
@@ -47,6 +50,24 @@ def test_a_line_of_json_a_frame(roam: Roam, plate: Plate) -> None:
     assert all(0.0 <= line["confidence"] <= 1.0 for line in lines)
 
 
+def test_a_line_is_of_the_shapes_that_are_there(capsys: pytest.CaptureFixture[str]) -> None:
+    """A large one that had ended made a frame sure on which the other one was lost."""
+    large, small = (
+        replace(shape, id=name, name=name)
+        for name, shape in zip("ab", (rectangle(0.0, 0.0, 90.0, 90.0), rectangle(5.0, 5.0, 9.0, 9.0)), strict=True)
+    )
+
+    def line(frame: int) -> dict[str, object]:
+        given = TrackResult(frame, replace(large, lifetime=(0, 5)), 1.0, {}, Termination.ARTIST_KEY)
+        lost = TrackResult(frame, small, 0.1, {}, Termination.LOW_CONFIDENCE)
+        print_line(FrameResult(frame, (given, lost)))
+        told: dict[str, object] = json.loads(capsys.readouterr().out)
+        return told
+
+    assert (line(5)["confidence"], line(5)["termination"]) == (0.1, "low_confidence")
+    assert line(4)["confidence"] == pytest.approx(1.0, abs=0.01)
+
+
 def test_in_a_pipe_there_is_one_sentence_and_no_bar(roam: Roam, plate: Plate) -> None:
     done = roam("track", plate.folder, "--init", plate.mask)
     assert (done.out, done.err) == ("", "Tracked 1 shape(s) from frame 1001 to 1006.\n")
@@ -66,6 +87,25 @@ def test_backward_from_the_last_frame(roam: Roam, plate: Plate) -> None:
     (shape,) = file.load(path).shapes
     assert shape.artist_frames == (1006,)
     assert shape.frames == tuple(FRAMES)
+
+
+@pytest.mark.parametrize(
+    ("name", "words", "told"),
+    [
+        ("mask.1003.png", (), "is taken for frame 1001; if it is of frame 1003, say --start 1003."),
+        ("mask.1003.png", ("--backward",), "is taken for frame 1006; if it is of frame 1003, say --start 1003."),
+        ("mask.1003.png", ("--start", 1001), ""),
+        ("mask.1001.png", (), ""),
+        ("mask_v1003.png", (), ""),
+        ("mask.7.png", (), ""),
+    ],
+)
+def test_a_mask_numbered_as_another_frame_is_told(
+    roam: Roam, plate: Plate, name: str, words: tuple[object, ...], told: str
+) -> None:
+    mask = plate.mask.rename(plate.mask.with_name(name))
+    done = roam("track", plate.folder, "--init", mask, "--config", "baseline", "--json", *words)
+    assert (done.status, done.err) == (0, f"The mask {mask} {told}\n" if told else "")
 
 
 def test_part_of_a_clip(roam: Roam, plate: Plate) -> None:

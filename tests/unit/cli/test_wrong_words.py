@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from roam_core.cli import main
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
 from tests.unit.cli.conftest import Roam
 from tests.unit.matte.conftest import rectangle
@@ -113,6 +114,26 @@ def test_it_is_refused_in_one_sentence(roam: Roam, folder: Path, command: str, w
     assert len(done.err) < 400 + 2 * len(str(folder))
     assert reason in done.err
     assert tree(folder) == before
+
+
+@pytest.mark.parametrize(
+    ("words", "choices"),
+    [
+        ("review p --view x", "'overlay', 'cutout'"),
+        ("review p --ground x", "'grey', 'checker', 'black'"),
+        ("render p --out o --file x", "'png', 'exr', 'tiff'"),
+        ("render p --out o --depth x", "'8', '16', 'half', 'float'"),
+        ("render p --out o --per x", "'all', 'layer', 'shape'"),
+        ("export p o --to mattes --keys x", "'every', 'artist', 'reduced'"),
+    ],
+)
+def test_the_choices_are_told_as_they_are_typed(capsys: pytest.CaptureFixture[str], words: str, choices: str) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main(words.split())
+    told = f"invalid choice: 'x' (choose from {choices})\n"
+    assert capsys.readouterr().err.endswith(
+        (told, told.replace(choices, choices.replace("'", "")))
+    )  # newer Pythons quote none
 
 
 def test_what_mlt_cannot_hold_and_workers_that_are_none_are_refused(roam: Roam, folder: Path) -> None:

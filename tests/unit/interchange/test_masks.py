@@ -6,6 +6,7 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import OpenEXR
 import pytest
 
 from roam_core.arrays import Bools, UInt8
@@ -70,6 +71,20 @@ def test_one_mask_that_bears_no_number_of_the_clip_is_of_its_first_frame(tmp_pat
     assert any("its key stands on the first, 1001" in note for note in imported.notes) == (frame == 1001)
     (shifted,) = read_shapes(tmp_path / name, CLIP, ImportOptions(frame_offset=-1)).layer.shapes()
     assert shifted.frames == ({"mask.png": 2, "mask_v2.png": 3, "mask.1002.png": 1003}[name],)
+
+
+def test_ids_in_exr_files_are_masks_as_those_of_one_frame_are(tmp_path: Path) -> None:
+    """Read as a plate's pictures, ids were shares of four thousand millions: black."""
+    folder = tmp_path / "masks"
+    folder.mkdir()
+    for number in range(3):
+        ids = np.zeros((120, 160), np.uint32)
+        ids[discs((40 + 3 * number, 50)) > 127], ids[discs((115, 60)) > 127] = 7, 3
+        header = {"type": OpenEXR.scanlineimage, "compression": OpenEXR.ZIP_COMPRESSION}
+        OpenEXR.File(header, {"id": ids}).write(str(folder / f"id.{1001 + number}.exr"))
+    shapes = list(read_shapes(folder, CLIP).layer.shapes())
+    assert [shape.frames[0] for shape in shapes] == [1001, 1001]
+    assert overlap(render_matte(shapes, 1003, (120, 160)) > 0.5, ids > 0) > 0.97
 
 
 def test_black_masks_are_one_sentence(tmp_path: Path) -> None:

@@ -283,3 +283,38 @@ def test_the_size_of_a_mask_may_be_any_pair_of_whole_numbers(tmp_path: Path, siz
     assert read_mask(tmp_path / "mask.png", size).shape == (4, 4, 1)
     with pytest.raises(ValueError, match="height, width"):
         read_mask(tmp_path / "mask.png", (4, 4, 1))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("kind", "ids"), [(np.uint8, (1, 2)), (np.uint32, (3, 7)), (np.uint32, (40, 200)), (np.uint32, (9, 4_000_000_001))]
+)
+def test_of_a_mask_of_labels_each_gives_shapes(kind: type, ids: tuple[int, int]) -> None:
+    """Also where they touch, and one lies within the other; the lesser of two labels was taken for black."""
+    one, other = box((10, 10, 50, 60)) > 0, box((50, 10, 80, 60), (20, 20, 30, 30)) > 0
+    labels = np.zeros(SIZE, kind)
+    labels[one], labels[other] = kind(ids[0]), kind(ids[1])
+    np.testing.assert_array_equal(coverage_of(labels), labels > 0)
+    shapes = shapes_from_mask(labels)
+    assert [shape.name for shape in shapes] == ["Shape 1", "Shape 1 hole 1", "Shape 2", "Shape 3"]
+    found = [render_matte([shape], 0, SIZE) > 0.5 for shape in shapes]
+    assert overlap(found[0] & ~found[1], one) > 0.97
+    assert overlap(found[2] | found[3], other) > 0.97
+
+
+def test_each_of_many_labels_lies_where_it_is() -> None:
+    numbers = np.arange(1, 36, dtype=np.uint32).reshape(5, 7)[::-1]
+    labels = np.kron(numbers * np.uint32(100_000_000), np.ones((20, 20), np.uint32))
+    found = {tuple(shape.at(0).anchors.mean(axis=0).round()) for shape in shapes_from_mask(labels)}
+    assert found == {(10.0 + 20.0 * x, 10.0 + 20.0 * y) for x in range(7) for y in range(5)}
+
+
+def test_wide_integers_of_a_picture_are_shades() -> None:
+    soft = (np.clip(disc(60.0, 45.0, 25.0) * 1.2 - 0.1, 0.0, 1.0) * 255).astype(np.uint8)
+    for reckoned in (soft.astype(np.uint32), soft.astype(np.int64) * 257, soft.astype(np.uint32) * 0x01010101):
+        np.testing.assert_allclose(coverage_of(reckoned), soft / 255.0, atol=1e-6)
+
+
+@pytest.mark.parametrize("shape", [(1, 90, 120), (3, 90, 120)])
+def test_a_mask_with_its_channels_first_is_refused(shape: tuple[int, ...]) -> None:
+    with pytest.raises(RoamError, match=r"has its channels first; give one of them, such as mask\[0\]"):
+        shapes_from_mask(np.ones(shape, bool))

@@ -111,6 +111,18 @@ def test_nothing_is_combed_that_is_no_picture_yet() -> None:
     assert not is_combed([np.full((3, 4, 3), value, np.uint8) for value in (0, 200)])
 
 
+@pytest.mark.parametrize("size", [(2, 2), (14, 40), (40, 2)])
+def test_a_movie_too_small_to_be_looked_at_is_opened(tmp_path: Path, size: tuple[int, int]) -> None:
+    path = tmp_path / "small.avi"
+    writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, cv2.VideoWriter.fourcc(*"MJPG"), 25.0, size)
+    if not writer.isOpened():
+        pytest.skip("this OpenCV cannot write MJPG")
+    for frame in range(3):
+        writer.write(np.full((size[1], size[0], 3), 60 * frame, np.uint8))
+    writer.release()
+    assert open_clip(path).size == size
+
+
 def test_a_combed_movie_is_refused_though_nothing_marks_it(tmp_path: Path) -> None:
     path = write(tmp_path / "shot.mkv", "FFV1", interlaced)
     with pytest.raises(RoamError, match=r"shot\.mkv is interlaced: .* Deinterlace it in another program"):

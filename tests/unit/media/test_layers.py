@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.media import DamagedFrame, open_clip
-from roam_core.media.image_file import read_alpha, read_channels, read_image
+from roam_core.media.image_file import read_channels, read_image
 from roam_core.media.layers import Part, colour_layer, layers_of
 from roam_core.roto import Clip
 from tests.unit.media.conftest import HEIGHT, WIDTH, write_image, write_parts
@@ -132,13 +132,9 @@ def test_a_mask_is_told_by_the_picture_and_its_alpha_alone(
 ) -> None:
     """What lies beside them is no part of a mask; depth was the brightest channel of one, or taken for its alpha."""
     path = write_parts(tmp_path / "m.exr", parts)
-    channels, alpha = read_channels(path), read_alpha(path)
+    channels = read_channels(path)
     assert channels is not None
     np.testing.assert_array_equal(channels[1, 1], values)
-    has_alpha = any(name.rpartition(".")[2] == "A" for _, _, names in parts for name in names)
-    assert (alpha is not None) == has_alpha
-    if alpha is not None:
-        np.testing.assert_array_equal(alpha[1, 1], values[-1])
 
 
 def test_a_layer_that_is_not_there_is_told_with_those_that_are(tmp_path: Path) -> None:

@@ -109,6 +109,12 @@ def _with(field: str, value: Any) -> Document:
     return document
 
 
+def test_a_key_without_points_is_refused(tmp_path: Path) -> None:
+    """It opened, and ended rendering and exports in a traceback."""
+    key = {"type": "Keyframe", "frame": 1001, "points": [], "origin": "artist", "interpolation": "linear"}
+    assert "a key has no points" in damaged(tmp_path, lambda d: shape(d).update(keys=[key]))
+
+
 @pytest.mark.parametrize("name", ["visible", "locked", "invert"])
 @pytest.mark.parametrize("where", [layer, shape])
 def test_a_flag_is_true_or_false(tmp_path: Path, where: Callable[[Document], Document], name: str) -> None:

@@ -38,6 +38,11 @@ def test_keys_are_put_in_order() -> None:
     assert moving().frames == (10, 20, 40)
 
 
+def test_a_key_has_points() -> None:
+    with pytest.raises(ValueError, match="a key has no points"):
+        Keyframe(1, np.empty((0, 3, 2)))
+
+
 @pytest.mark.parametrize("interpolation", list(Interpolation))
 def test_on_a_key_the_shape_is_the_key_bit_by_bit(interpolation: Interpolation) -> None:
     shape = moving(interpolation)

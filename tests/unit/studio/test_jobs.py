@@ -161,9 +161,22 @@ def test_folders_of_shots_are_jobs(tmp_path: Path) -> None:
         "matted": ["import", "render"],
     }
     assert jobs.out == tmp_path / "show-roam"
+    assert jobs_from(show).notes == ()
     chosen = jobs_from(show, steps="track", out=tmp_path / "o")
     assert chosen.jobs.out == tmp_path / "o"
     assert [step.verb for step in chosen.jobs.jobs[0].steps] == ["track"]
+
+
+def test_a_folder_that_is_half_a_shot_is_told(tmp_path: Path) -> None:
+    for name in ("whole/plate", "whole/mattes", "bare/plate", "lost/plates", "matted/mattes", "notes/text"):
+        (tmp_path / name).mkdir(parents=True)
+    (tmp_path / "lost/init.png").touch()
+    found = jobs_from(tmp_path)
+    assert [job.name for job in found.jobs.jobs] == ["whole"]
+    bare, lost, matted = found.notes
+    assert bare == f"{tmp_path / 'bare'} is left out: it has no init.png, init.roam or folder mattes."
+    assert lost.startswith(f"{tmp_path / 'lost'} is left out: it has no plate (plate, plate.mov")
+    assert matted.startswith(f"{tmp_path / 'matted'} is left out: it has no plate (plate, plate.mov")
 
 
 def test_a_folder_without_shots_is_refused(tmp_path: Path) -> None:
