@@ -31,6 +31,7 @@ from tests.unit.propagate.figures import (
     body_and_sleeve,
     body_behind_a_post,
     body_with_arms,
+    box_on_ground_that_comes_in,
     disc_that_comes_in,
     flame,
     subtracting,
@@ -140,6 +141,11 @@ def coming_in_limb() -> Points:
     return _points([last.results[0].shape])
 
 
+def coming_in_ground() -> Points:
+    """A box that the lower edge cuts off, and ground of a new colour that comes in with it."""
+    return _tracked(*box_on_ground_that_comes_in())
+
+
 def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
     *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(len(pictures)), "best")
     return _points([result.shape for result in last.results])
@@ -162,6 +168,7 @@ RUNS: dict[str, Callable[[], Points]] = {
         coming_in,
         coming_in_posed,
         coming_in_limb,
+        coming_in_ground,
     )
 }
 
