@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from types import ModuleType
 
 from benchmarks import (
+    altered,
     artist,
     batch,
     coming_in,
@@ -18,7 +19,6 @@ from benchmarks import (
     first_start,
     kernels,
     key_optimum,
-    lookalikes,
     masks_in,
     mattes,
     paper,
@@ -54,7 +54,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "part_sheets": part_sheets,
     "pieces": pieces,
     "coming_in": coming_in,
-    "lookalikes": lookalikes,
+    "altered": altered,
     "plates": plates,
     "mattes": mattes,
     "keys": fewest_keys,
