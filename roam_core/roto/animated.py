@@ -148,6 +148,11 @@ def value_at(value: Animatable, frame: float) -> float:
     return value.at(frame) if isinstance(value, Animated) else value
 
 
+def share_at(value: Animatable, frame: float) -> float:
+    """What a value that is a share is at `frame`, in [0, 1]: steep tangents lead beyond that between two keys."""
+    return min(max(value_at(value, frame), 0.0), 1.0)
+
+
 def value_keys(value: Animatable) -> tuple[ValueKey, ...]:
     """The keys of a value; a constant has none."""
     return value.keys if isinstance(value, Animated) else ()

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from roam_core.errors import RoamError
 from roam_core.media.content import content_of
 from roam_core.media.layers import PLAIN
-from roam_core.roto.animated import Animatable, checked, value_at
+from roam_core.roto.animated import Animatable, checked, share_at
 from roam_core.roto.free_names import counted_on, next_id
 from roam_core.roto.placement import LayerTransform, Placement
 from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, placed, unplaced
@@ -115,8 +115,8 @@ class Layer:
         object.__setattr__(self, "opacity", checked(self.opacity, f"the opacity of {self.name!r}"))
 
     def opacity_at(self, frame: float) -> float:
-        """The opacity of its joint matte at `frame`."""
-        return value_at(self.opacity, frame)
+        """The opacity of its joint matte at `frame`, in [0, 1]."""
+        return share_at(self.opacity, frame)
 
     def shapes(self) -> Iterator[RotoShape]:
         """All shapes below this layer, bottom first."""

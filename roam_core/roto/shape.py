@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from roam_core.arguments import frame_number, shown
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
-from roam_core.roto.animated import Animatable, Interpolation, checked, value_at
+from roam_core.roto.animated import Animatable, Interpolation, checked, share_at, value_at
 from roam_core.roto.placement import Placement, carried, matrix_at
 
 NO_COLOUR = (0.90, 0.60, 0.0)
@@ -283,8 +283,8 @@ class RotoShape:
         return self.lifetime is None or self.lifetime[0] <= frame < self.lifetime[1]
 
     def opacity_at(self, frame: float) -> float:
-        """The opacity at `frame`."""
-        return value_at(self.opacity, frame)
+        """The opacity at `frame`, in [0, 1]."""
+        return share_at(self.opacity, frame)
 
     def feather_at(self, frame: float) -> float:
         """The width of the uniform soft edge at `frame`, in pixels."""

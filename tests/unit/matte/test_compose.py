@@ -77,6 +77,12 @@ def test_the_opacity_of_shapes_and_layers_goes_by_its_keys(square: RotoShape) ->
     assert shown == pytest.approx([0.0, 0.25, 1.0, 1.0, 0.25, 0.25])
 
 
+def test_a_matte_stays_in_its_bounds_where_tangents_lead_the_opacity_beyond_them(square: RotoShape) -> None:
+    arch = Animated((ValueKey(0, 1.0, slopes=(0.0, 0.3)), ValueKey(10, 1.0, slopes=(-0.3, 0.0))))
+    for shape in (replace(square, opacity=arch), Layer("layer-1", "Arch", (square,), opacity=arch)):
+        assert render_matte(Project(root=Layer("root", "Root", (shape,))), 5, SIZE).max() == 1.0
+
+
 def test_a_layer_is_inverted_then_scaled(square: RotoShape) -> None:
     layer = Layer("layer-1", "Out", (square,), invert=True, opacity=0.25)
     matte = render_matte(Project(root=Layer("root", "Root", (layer,))), 1, SIZE)

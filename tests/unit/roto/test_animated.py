@@ -15,6 +15,7 @@ from roam_core.roto.animated import (
     product,
     scaled,
     set_at,
+    share_at,
     value_at,
     values_of,
     without_tangents,
@@ -177,3 +178,10 @@ def test_what_stays_in_its_bounds_keeps_its_tangents_and_the_rest_is_held() -> N
     assert held_within(BENT, 0.0, 20.0) is BENT
     held = held_within(BENT, 0.0, 5.0)
     assert [value_at(held, frame) for frame in range(17)] == pytest.approx([min(BENT.at(f), 5.0) for f in range(17)])
+
+
+def test_a_share_stays_one_where_tangents_lead_beyond_it() -> None:
+    assert [share_at(BENT, frame) for frame in (0, 5, 14)] == [1.0, 1.0, 1.0]
+    dip = Animated((ValueKey(0, 0.2, slopes=(0.0, -1.0)), ValueKey(10, 0.2, slopes=(1.0, 0.0))))
+    assert [share_at(dip, frame) for frame in (0, 5, 10)] == [0.2, 0.0, 0.2]
+    assert share_at(0.25, 3) == 0.25
