@@ -209,14 +209,16 @@ def write_mattes(plate: Plate, project: Project, frames: Sequence[int], folder: 
 
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:
     """What a line of JSON says of a frame: how long it took now, its confidence, and whether it is doubted."""
-    keyed = [(shape, key) for shape in trackable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
+    alive = [shape for shape in trackable(project) if shape.exists_at(frame)]
+    keyed = [(shape, key) for shape in alive if (key := shape.key_at(frame))]
     if any(key.origin is Origin.ENGINE for _, key in keyed):
         rated = [(shape, 1.0 if key.origin is Origin.ARTIST else key.confidence or 0.0) for shape, key in keyed]
         confidence, _ = whole_confidence(rated, frame)
         termination = Termination.of(confidence)
     else:
-        confidence = 1.0 if keyed else 0.0
+        confidence = 1.0 if keyed or not alive else 0.0
         termination = Termination.ARTIST_KEY if keyed else Termination.MISSING_FRAME
+        termination = termination if alive else Termination.OUTSIDE_LIFETIME
     return {
         "frame": frame,
         "seconds": round(seconds, 6),

@@ -263,7 +263,9 @@ def _is_set_in_part(shape: RotoShape, frame: int) -> bool:
 def _as_given(shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks | None) -> TrackResult:
     """What needs no solving: the artist's word, a key or a lifetime, or an engine key from which a run goes on."""
     key, sure, termination = shape.key_at(frame), 1.0, Termination.ARTIST_KEY
-    if key is not None and key.origin is Origin.ENGINE and key.confidence is not None:
+    if not shape.exists_at(frame):
+        termination = Termination.OUTSIDE_LIFETIME
+    elif key is not None and key.origin is Origin.ENGINE and key.confidence is not None:
         sure, termination = key.confidence, Termination.of(key.confidence)
     return TrackResult(frame, shape, sure, {}, termination, seconds, landmarks=landmarks)
 

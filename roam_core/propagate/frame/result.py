@@ -26,6 +26,7 @@ class Termination(StrEnum):
     LOW_CONFIDENCE = "low_confidence"
     MISSING_FRAME = "missing_frame"
     ARTIST_KEY = "artist_key"
+    OUTSIDE_LIFETIME = "outside_lifetime"
     CANCELLED = "cancelled"
 
     @classmethod

@@ -76,6 +76,14 @@ def test_what_is_filled_is_not_solved_again(roam: Roam, keyed: Path, monkeypatch
     assert asked == [(1004, 1006)]
 
 
+def test_frames_outside_of_lifetimes_are_no_missing_frames(roam: Roam, keyed: Path) -> None:
+    project = file.load(keyed)
+    file.save(verbs.set_properties(project, project.shapes[0].id, lifetime=(1001, 1003)), keyed)
+    lines = [json.loads(line) for line in roam("fill", keyed, *CONFIG, "--json").out.splitlines()]
+    ends = {line["frame"]: (line["termination"], line["confidence"]) for line in lines}
+    assert [ends[frame] for frame in (1003, 1004)] == [("outside_lifetime", 1.0)] * 2
+
+
 def test_it_is_saved_elsewhere_and_told_in_json(roam: Roam, plate: Plate, keyed: Path) -> None:
     before, target = keyed.read_bytes(), plate.folder.parent / "filled.roam"
     done = roam("fill", keyed, *CONFIG, "--save", target, "--json")

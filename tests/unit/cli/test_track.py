@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 
 from roam_core.cli.track import print_line
+from roam_core.media import open_clip
 from roam_core.params import CONFIGS
 from roam_core.propagate import FrameResult, Termination, TrackResult
-from roam_core.roto import Layer, Origin, Project, edit, file
+from roam_core.roto import Clip, Layer, Origin, Project, edit, file
 from tests.golden.shots import overlap
 from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte, write_picture
 from tests.unit.matte.conftest import rectangle
@@ -66,6 +67,17 @@ def test_a_line_is_of_the_shapes_that_are_there(capsys: pytest.CaptureFixture[st
 
     assert (line(5)["confidence"], line(5)["termination"]) == (0.1, "low_confidence")
     assert line(4)["confidence"] == pytest.approx(1.0, abs=0.01)
+
+
+def test_frames_outside_of_lifetimes_say_so_and_their_mattes_stay_black(roam: Roam, plate: Plate) -> None:
+    path, out = plate.folder.parent / "p.roam", plate.folder.parent / "mattes"
+    project, brief = edit.new_shape(Project(Clip.of(open_clip(plate.folder))), SHOT.truth(1001), 1001)
+    project = edit.set_properties(project, brief.id, lifetime=(1001, 1004))
+    file.save(project, path)
+    done = roam("track", plate.folder, "--init", path, "--config", "baseline", "--matte", out, "--json")
+    lines = [json.loads(line) for line in done.out.splitlines()]
+    assert [line["frame"] for line in lines if line["termination"] == "outside_lifetime"] == [1004, 1005, 1006]
+    assert [read_matte(out / f"plate.{frame}.png").any() for frame in FRAMES] == [frame < 1004 for frame in FRAMES]
 
 
 def test_in_a_pipe_there_is_one_sentence_and_no_bar(roam: Roam, plate: Plate) -> None:

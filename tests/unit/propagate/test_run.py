@@ -129,6 +129,8 @@ def test_a_shape_gets_no_keys_where_it_does_not_exist(config: str, blob_shot: Sh
     assert [result.frame for result in results] == list(blob_shot.frames[1:])
     assert last(results).frames == (1001, 1002, 1003)
     assert results[-1].results[0].confidence == 1.0
+    ends = [result.results[0].termination is Termination.OUTSIDE_LIFETIME for result in results]
+    assert ends == [frame >= 1004 for frame in blob_shot.frames[1:]]
 
 
 def test_a_shape_that_subtracts_from_nothing_is_followed_like_one_that_adds(config: str, blob_shot: Shot) -> None:
