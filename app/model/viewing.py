@@ -12,6 +12,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QColor
 
+from roam_core.errors import RoamError
+from roam_core.media.colour_spaces import config_name, offered_views
 from roam_core.media.looking import Channel, Look
 from roam_core.media.proxies import STEPS
 
@@ -113,6 +115,8 @@ class Viewing(QObject):
         self._mode = self._before_alpha = ViewMode.OVERLAY
         self._are_shapes_hidden = self._shows_joints = self._shows_edges = False
         self._look, self._onion, self._background = Look(), Onion(), Background()
+        self._views: dict[str, tuple[str, str]] = {}
+        """The display and view that were chosen last, by the configuration of OpenColorIO; not plain sRGB."""
         self._proxy = STEPS[0]
 
     @property
@@ -171,6 +175,9 @@ class Viewing(QObject):
         look = replace(self._look, **changes)
         exposure = min(max(look.exposure, EXPOSURES[0]), EXPOSURES[1])
         gamma = min(max(look.gamma, GAMMAS[0]), GAMMAS[1])
+        if "view" in changes:
+            self._views.pop(config_name(), None)
+            self._views |= {config_name(): look.view} if look.view is not None else {}
         self._set("_look", replace(look, exposure=exposure, gamma=gamma))
 
     @property
@@ -230,9 +237,18 @@ class Viewing(QObject):
         }
 
     def remembered(self) -> dict[str, dict[str, Any]]:
-        """What comes back when the window is opened again, as plain values: not the look, which would deceive."""
+        """What comes back when the window is opened again, as plain values.
+
+        Of the look that is the display's view, for each configuration; channel, exposure and gamma would deceive.
+        """
         overlays = {"joints": self._shows_joints, "edges": self._shows_edges}
-        return {"onion": asdict(self._onion), "ground": asdict(self._background), "overlays": overlays}
+        views = {config: list(view) for config, view in self._views.items()}
+        return {
+            "onion": asdict(self._onion),
+            "ground": asdict(self._background),
+            "overlays": overlays,
+            "views": views,
+        }
 
     def recall(self, remembered: object) -> None:
         """Take back what `remembered` gave; what makes no sense stays as it is."""
@@ -246,11 +262,31 @@ class Viewing(QObject):
             background["kind"] = BackgroundKind(background.get("kind", BackgroundKind.CHECKER))
             if Path(background.get("image", "")).is_file() or background["kind"] is not BackgroundKind.IMAGE:
                 self.set_background(**background)
+        self._recall_views(kept.get("views"))
+
+    def _recall_views(self, remembered: object) -> None:
+        """Look through the view that was chosen last with this configuration, where it still has it."""
+        kept = remembered.items() if isinstance(remembered, dict) else ()
+        self._views |= {
+            config: (view[0], view[1])
+            for config, view in kept
+            if isinstance(view, list) and len(view) == 2 and all(isinstance(name, str) for name in view)
+        }
+        if (view := self._views.get(config_name())) is not None and view in _views_there():
+            self._set("_look", replace(self._look, view=view))
 
     def _set(self, name: str, value: object) -> None:
         if getattr(self, name) != value:
             setattr(self, name, value)
             self.changed.emit()
+
+
+def _views_there() -> tuple[tuple[str, str], ...]:
+    """The views of the configuration; none where it cannot be read, which is told where a plate is opened."""
+    try:
+        return offered_views()
+    except RoamError:
+        return ()
 
 
 def _fitting(given: object, default: Onion | Background) -> dict[str, Any]:

@@ -58,6 +58,11 @@ def offered_views() -> tuple[tuple[str, str], ...]:
     return views()
 
 
+def config_name() -> str:
+    """What tells the configuration of OpenColorIO from others: the text of `$OCIO`; "" for the built-in one."""
+    return os.environ.get("OCIO", "")
+
+
 def space_called(name: str) -> str | None:
     """The colour space that a file calls so; None where the configuration knows none of that name."""
     from roam_core.media.colour_config import named

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from app.model.view_state import ViewState
 from app.model.viewing import BackgroundKind, Onion, Viewing, ViewMode
 from app.paint.viewport import LARGEST, Viewport
 from roam_core.geometry.bezier import polygon_points
+from roam_core.media.colour_spaces import offered_views
 from roam_core.media.looking import Channel, Look, Plate
 from roam_core.roto import Keyframe, edit
 from tests.gui.hand import CTRL, Hand
@@ -254,9 +256,37 @@ def test_background_and_onion_come_back_and_the_look_does_not() -> None:
     assert again.look.is_neutral
 
 
+def test_the_display_and_view_come_back_with_their_configuration(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("OCIO", raising=False)
+    viewing, gone = Viewing(), Viewing()
+    chosen = offered_views()[1]
+    viewing.set_look(view=chosen, exposure=2.0)
+    kept = json.loads(json.dumps(viewing.remembered()))
+    monkeypatch.setenv("OCIO", "another.ocio")
+    gone.recall(kept)
+    assert gone.look.view is None
+    monkeypatch.delenv("OCIO")
+    again = Viewing()
+    again.recall(gone.remembered())
+    assert again.look == Look(view=chosen)
+    again.set_look(view=None)
+    last = Viewing()
+    last.recall(again.remembered())
+    assert last.look.view is None
+
+
+def test_a_view_that_the_configuration_has_no_more_is_not_looked_through(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("OCIO", raising=False)
+    viewing, again = Viewing(), Viewing()
+    viewing.set_look(view=("sRGB - Display", "Gone"))
+    again.recall(viewing.remembered())
+    assert again.look.view is None
+
+
 @pytest.mark.parametrize(
     "nonsense",
-    [None, 3, {"ground": {"kind": "sky"}}, {"onion": {"before": "many", "before_colour": "reddish"}}, {"ground": []},
+    [None, 3, {"ground": {"kind": "sky"}}, {"views": {"": ["a", 3]}}, {"views": {"": "ab"}}, {"views": []},
+     {"onion": {"before": "many", "before_colour": "reddish"}}, {"ground": []},
      {"ground": {"kind": "image", "image": "/no/such/picture.png"}}],
 )  # fmt: skip
 def test_what_makes_no_sense_is_not_taken_back(nonsense: object) -> None:
