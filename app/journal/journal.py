@@ -19,15 +19,17 @@ class Journal(QObject):
     Signals
     -------
     refused(sentence) : why it cannot be written.
+    restored(sentence) : that it is written again, after that.
     """
 
     refused = Signal(str)
+    restored = Signal(str)
 
     def __init__(self, document: Document, root: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document, self.root = document, root
         self._session = Session(root)
-        self._writer = JournalWriter(self._session, self.refused.emit)
+        self._writer = JournalWriter(self._session, self.refused.emit, self.restored.emit)
         self._waits_for_recovery = False
         document.changed.connect(lambda _: self._note())
         document.rebased.connect(self._rebase)

@@ -73,11 +73,12 @@ class _Reached:
 class JournalWriter:
     """Takes states of the project from the window and never lets it wait.
 
-    `tell(sentence)` is called, on the writer's thread, when the journal cannot be written; once, until it can again.
+    `refused(sentence)` is called, on the writer's thread, when the journal cannot be written; once, until it can again.
+    Then `restored(sentence)` is.
     """
 
-    def __init__(self, session: Session, tell: Callable[[str], object]) -> None:
-        self._session, self._tell = session, tell
+    def __init__(self, session: Session, refused: Callable[[str], object], restored: Callable[[str], object]) -> None:
+        self._session, self._refused, self._restored = session, refused, restored
         self._queue: queue.SimpleQueue[object] = queue.SimpleQueue()
         self._open: _Open | None = None
         self._superseded: list[tuple[_Open, str]] = []
@@ -186,7 +187,10 @@ class JournalWriter:
                 self._open.close()
                 self._open = None  # the next try begins another file
         else:
-            self._waiting, self._is_refused = None, False
+            self._waiting = None
+            if self._is_refused:
+                self._is_refused = False
+                self._restored(tr("The journal is written again; it holds all your edits."))
             self._end_superseded()
 
     def _end_superseded(self) -> None:
@@ -199,7 +203,7 @@ class JournalWriter:
             self._is_refused = True
             log.error("the journal cannot be written", exc_info=error)
             reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-            self._tell(
+            self._refused(
                 tr("Your edits cannot be written to the journal ({reason}); save the project yourself.", reason=reason)
             )
 

@@ -279,8 +279,8 @@ class MainWindow(QMainWindow):
         personal, say = self.personal, self.view_state.say
         personal.keys_changed.connect(self._pull_keys)
         personal.preferences_changed.connect(self._pull_preferences)
-        for part in (personal, self.journal):
-            part.refused.connect(say)
+        for told_by in (personal.refused, self.journal.refused, self.journal.restored):
+            told_by.connect(say)
         self._pull_keys()
         self._pull_preferences()
         if personal.trouble:

@@ -4197,6 +4197,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Journal ist beschädigt: Was nach seinem letzten heilen Eintrag kam, ist verloren.</translation>
     </message>
     <message>
+        <source>The journal is written again; it holds all your edits.</source>
+        <translation>Das Journal wird wieder geschrieben; es enthält alle Bearbeitungen.</translation>
+    </message>
+    <message>
         <source>The journal {journal} has no beginning; nothing of it can be recovered.</source>
         <translation>Das Journal {journal} hat keinen Anfang; daraus lässt sich nichts wiederherstellen.</translation>
     </message>

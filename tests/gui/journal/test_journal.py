@@ -469,15 +469,20 @@ def test_a_full_disk_is_told_once_and_nothing_is_lost_when_there_is_room_again(
 
     told: list[str] = []
     journal.refused.connect(told.append)
+    journal.restored.connect(told.append)
     with monkeypatch.context() as full:
         full.setattr(os, "fsync", refuse)
         with qtbot.waitSignal(journal.refused, timeout=5000):
             draw(document)
         draw(document)
         assert not journal.flush()
-    draw(document)
+    with qtbot.waitSignal(journal.restored, timeout=5000):
+        draw(document)
     assert journal.flush()
-    assert told == ["Your edits cannot be written to the journal (No space left on device); save the project yourself."]
+    assert told == [
+        "Your edits cannot be written to the journal (No space left on device); save the project yourself.",
+        "The journal is written again; it holds all your edits.",
+    ]
     (found,) = crashed(journal, root)
     assert recovery.load(found) == (document.project, "")
     assert found.edits == 4
