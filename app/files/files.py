@@ -29,7 +29,17 @@ from ..model.reasons import keys_beside
 from ..model.view_state import ViewState
 from ..translation import N_, tr, translated
 from .claim import Claim
-from .reading import Found, clip_project, demo_project, differences, gaps_of, plate_of, read_project, version_of
+from .reading import (
+    Found,
+    clip_project,
+    demo_project,
+    differences,
+    gaps_of,
+    plate_of,
+    read_project,
+    version_of,
+    with_numbers,
+)
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -91,6 +101,7 @@ class Files(QObject):
         if (job := self._runner.running("open")) is not None:
             job.drop()
         self._show(Found(Project(), None, ""))
+        self._view.say("")  # what was said is of the project before, as that its track was stopped
 
     def open(self, path: Path) -> None:
         """Open a project file, or a clip as a new project."""
@@ -203,9 +214,17 @@ class Files(QObject):
             project, loss = recovery.load(found)
             source, problem = plate_of(project)
             first = " ".join(filter(None, (loss, problem))) or tr("Recovered; save to keep it.")
-            sentence = " ".join(filter(None, (first, departed_settings(project.shapes))))
+            project, before, numbers = with_numbers(project, source)
+            sentence = " ".join(filter(None, (first, numbers, departed_settings(project.shapes))))
             return Found(
-                project, source, sentence, found.original, found.fingerprint, is_unsaved=True, follows=found.journal
+                project,
+                source,
+                sentence,
+                found.original,
+                found.fingerprint,
+                is_unsaved=True,
+                follows=found.journal,
+                before=before,
             )
 
         self._open(tr("Recovering …"), read)

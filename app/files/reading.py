@@ -110,13 +110,21 @@ def read_project(path: Path) -> Found:
     )
     told = problem or tr("Opened {name}.{moved}", name=path.name, moved=moved)
     more = [_older(project, version), departed_settings(project.shapes)]
-    if (before := project.clip) is not None and source is not None and is_renumbered(before, now := Clip.of(source)):
-        numbers = tr("Its plate is numbered from {first} now, not from {before}.", first=now.first, before=before.first)
-        project = replace(project, clip=replace(now, extra=before.extra))
-        sentence = " ".join(filter(None, (told, numbers, *more)))
-        return Found(project, source, sentence, path, fingerprint, is_unsaved=True, before=before)
-    sentence = " ".join(filter(None, (told, _beyond(project, source), *more)))
-    return Found(project, source, sentence, path, fingerprint)
+    numbered, before, numbers = with_numbers(project, source)
+    beyond = "" if before else _beyond(project, source)
+    sentence = " ".join(filter(None, (told, numbers, beyond, *more)))
+    return Found(numbered, source, sentence, path, fingerprint, is_unsaved=before is not None, before=before)
+
+
+def with_numbers(project: Project, source: PlateSource | None) -> tuple[Project, Clip | None, str]:
+    """The project with the numbers that its plate's pictures bear now, its clip before that, and a sentence.
+
+    Where they bear those of the project's clip nothing is changed: None and "".
+    """
+    if (before := project.clip) is None or source is None or not is_renumbered(before, now := Clip.of(source)):
+        return project, None, ""
+    numbers = tr("Its plate is numbered from {first} now, not from {before}.", first=now.first, before=before.first)
+    return replace(project, clip=replace(now, extra=before.extra)), before, numbers
 
 
 def _beyond(project: Project, source: PlateSource | None) -> str:

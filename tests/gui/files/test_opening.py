@@ -17,6 +17,7 @@ from app.journal import recovery
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file
+from tests.gui.engines import GlidingEngine, put_in
 from tests.gui.hand import Hand
 from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
 
@@ -40,6 +41,22 @@ def half_drawn(window: MainWindow) -> None:
     window.view_state.set_tool("polygon")
     for corner in ((40.0, 30.0), (80.0, 30.0), (80.0, 70.0)):
         Hand(window.canvas).click(corner)
+
+
+def test_a_new_project_hears_nothing_of_the_track_that_it_ended(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: Unsaved.DISCARD)
+    engine = put_in(monkeypatch, GlidingEngine())
+    engine.allow(1)
+    window.view_state.set_frame(FIRST)
+    window.tracking.forward()
+    qtbot.waitUntil(lambda: window.view_state.frame == FIRST + 1, timeout=WAIT)
+    window.actions_by_id["file.new"].trigger()
+    engine.allow(1)
+    qtbot.waitUntil(lambda: window.solver.is_idle, timeout=WAIT)
+    assert window.document.project.clip is None
+    assert window.status.sentence.text() == ""
 
 
 @pytest.mark.parametrize("answer", Unsaved)

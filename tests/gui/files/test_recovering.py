@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QMessageBox
 from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
@@ -101,6 +102,23 @@ def test_every_crash_is_offered_with_what_would_come_back(
     assert file.load(mine).shapes == ()
     assert window.journal.flush()
     assert [each.original for each in recovery.offered(recovery.recoveries(root))] == [None]
+
+
+def test_work_on_a_plate_that_is_numbered_anew_asks_whether_it_goes_along(
+    qtbot: QtBot, window: MainWindow, root: Path, mine: Path
+) -> None:
+    crash(root, mine, 1)
+    for frame in (FIRST, FIRST + 1):
+        (mine.parent / "plate" / f"plate.{frame}.png").rename(mine.parent / "plate" / f"plate.{frame - 1000:04d}.png")
+    window.recovering.offer()
+    with qtbot.waitSignal(window.files.renumbered, timeout=WAIT):
+        qtbot.mouseClick(asked(qtbot, window).recover, Qt.MouseButton.LeftButton)
+    assert "Its plate is numbered from 1 now, not from 1001." in window.view_state.message
+    (box,) = [each for each in window.findChildren(QMessageBox) if each.isVisible()]
+    next(button for button in box.buttons() if button.text() == f"Shift by {1 - FIRST}").click()
+    assert [shape.frames for shape in window.document.project.shapes] == [(1,)]
+    assert (window.document.path, window.document.is_modified) == (mine, True)
+    assert window.journal.flush()
 
 
 def test_a_long_row_is_broken_to_lines_and_not_cut(qtbot: QtBot, tmp_path: Path) -> None:
