@@ -295,7 +295,7 @@ class CanvasView(PointedWidget):
 
     def _hint(self, snapshot: ViewSnapshot) -> str:
         is_idle = snapshot.image is not None and not snapshot.project.shapes and self._view_state.tool == "select"
-        return self.empty_hint if is_idle else ""
+        return self.empty_hint if is_idle and snapshot.shows_shapes else ""
 
     # ---- events: the view's own, then the tool's
 

@@ -19,7 +19,7 @@ OPENING, NO_PLATE = N_("Opening …"), N_("Drop a folder of images or a movie he
 def paint_words(
     painter: QPainter, widget: QSizeF, viewport: Viewport, snapshot: ViewSnapshot, sentence: str, hint: str
 ) -> None:
-    """Paint the `sentence` in the middle of the plate, the view's name at a corner, or the `hint` at the lower edge."""
+    """Paint the `sentence` in the middle of the plate, the view's name at a corner, the `hint` at the lower edge."""
     area = QRectF(QPointF(), widget)
     if snapshot.image is not None:
         area = viewport.transform.mapRect(QRectF(QPointF(), snapshot.image))
@@ -27,7 +27,7 @@ def paint_words(
         paint_sentence(painter, area, sentence)
     if label := label_of(snapshot):
         paint_label(painter, widget, label, Qt.AlignmentFlag.AlignTop)
-    elif hint:
+    if hint:
         paint_label(painter, widget, hint, Qt.AlignmentFlag.AlignBottom)
 
 

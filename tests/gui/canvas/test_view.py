@@ -195,7 +195,13 @@ def test_without_a_clip_it_says_what_to_do(document: Document, view_state: ViewS
     assert any(middle.pixelColor(x, y) != marks.SURROUND for x in range(328) for y in range(40))
 
 
-def test_hint_to_draw_is_shown_while_there_is_no_shape(canvas: CanvasView, document: Document, view_state: ViewState):
+@pytest.mark.parametrize("mode", [ViewMode.OVERLAY, ViewMode.MATTE])
+def test_hint_to_draw_is_shown_while_there_is_no_shape(
+    canvas: CanvasView, document: Document, view_state: ViewState, qtbot: QtBot, mode: ViewMode
+) -> None:
+    """The matte of no shape is black: nothing else says what to do there."""
+    canvas.viewing.set_mode(mode)
+    qtbot.waitUntil(lambda: not canvas.stage.emptiness(), timeout=5000)
     bottom = (150, 300, 148, 48)
     with_hint = looks(canvas).copy(*bottom)
     add_square(document)
