@@ -51,8 +51,15 @@ class OwnKeymap:
         return laid_over(load_keymap(self.preset), self.keys)
 
     def with_keys(self, action_id: str, keys: tuple[str, ...]) -> OwnKeymap:
-        """The same with other keys for one action. Keys that the preset gives it anyway are no keys of one's own."""
-        own = {name: mine for name, mine in self.keys.items() if name != action_id}
+        """The same with other keys for one action, which another one that the artist gave them goes without.
+
+        Keys that the preset gives it anyway are no keys of one's own.
+        """
+        others = {name: mine for name, mine in self.keys.items() if name != action_id}
+        own = {
+            name: _without_presses(mine, keys) if reaches_meet(action_id, name) else mine
+            for name, mine in others.items()
+        }
         if laid_over(load_keymap(self.preset), own).get(action_id, ()) != keys:
             own[action_id] = keys
         return OwnKeymap(self.preset, own)
@@ -60,6 +67,11 @@ class OwnKeymap:
     def without(self, action_id: str) -> OwnKeymap:
         """The same with the preset's keys for one action."""
         return OwnKeymap(self.preset, {name: keys for name, keys in self.keys.items() if name != action_id})
+
+
+def _without_presses(keys: tuple[str, ...], taken: tuple[str, ...]) -> tuple[str, ...]:
+    """The keys but for those that are the same press as one that is taken."""
+    return tuple(key for key in keys if press(key) not in set(map(press, taken)))
 
 
 def presets() -> dict[str, str]:
@@ -170,10 +182,10 @@ def load_own(path: Path) -> OwnKeymap:
         return OwnKeymap()
     keys, preset = document.get("keys"), document.get("based_on")
     if not isinstance(keys, dict) or not isinstance(preset, str):
-        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Keys.", path=path))
+        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Change keys.", path=path))
     own = {action: _presses(given) for action, given in keys.items() if action in _SPECS}
     if None in own.values():
-        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Keys.", path=path))
+        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Change keys.", path=path))
     known = {action: found for action, found in own.items() if found is not None and all(map(press, found))}
     return OwnKeymap(preset if preset in presets() else DEFAULT, known)
 

@@ -6184,8 +6184,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} ist beschädigt.</translation>
     </message>
     <message>
-        <source>{path} is no keymap; set your keys again in Edit &gt; Keys.</source>
-        <translation>{path} ist keine Tastenbelegung; bitte die Tasten unter Bearbeiten &gt; Tasten neu festlegen.</translation>
+        <source>{path} is no keymap; set your keys again in Edit &gt; Change keys.</source>
+        <translation>{path} ist keine Tastenbelegung; bitte die Tasten unter Bearbeiten &gt; Tasten ändern neu festlegen.</translation>
     </message>
     <message>
         <source>{pixels:.1f} px</source>

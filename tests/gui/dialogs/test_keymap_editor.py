@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app.actions.keymaps import load_keymap, load_own
+from app.actions.keymaps import clashes, load_keymap, load_own
 from app.dialogs.keymap_editor import KeymapEditor
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
@@ -72,6 +72,20 @@ def test_a_conflict_is_told_with_the_other_actions_name_and_can_be_taken_over(
     assert window.actions_by_id.keymap["tool.bezier"] == ("P",)
     assert "tool.polygon" not in window.actions_by_id.keymap
     assert not editor.take.isEnabled()
+
+
+def test_a_key_of_ones_own_can_be_taken_over_from_another_action(
+    qtbot: QtBot, window: MainWindow, editor: KeymapEditor
+) -> None:
+    """Were it left to both, Qt would call neither."""
+    for name in ("tool.bezier", "tool.polygon"):
+        editor.select(name)
+        qtbot.keyClick(editor.field, Qt.Key.Key_F9)
+    assert editor.word.text() == "F9 is the key of “Bezier”."
+    qtbot.mouseClick(editor.take, Qt.MouseButton.LeftButton)
+    assert window.actions_by_id.keymap["tool.polygon"] == ("F9",)
+    assert "tool.bezier" not in window.actions_by_id.keymap
+    assert clashes(window.actions_by_id.keymap) == []
 
 
 def test_a_key_can_be_added_to_those_that_are_there(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
