@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -241,6 +241,11 @@ class KeymapEditor(QDialog):
         for item in self._items():
             words = f"{item.text(0)} {item.text(1)} {item.text(2)} {words_for(item.data(0, _ID))}"
             item.setHidden(fuzzy_score(query, item.text(0)) is None and not words_begin(query, words))
+        if (selected := self.table.currentItem()) is None or selected.isHidden():
+            shown = [item for item in self._items() if not item.isHidden()]
+            # Nothing that is out of sight is given a key.
+            index = self.table.indexFromItem(shown[0]) if len(shown) == 1 else QModelIndex()
+            self.table.setCurrentIndex(index)
 
 
 def _title(action_id: str) -> str:

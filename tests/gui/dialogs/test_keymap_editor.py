@@ -151,6 +151,19 @@ def test_the_table_is_searched_by_title_key_and_word(qtbot: QtBot, editor: Keyma
     assert "Track forward" not in shown()
 
 
+def test_no_key_goes_to_an_action_that_the_search_has_put_out_of_sight(
+    qtbot: QtBot, window: MainWindow, editor: KeymapEditor
+) -> None:
+    editor.select("file.save_as")
+    editor.search.setText("shape")
+    assert (editor.selected, editor.field.isEnabled()) == ("", False)
+    editor.search.setText("polygon")
+    qtbot.keyClick(editor.field, Qt.Key.Key_F9)
+    assert window.personal.keys.keys == {"tool.polygon": ("F9",)}
+    editor.search.clear()
+    assert editor.selected == "tool.polygon"
+
+
 def test_keys_that_cannot_be_read_are_told_at_the_start(qtbot: QtBot, tmp_path: Path) -> None:
     (tmp_path / "keymap.json").write_text("no keymap", encoding="utf-8")
     with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
