@@ -51,6 +51,8 @@ def run(arguments: argparse.Namespace) -> int:
     steps = steps_named(arguments.steps or ("fill,render" if gaps else "render"))
     if not gaps and any(step.verb == "fill" for step in steps):
         gaps_of(project, path)  # says why there is none
+    if any(step.verb == "shift" for step in steps):
+        raise RoamError(f"The tasks of a farm are by frames; give {path} its new ones first: roam shift {path}.")
     out = (arguments.out or path.with_name(f"{name}-farm")).absolute()
     target = arguments.job or path.with_name(f"{name}.openjd.json")
     job = Job(name, steps, str(clip.path), path, clip.layer)

@@ -7,6 +7,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_of
 from roam_core.cli.picking import with_only
@@ -33,6 +34,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--shape", action="append", metavar="NAME", help="shift only this shape, or these, with --by (may be repeated)"
     )
     parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument(
+        "--json", action="store_true", help="print a line of JSON: by how much, which frames, and what is out of date"
+    )
     add_overwrite(parser)
 
 
@@ -46,14 +50,20 @@ def run(arguments: argparse.Namespace) -> int:
         raise RoamError(f"{source} has neither keys nor notes to shift.")
     if arguments.by is None:
         after = _renumbered(project, source, arguments.shape)
+        by = after.require_clip().first - project.require_clip().first
     else:
-        after = shifted(project, arguments.by, _asked(project, arguments.shape))
+        by = arguments.by
+        after = shifted(project, by, _asked(project, arguments.shape))
     require_target(target)
     sources = Sources.of_clip(project.clip, source)
     require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=source)
     tell_of_holder(target)
     writer(after)
-    print(_told(project, after), file=sys.stderr)
+    was, now, more = frames_held(project), frames_held(after), max(_stale(after) - _stale(project), 0)
+    if arguments.json:
+        print_json({"by": by, "first": now[0], "last": now[-1], "out_of_date": more, "files": [str(target)]})
+    told = f"Frames {was[0]} to {was[-1]} are {now[0]} to {now[-1]} now."
+    print(f"{told} {more} tracked key(s) are out of date for it." if more else told, file=sys.stderr)
     return 0
 
 
@@ -80,14 +90,6 @@ def _asked(project: Project, names: list[str] | None) -> list[str] | None:
         if project.is_locked(shape.id):
             raise RoamError(f"{shape.name!r} is locked; unlock it to shift it alone.")
     return [shape.id for shape in asked]
-
-
-def _told(before: Project, after: Project) -> str:
-    """From where to where, and how many tracked keys are out of date for it."""
-    was, now = frames_held(before), frames_held(after)
-    told = f"Frames {was[0]} to {was[-1]} are {now[0]} to {now[-1]} now."
-    more = _stale(after) - _stale(before)
-    return f"{told} {more} tracked key(s) are out of date for it." if more > 0 else told
 
 
 def _stale(project: Project) -> int:

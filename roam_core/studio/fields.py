@@ -104,6 +104,11 @@ VERBS: dict[str, Verb] = {
         (Field("by", Kind.TEXT, "what the softness becomes", ("both", "motion-blur", "feather")), _SHAPE),
         makes_project=True,
     ),
+    "shift": Verb(
+        "all frames of the project later or earlier, or as its plate was renumbered",
+        (Field("by", Kind.WHOLE, "frames later, below zero earlier (as the plate was renumbered)"), _SHAPE),
+        makes_project=True,
+    ),
     "import": Verb(
         "shapes of another program's file, or of a folder of mattes, on top of those that are there",
         (

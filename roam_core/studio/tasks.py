@@ -13,10 +13,12 @@ from roam_core.params import DEFAULT_CONFIG, params_for
 from roam_core.propagate.shapes.provenance import REVISION
 from roam_core.roto import file
 from roam_core.roto.relinking import relinked
+from roam_core.studio.fields import VERBS
 from roam_core.studio.jobs import Job, Jobs, Step
 
 SOLVING = ("track", "fill")
 LOOKING = ("steady", "soften")
+CHANGING = (*LOOKING, "shift")
 RECORDS = "steps"
 """The folder of a job in which the records of its steps lie."""
 
@@ -112,7 +114,7 @@ def pieces(task: Task, parts: Sequence[tuple[tuple[int, int], Sequence[str]]]) -
 def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
     clip, content = (job.clip, "") if job.clip else _clip_of(job.init)
     project = job.init if job.init is not None and job.init.suffix.lower() == ".roam" else None
-    makers = [k for k, step in enumerate(job.steps) if step.verb in ("track", "fill", "steady", "soften", "import")]
+    makers = [k for k, step in enumerate(job.steps) if VERBS[step.verb].makes_project]
     tasks: list[Task] = []
     taken: set[str] = set()
     for k, step in enumerate(job.steps):
@@ -130,7 +132,7 @@ def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
                 tuple(words),
                 str(folder),
                 tuple(str(path) for path in reads),
-                clip if solves or step.verb in LOOKING else "",
+                clip if solves or _looks(step) else "",
                 job.layer,
                 {
                     "program": __version__,
@@ -149,6 +151,11 @@ def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
         )
         project = made or project
     return tasks
+
+
+def _looks(step: Step) -> bool:
+    """Whether the plate decides what a step makes of a project that is solved: its pictures, or their numbers."""
+    return step.verb in LOOKING or (step.verb == "shift" and "by" not in step.options)
 
 
 def _words(
@@ -170,7 +177,7 @@ def _words(
         words = ["import", str(source), "--into", str(project), *options, "--json", "--save", str(place)]
         return [source, project], words
     assert project is not None
-    if step.verb in ("fill", *LOOKING):
+    if step.verb in ("fill", *CHANGING):
         return [project], [step.verb, str(project), *options, "--json", "--save", str(place)]
     if step.verb == "render":
         return [project], ["render", str(project), "--out", str(folder / _free("mattes", taken)), *options, "--json"]

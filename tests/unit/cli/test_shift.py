@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 
@@ -47,6 +48,12 @@ def test_all_of_a_project_goes_by_so_many_frames_and_back(roam: Roam, tracked: P
     assert tracked.read_bytes() == as_it_was
     assert roam("shift", tmp_path / "q.roam", "--by", -2).status == 0
     assert file.load(tmp_path / "q.roam") == file.load(tracked)
+
+
+def test_it_is_told_in_json(roam: Roam, tracked: Path) -> None:
+    done = roam("shift", tracked, "--by", 2, "--json")
+    told = {"by": 2, "first": 1003, "last": 1006, "out_of_date": 1, "files": [str(tracked)]}
+    assert json.loads(done.out) == told
 
 
 def test_shapes_that_are_named_go_alone(roam: Roam, tracked: Path) -> None:

@@ -68,6 +68,13 @@ def test_what_cannot_stand_in_a_job_is_refused() -> None:
         written(template(), Path("a.txt"))
 
 
+def test_a_shift_is_refused_for_tasks_are_by_frames(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
+    assert main(["farm", str(project), "--steps", "shift,render"]) == 1
+    assert f"roam shift {project}" in capsys.readouterr().err
+    assert not (tmp_path / "sh010.openjd.json").exists()
+
+
 def test_paths_elsewhere_are_to_be_given(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
     (tmp_path / "jobs").mkdir()

@@ -66,6 +66,23 @@ def test_what_is_done_is_kept_until_something_changes(show: Path, tmp_path: Path
     assert not list(out.rglob("*.roam.1"))  # what was made is no one else's work
 
 
+@pytest.mark.parametrize("options", [{}, {"by": -1000}])
+def test_a_project_goes_along_with_its_plates_new_numbers(tmp_path: Path, options: dict[str, int]) -> None:
+    plate = put_plate(tmp_path / "plate")
+    project = load_project(put_gaps(tmp_path / "init.roam", plate))
+    for path in sorted(plate.iterdir()):
+        path.rename(plate / path.name.replace("plate.1", "plate.0"))
+    steps = [{"shift": options}, {"export": {"to": "json"}}]
+    job = {"name": "sh010", "init": "init.roam", "steps": steps}
+    (tmp_path / "jobs.json").write_text(json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [job]}))
+    outcomes = carried_out(tmp_path / "jobs.json", tmp_path / "out")
+    assert [outcome["status"] for outcome in outcomes] == ["done", "done"], outcomes
+    shifted = load_project(tmp_path / "out" / "sh010" / "sh010.roam")
+    frames = [tuple(frame - 1000 for frame in shape.frames) for shape in project.shapes]
+    assert [shape.frames for shape in shifted.shapes] == frames
+    assert [outcome["status"] for outcome in carried_out(tmp_path / "jobs.json", tmp_path / "out")] == ["kept"] * 2
+
+
 def test_a_result_that_the_artist_went_on_with_is_kept_aside(show: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     carried_out(show, out)
