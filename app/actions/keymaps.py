@@ -182,12 +182,21 @@ def load_own(path: Path) -> OwnKeymap:
         return OwnKeymap()
     keys, preset = document.get("keys"), document.get("based_on")
     if not isinstance(keys, dict) or not isinstance(preset, str):
-        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Change keys.", path=path))
+        raise RoamError(tr("{path} is no keymap; keys are set in Edit > Change keys.", path=path))
     own = {action: _presses(given) for action, given in keys.items() if action in _SPECS}
     if None in own.values():
-        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Change keys.", path=path))
+        raise RoamError(tr("{path} is no keymap; keys are set in Edit > Change keys.", path=path))
     known = {action: found for action, found in own.items() if found is not None and all(map(press, found))}
-    return OwnKeymap(preset if preset in presets() else DEFAULT, known)
+    return OwnKeymap(preset if preset in presets() else DEFAULT, _without_clashes(known))
+
+
+def _without_clashes(keys: Keymap) -> Keymap:
+    """The keys, each press with the first of the actions that have it: of two Qt would call neither."""
+    found: dict[str, tuple[str, ...]] = {}
+    for action, own in keys.items():
+        taken = tuple(key for other, theirs in found.items() if reaches_meet(action, other) for key in theirs)
+        found[action] = _without_presses(own, taken)
+    return found
 
 
 def _presses(given: Any) -> tuple[str, ...] | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import (
@@ -19,10 +21,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from roam_core.errors import RoamError
+
 from .. import style
 from ..actions.fuzzy import fuzzy_score, words_begin
 from ..actions.key_names import NUDGES, is_modifier, key_name
-from ..actions.keymaps import OwnKeymap, holder_of, keys_text, presets, press
+from ..actions.keymaps import OwnKeymap, holder_of, keys_text, load_own, presets, press, save_own
 from ..actions.menus import menu_of
 from ..actions.search_words import words_for
 from ..actions.specs import SPECS
@@ -30,6 +34,7 @@ from ..model.personal import Personal
 from ..translation import tr
 from ..widgets.controls import weak_label
 from ..widgets.floating import resize_on_screen
+from . import questions
 
 _ID = Qt.ItemDataRole.UserRole
 MENU_WIDTH, KEYS_WIDTH = 80, 170
@@ -121,8 +126,11 @@ class KeymapEditor(QDialog):
         self.reset.setToolTip(tr("Give this action the keys of the preset again"))
         self.reset_all = QPushButton(tr("Reset all"))
         self.reset_all.setToolTip(tr("Forget all keys of your own"))
+        self.read, self.write = QPushButton(tr("Import…")), QPushButton(tr("Export…"))
+        self.read.setToolTip(tr("Take the preset and the keys of a file in place of your own"))
+        self.write.setToolTip(tr("Write the preset and your own keys to a file, for another machine"))
         self.leave = QPushButton(tr("Close"))
-        for button in (self.take, self.remove, self.reset, self.reset_all, self.leave):
+        for button in (self.take, self.remove, self.reset, self.reset_all, self.read, self.write, self.leave):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
@@ -132,7 +140,8 @@ class KeymapEditor(QDialog):
         upper.addWidget(self.search, 1)
         for widget, stretch in ((self.field, 1), (self.adds, 0), (self.take, 0), (self.remove, 0), (self.reset, 0)):
             middle.addWidget(widget, stretch)
-        lower.addWidget(self.reset_all)
+        for button in (self.reset_all, self.read, self.write):
+            lower.addWidget(button)
         lower.addStretch(1)
         lower.addWidget(self.leave)
         column = QVBoxLayout(self)
@@ -153,6 +162,8 @@ class KeymapEditor(QDialog):
         self.remove.clicked.connect(lambda: self._push_keys(()))
         self.reset.clicked.connect(lambda: self._personal.set_keys(self._own.without(self.selected)))
         self.reset_all.clicked.connect(lambda: self._personal.set_keys(OwnKeymap(self._own.preset)))
+        self.read.clicked.connect(self._import)
+        self.write.clicked.connect(self._export)
         self.leave.clicked.connect(self.close)
         self._personal.keys_changed.connect(self._pull)
 
@@ -211,6 +222,28 @@ class KeymapEditor(QDialog):
         self.word.setText(tr("“{action}” is {keys} now.", action=_title(self.selected), keys=keys_text(keys)))
         self._asked = ""
         self.take.setEnabled(False)
+
+    def _import(self) -> None:
+        """Take the keys of a file that was exported; one that is no keymap changes nothing, and is told."""
+        if (path := questions.choose_keymap(self)) is None:
+            return
+        try:
+            self._personal.set_keys(load_own(path))
+        except RoamError as error:
+            self.word.setText(str(error))
+        else:
+            self.word.setText(tr("The keys of {name} hold now.", name=path.name))
+
+    def _export(self) -> None:
+        path = questions.choose_export(self, tr("Export keys"), Path.home() / "roam-keys.json", ".json")
+        if path is None:
+            return
+        try:
+            save_own(self._own, path)
+        except RoamError as error:
+            self.word.setText(str(error))
+        else:
+            self.word.setText(tr("Your keys are in {path}.", path=path))
 
     # ---- pulling
 

@@ -14,6 +14,7 @@ from ..translation import N_, tr, translated
 MOVIES = N_("Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)")
 MOST_LOSSES = 6
 """How many sentences a question shows at once."""
+KEYMAPS = N_("Keymaps (*.json)")
 MASKS = N_("Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)")
 PROJECTS = N_("ROAM projects (*.roam)")
 
@@ -233,6 +234,11 @@ def choose_mask(parent: QWidget, start: Path) -> Path | None:
     """The picture of a mask of one frame."""
     title = tr("Shape from the mask of this frame")
     return _path(QFileDialog.getOpenFileName(parent, title, str(start), tr(MASKS))[0])
+
+
+def choose_keymap(parent: QWidget) -> Path | None:
+    """A keymap that was exported."""
+    return _path(QFileDialog.getOpenFileName(parent, tr("Import keys"), str(Path.home()), tr(KEYMAPS))[0])
 
 
 def choose_folder(parent: QWidget, title: str, start: Path) -> Path | None:

@@ -1219,6 +1219,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Trotzdem exportieren</translation>
     </message>
     <message>
+        <source>Export keys</source>
+        <translation>Tasten exportieren</translation>
+    </message>
+    <message>
         <source>Export mattes to a folder</source>
         <translation>Mattes in einen Ordner exportieren</translation>
     </message>
@@ -1835,6 +1839,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Importieren</translation>
     </message>
     <message>
+        <source>Import keys</source>
+        <translation>Tasten importieren</translation>
+    </message>
+    <message>
         <source>Import masks</source>
         <translation>Masken importieren</translation>
     </message>
@@ -1857,6 +1865,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Import the masks of a folder</source>
         <translation>Masken eines Ordners importieren</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
     </message>
     <message>
         <source>In front</source>
@@ -1981,6 +1993,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Key points</source>
         <translation>Punkt-Keyframes</translation>
+    </message>
+    <message>
+        <source>Keymaps (*.json)</source>
+        <translation>Tastenbelegungen (*.json)</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -4039,6 +4055,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Aus dieser Liste nehmen</translation>
     </message>
     <message>
+        <source>Take the preset and the keys of a file in place of your own</source>
+        <translation>Vorgabe und Tasten einer Datei anstelle der eigenen übernehmen</translation>
+    </message>
+    <message>
         <source>Tall timeline</source>
         <translation>Hohe Zeitleiste</translation>
     </message>
@@ -4215,6 +4235,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The keys of your shapes appear here.</source>
         <translation>Hier erscheinen die Keyframes der Formen.</translation>
+    </message>
+    <message>
+        <source>The keys of {name} hold now.</source>
+        <translation>Jetzt gelten die Tasten aus {name}.</translation>
     </message>
     <message>
         <source>The last frame</source>
@@ -4857,6 +4881,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} überschreiben?</translation>
     </message>
     <message>
+        <source>Write the preset and your own keys to a file, for another machine</source>
+        <translation>Vorgabe und eigene Tasten in eine Datei schreiben, für einen anderen Rechner</translation>
+    </message>
+    <message>
         <source>Writing {name} …</source>
         <translation>{name} wird geschrieben …</translation>
     </message>
@@ -4867,6 +4895,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Your edits cannot be written to the journal ({reason}); save the project yourself.</source>
         <translation>Die Bearbeitungen lassen sich nicht ins Journal schreiben ({reason}); bitte das Projekt selbst speichern.</translation>
+    </message>
+    <message>
+        <source>Your keys are in {path}.</source>
+        <translation>Die Tasten stehen in {path}.</translation>
     </message>
     <message>
         <source>Your keys stay as they are; tracking again replaces what is moved.</source>
@@ -6184,8 +6216,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} ist beschädigt.</translation>
     </message>
     <message>
-        <source>{path} is no keymap; set your keys again in Edit &gt; Change keys.</source>
-        <translation>{path} ist keine Tastenbelegung; bitte die Tasten unter Bearbeiten &gt; Tasten ändern neu festlegen.</translation>
+        <source>{path} is no keymap; keys are set in Edit &gt; Change keys.</source>
+        <translation>{path} ist keine Tastenbelegung; Tasten werden unter Bearbeiten &gt; Tasten ändern festgelegt.</translation>
     </message>
     <message>
         <source>{pixels:.1f} px</source>

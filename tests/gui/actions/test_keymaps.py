@@ -136,6 +136,15 @@ def test_a_file_of_another_version_gives_what_still_exists(tmp_path: Path) -> No
     assert load_own(tmp_path / "keymap.json") == OwnKeymap("default", {"tool.bezier": ("F9",)})
 
 
+def test_a_press_that_a_file_gives_to_two_actions_is_that_of_the_first(tmp_path: Path) -> None:
+    keys = {"tool.bezier": ["F9"], "tool.polygon": ["F9", "F10"], "time.play": ["F9"]}
+    document = {"type": "roam.Keymap", "version": 1, "based_on": "default", "keys": keys}
+    (tmp_path / "keymap.json").write_text(json.dumps(document), encoding="utf-8")
+    own = load_own(tmp_path / "keymap.json")
+    assert (own.keys["tool.bezier"], own.keys["tool.polygon"]) == (("F9",), ("F10",))
+    assert clashes(own.keymap) == []
+
+
 @pytest.mark.parametrize("text", ["", "[]", '{"keys": 3, "based_on": "nuke"}', '{"keys": {"tool.bezier": 3}}'])
 def test_a_file_that_is_no_keymap_is_refused_in_a_sentence(tmp_path: Path, text: str) -> None:
     (tmp_path / "keymap.json").write_text(text, encoding="utf-8")

@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from app.actions.keymaps import clashes, load_keymap, load_own
+from app.dialogs import questions
 from app.dialogs.keymap_editor import KeymapEditor
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
@@ -149,6 +150,30 @@ def test_the_table_is_searched_by_title_key_and_word(qtbot: QtBot, editor: Keyma
     qtbot.keyClicks(editor.search, "pen")
     assert "Bezier" in shown()
     assert "Track forward" not in shown()
+
+
+def test_keys_are_taken_to_another_machine(
+    qtbot: QtBot, window: MainWindow, editor: KeymapEditor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "mine.json"
+    monkeypatch.setattr(questions, "choose_export", lambda *_: file)
+    monkeypatch.setattr(questions, "choose_keymap", lambda _: file)
+    editor.preset.setCurrentIndex(editor.preset.findData("nuke"))
+    editor.select("tool.bezier")
+    qtbot.keyClick(editor.field, Qt.Key.Key_F9)
+    mine = window.personal.keys
+    qtbot.mouseClick(editor.write, Qt.MouseButton.LeftButton)
+    assert editor.word.text() == f"Your keys are in {file}."
+    qtbot.mouseClick(editor.reset_all, Qt.MouseButton.LeftButton)
+    editor.preset.setCurrentIndex(0)
+    qtbot.mouseClick(editor.read, Qt.MouseButton.LeftButton)
+    assert window.personal.keys == mine
+    assert editor.preset.currentData() == "nuke"
+    assert window.actions_by_id.keymap["tool.bezier"] == ("F9",)
+    file.write_text('{"type": "roam.Project"}', encoding="utf-8")
+    qtbot.mouseClick(editor.read, Qt.MouseButton.LeftButton)
+    assert editor.word.text() == f"{file} is no keymap; keys are set in Edit > Change keys."
+    assert window.personal.keys == mine
 
 
 def test_no_key_goes_to_an_action_that_the_search_has_put_out_of_sight(
