@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QDialog, QWidget
 
 from roam_core.interchange import KeyChoice, MaskOptions
 
-from .. import style
 from ..translation import N_, tr
+from ..widgets.asking import lay_out
 from ..widgets.controls import dense_form, form_label, measure_field, weak_label
 
 KEYS = {KeyChoice.REDUCED: N_("As few as hold the outline"), KeyChoice.EVERY: N_("One on every frame")}
@@ -38,14 +38,7 @@ class MaskDialog(QDialog):
         form.addRow(form_label(tr("Keys")), self.keys)
         form.addRow(form_label(tr("Within")), self.tolerance)
         form.addRow(form_label(tr("Specks")), self.speckle)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Import"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        column.setSpacing(style.MARGIN)
-        column.addLayout(form)
-        column.addWidget(buttons)
+        lay_out(self, form, tr("Import"))
 
     @property
     def options(self) -> MaskOptions:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QSpinBox, QWidget
 
 from ... import style
 from ...translation import tr
+from ...widgets.asking import lay_out
 from ...widgets.controls import FRAME_LIMIT, dense_form, form_label, weak_label
 
 
@@ -27,16 +28,8 @@ class PasteRangeDialog(QDialog):
         form = dense_form()
         for title, field in ((tr("From frame"), self.first), (tr("To frame"), self.last), (tr("Keys"), self.step)):
             form.addRow(form_label(title), field)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Paste"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(16, 14, 16, 12)
-        column.setSpacing(style.MARGIN)
-        column.addLayout(form)
-        column.addWidget(weak_label(tr("The shape stands still there: other keys in the range give way.")))
-        column.addWidget(buttons)
+        explained = weak_label(tr("The shape stands still there: other keys in the range give way."))
+        lay_out(self, form, tr("Paste"), explained)
         self.first.valueChanged.connect(self.last.setMinimum)
         self.last.setMinimum(self.first.value())
         self.first.selectAll()

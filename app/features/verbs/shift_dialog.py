@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QDialog, QSpinBox, QWidget
 
 from roam_core.roto import Clip
 
 from ... import style
 from ...translation import tr
+from ...widgets.asking import lay_out
 from ...widgets.controls import FRAME_LIMIT, dense_form, form_label, weak_label
 
 EVERYTHING, SELECTED = range(2)
@@ -50,23 +51,13 @@ class ShiftDialog(QDialog):
         form.addRow(form_label(tr("By")), self.by)
         form.addRow(form_label(tr("Now")), self.now)
         form.addRow(form_label(tr("Then")), self.then)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        self.ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
-        self.ok.setText(tr("Shift"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(16, 14, 16, 12)
-        column.setSpacing(style.MARGIN)
-        column.addLayout(form)
         explained = tr(
             "Keys, lifetimes, opacity and feather, depth and the motion of layers go along; the clip stays. "
             "Earlier is below zero."
         )
         self.explained = weak_label(explained)
         self.explained.setWordWrap(True)
-        column.addWidget(self.explained)
-        column.addWidget(buttons)
+        self.ok = lay_out(self, form, tr("Shift"), self.explained)
         self.by.valueChanged.connect(self._pull)
         self.what.currentIndexChanged.connect(self._pull)
         self._pull()

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from roam_core.params.steadiness import STEADINESS
 
-from ... import style
 from ...translation import N_, tr
+from ...widgets.asking import lay_out
 from ...widgets.controls import dense_form, form_label, measure_field, weak_label
 
 EFFECT = N_(
@@ -41,15 +41,8 @@ class SteadyDialog(QDialog):
                 )
             ),
         )
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Steady"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        column.setSpacing(style.MARGIN)
-        column.addLayout(form)
-        column.addWidget(weak_label(tr("Your keys stay as they are; tracking again replaces what is moved.")))
-        column.addWidget(buttons)
+        explained = weak_label(tr("Your keys stay as they are; tracking again replaces what is moved."))
+        lay_out(self, form, tr("Steady"), explained)
 
     @property
     def strength(self) -> float:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QDoubleSpinBox, QGridLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDoubleSpinBox, QGridLayout, QWidget
 
 from roam_core.arrays import Array
 from roam_core.geometry import affine
 
 from ... import style
 from ...translation import tr
+from ...widgets.asking import lay_out
 from ...widgets.controls import form_label, weak_label
 
 FURTHEST = 100_000.0
@@ -68,16 +69,7 @@ class NumbersDialog(QDialog):
                 field.valueChanged.connect(self.changed)
                 field.setAccessibleName(f"{title}: {'xy'[column - 1]}" if len(fields) > 1 else title)
                 grid.addWidget(field, index, column)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Transform"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(16, 14, 16, 12)
-        box.setSpacing(style.MARGIN)
-        box.addLayout(grid)
-        box.addWidget(weak_label(tr("About the middle of what is selected.")))
-        box.addWidget(buttons)
+        lay_out(self, grid, tr("Transform"), weak_label(tr("About the middle of what is selected.")))
         self.move_x.selectAll()
 
     @property
