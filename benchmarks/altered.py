@@ -107,16 +107,14 @@ def run(given: argparse.Namespace) -> None:
     jobs = [(Run(name, start, each), given.config) for name in chosen for start in STARTS for each in ALTERATIONS]
     measures = processes.each(measured, jobs)
     found = {(each.shot, each.start, each.alteration): mean for (each, _), mean in zip(jobs, measures, strict=True)}
-    by_shot = {
-        name: [float(np.mean([found[name, k, each] for k in STARTS])) for each in ALTERATIONS] for name in chosen
-    }
+    by_shot = {name: [_mean([found[name, k, each] for k in STARTS]) for each in ALTERATIONS] for name in chosen}
     text, is_all = _text(by_shot, given.config), given.shots is None
     result = {"config": given.config, "shots": by_shot}
     report.write("altered" if is_all else "altered some", text, result, publish=given.publish and is_all)
 
 
-def measured(job: tuple[Run, str]) -> float:
-    """The mean IoU of a run by a configuration."""
+def measured(job: tuple[Run, str]) -> float | None:
+    """The mean IoU of a run by a configuration; None where its key shows nothing of the object."""
     asked, config = job
     shot = shots.load(asked.shot)
     first = min(shot.first + asked.start, shot.last - LENGTH)
@@ -124,7 +122,14 @@ def measured(job: tuple[Run, str]) -> float:
     pictures, masks = ALTERATIONS[asked.alteration](
         [shot.read(frame) for frame in frames], [shot.mask(frame) for frame in frames]
     )
+    if not masks[0].any():
+        return None
     return float(np.mean([iou for iou, _ in shots.tracked(pictures.__getitem__, masks, config)]))
+
+
+def _mean(measures: Sequence[float | None]) -> float:
+    """The mean of those that there are."""
+    return float(np.mean([each for each in measures if each is not None]))
 
 
 def _seen(pictures: Sequence[Image], masks: Sequence[Bools], views: Sequence[Array]) -> Frames:

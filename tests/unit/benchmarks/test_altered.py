@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -55,4 +57,13 @@ def test_a_camera_that_pulls_out_ends_on_the_shot_and_one_that_pushes_in_begins_
 def test_an_altered_shot_is_scored(alteration: str, monkeypatch: pytest.MonkeyPatch, gliding: Shot) -> None:
     monkeypatch.setattr(shots, "load", {gliding.name: gliding}.__getitem__)
     monkeypatch.setattr(altered, "LENGTH", 3)
-    assert 0.5 < measured((Run(gliding.name, 0, alteration), "best")) <= 1.0
+    found = measured((Run(gliding.name, 0, alteration), "best"))
+    assert found is not None
+    assert 0.5 < found <= 1.0
+
+
+def test_a_key_that_shows_nothing_of_the_object_is_no_run(monkeypatch: pytest.MonkeyPatch, gliding: Shot) -> None:
+    nothing = replace(gliding, masks=[np.zeros_like(mask) for mask in gliding.masks])
+    monkeypatch.setattr(shots, "load", {gliding.name: nothing}.__getitem__)
+    monkeypatch.setattr(altered, "LENGTH", 3)
+    assert measured((Run(gliding.name, 0, "as it is"), "best")) is None
