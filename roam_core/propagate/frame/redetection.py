@@ -7,7 +7,7 @@ hidden, or left behind by a region that leaked, nothing remains to make them on.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import cv2
@@ -36,6 +36,7 @@ class LastSeen:
     carried : (3, 3) similarity from the key when the object was last whole. area : its area then, square pixels.
     middle : (2,) centroid of what was last seen of it. params : where it is looked for. since : frames since then.
     largest : the largest area that it has had when it was whole, where that is more than `area`.
+    surroundings : (3, 3) similarity by which what lay around it on the key had gone when it was last whole.
     """
 
     carried: Array
@@ -44,17 +45,21 @@ class LastSeen:
     params: RedetectionParams
     since: int = 0
     largest: float = 0.0
+    surroundings: Array = field(default_factory=lambda: np.eye(3))
 
-    @property
-    def sizes(self) -> list[float]:
+    def sizes(self, surroundings: Array | None = None) -> list[float]:
         """Sizes in relation to `carried` that the object may have, up to the largest that it has had.
 
-        What is about to be hidden seems to shrink: the size that was last seen may be too small.
+        What is about to be hidden seems to shrink: the size that was last seen may be too small. And where the camera
+        zoomed meanwhile, the object may have grown as its `surroundings (3, 3)` did, whose way from the key that is.
         """
         sizes, step = list(self.params.sizes), self.params.sizes[-1]
         while 0.0 < sizes[-1] ** 2 * step * self.area < self.largest:
             sizes.append(sizes[-1] * step)
-        return sizes
+        if surroundings is None:
+            return sizes
+        zoom = _size_of(surroundings) / _size_of(self.surroundings)
+        return sizes if sizes[0] <= zoom <= sizes[-1] else [*sizes, *(zoom * each for each in self.params.sizes)]
 
     @property
     def reach(self) -> float:
@@ -83,7 +88,8 @@ class LastSeen:
         area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
         if resemblance >= self.params.almost and area_of(region) >= self.params.whole * area:
             largest = max(area, self.area, self.largest)
-            return LastSeen(key.to_now, area, middle_of(region), self.params, largest=largest)
+            middle = middle_of(region)
+            return LastSeen(key.to_now, area, middle, self.params, largest=largest, surroundings=key.surroundings)
         return replace(self, middle=middle_of(region), since=0)
 
 
@@ -164,16 +170,22 @@ class AppearanceTemplate:
         """Whether it is large enough on the key, and its colours tell it from its surroundings there."""
         return self.extent >= self.params.least and self.own_score >= self.params.distinct
 
-    def found(self, frame: PreparedFrame, last_seen: LastSeen, behind: Behind | None = None) -> Array | None:
+    def found(
+        self,
+        frame: PreparedFrame,
+        last_seen: LastSeen,
+        behind: Behind | None = None,
+        surroundings: Array | None = None,
+    ) -> Array | None:
         """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
 
         Turn and size are those where it was last seen, but for `LastSeen.sizes`. `behind` tells where the key's
-        background is seen.
+        background is seen, `surroundings (3, 3)` how what lay around it there has gone since, where that is known.
         """
         if self.extent < 1.0:
             return None
         near, reach = last_seen.middle, last_seen.reach
-        turns = [size * last_seen.carried[:2, :2] for size in last_seen.sizes]
+        turns = [size * last_seen.carried[:2, :2] for size in last_seen.sizes(surroundings)]
         tried = each(lambda turn: self._likeness(frame, turn, near, reach, behind), turns)
         seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))
@@ -289,6 +301,11 @@ def is_better(again: float, compared: float, carried: float, params: RegionParam
 def as_on_key(key: PreparedFrame, to_now: Array) -> PreparedFrame:
     """The key's picture as if the object had been where the similarity `to_now (3, 3)` puts it."""
     return PreparedFrame(Grid.over(_whole(key), 1.0).warped(key.image, to_now))
+
+
+def _size_of(transform: Array) -> float:
+    """How many times as large a similarity `(3, 3)` makes things."""
+    return float(np.sqrt(abs(np.linalg.det(transform[:2, :2]))))
 
 
 def area_of(region: Field) -> float:

@@ -145,7 +145,8 @@ def _as_last_seen(
     """
     if not carried.last_seen.is_worth_a_look or (carried.is_posed and not state.appearance.is_distinct):
         return None
-    to_now = state.appearance.found(frame, carried.last_seen, behind(carried.key, frame, params))
+    key_behind = behind(carried.key, frame, params)
+    to_now = state.appearance.found(frame, carried.last_seen, key_behind, carried.key.surroundings)
     if to_now is None:
         return None
     picture = as_on_key(state.key.frame, to_now)

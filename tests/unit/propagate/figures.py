@@ -290,3 +290,19 @@ def box_on_ground_that_comes_in(count: int = 5, step: int = 9) -> tuple[list[UIn
     mask = np.zeros(SIZE, np.uint8)
     mask[50:, 64:96] = 255
     return [pictures[k * step : k * step + height] for k in range(count)], mask
+
+
+def ball_hidden_while_the_camera_pulls_out(count: int = 13) -> tuple[list[UInt8], list[UInt8]]:
+    """Pictures and masks of a ball that passes behind a post, seen at three times its size at first and 1 at last."""
+    height, width = 2 * SIZE[0], 2 * SIZE[1]
+    places = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
+    ground, ball = texture(21, 40.0, 150.0).at(places), np.array([225.0, 120.0, 40.0])
+    post = (places[..., 0] > 148.0) & (places[..., 0] < 192.0)
+    pictures, masks = [], []
+    for k, zoom in enumerate(np.geomspace(1.2, 0.4, count)):
+        inside = (np.hypot(places[..., 0] - 122.0 - 8.0 * k, places[..., 1] - 0.5 * height) < 14.0) & ~post
+        scene = np.where(inside[..., None], ball, np.where(post[..., None], 0.5 * ground + 90.0, ground))
+        view = np.array([[zoom, 0.0, 0.5 * (SIZE[1] - zoom * width)], [0.0, zoom, 0.5 * (SIZE[0] - zoom * height)]])
+        pictures.append(np.uint8(np.clip(cv2.warpAffine(scene, view, SIZE[::-1]), 0.0, 255.0)))
+        masks.append(np.uint8(255) * (cv2.warpAffine(inside.astype(np.float32), view, SIZE[::-1]) > 0.5))
+    return pictures, masks

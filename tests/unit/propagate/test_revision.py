@@ -27,6 +27,7 @@ from tests.unit.propagate.dimmed import dimmed_body
 from tests.unit.propagate.figures import (
     arm_like_its_body,
     arm_that_comes_in,
+    ball_hidden_while_the_camera_pulls_out,
     bending_body_on_a_pan,
     body_and_sleeve,
     body_behind_a_post,
@@ -146,6 +147,12 @@ def coming_in_ground() -> Points:
     return _tracked(*box_on_ground_that_comes_in())
 
 
+def hidden_while_zoomed() -> Points:
+    """A ball that passes behind a post while the camera pulls out."""
+    pictures, masks = ball_hidden_while_the_camera_pulls_out()
+    return _tracked(pictures, masks[0])
+
+
 def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
     *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(len(pictures)), "best")
     return _points([result.shape for result in last.results])
@@ -169,6 +176,7 @@ RUNS: dict[str, Callable[[], Points]] = {
         coming_in_posed,
         coming_in_limb,
         coming_in_ground,
+        hidden_while_zoomed,
     )
 }
 

@@ -97,6 +97,18 @@ def test_it_is_looked_for_at_each_size_that_it_has_had() -> None:
     assert known.reach == last_seen.reach > shrunk.reach
 
 
+def test_it_is_looked_for_at_the_size_that_the_camera_gives_it() -> None:
+    """While it was hidden the camera pulled out, and what lay around it is seen at half its size."""
+    eye, last_seen = appearance()
+    frame, half = PreparedFrame(picture(90.0, radius=0.5 * RADIUS)), np.diag([0.5, 0.5, 1.0])
+    assert eye.found(frame, last_seen) is None
+    assert eye.found(frame, last_seen, surroundings=np.eye(3)) is None
+    placed = eye.found(frame, last_seen, surroundings=half)
+    assert placed is not None
+    assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(0.5, rel=0.13)
+    assert eye.found(frame, replace(last_seen, surroundings=half), surroundings=half) is None
+
+
 def test_the_largest_size_is_that_of_a_sure_frame_or_of_the_key() -> None:
     eye, last_seen = appearance()
 
@@ -108,10 +120,10 @@ def test_the_largest_size_is_that_of_a_sure_frame_or_of_the_key() -> None:
 
     grown = seen(last_seen, 1.4)
     after = seen(grown, 0.7)
-    assert last_seen.sizes == list(PARAMS.sizes)
+    assert last_seen.sizes() == list(PARAMS.sizes)
     assert grown.largest == grown.area == after.largest
     assert seen(last_seen, 0.7).largest == pytest.approx(last_seen.area)
-    assert after.sizes == pytest.approx([*PARAMS.sizes, *(PARAMS.sizes[-1] ** power for power in (2, 3))])
+    assert after.sizes() == pytest.approx([*PARAMS.sizes, *(PARAMS.sizes[-1] ** power for power in (2, 3))])
 
 
 def test_nothing_is_seen_where_nothing_is() -> None:
