@@ -2,7 +2,6 @@
 
 Nothing is known of it from the key. So what carries the key's outline to a frame as it is, a plane or a pose, tells no
 more where the object ends; the region does, which goes on at the edge (`proposal.cues.evidence.Field.continued_on`).
-Nor are the colours of the ground known that comes in with it; what comes in beside it tells them.
 """
 
 from __future__ import annotations
@@ -12,9 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from roam_core.arrays import Array, Bools
-from roam_core.features.grid import Grid
-from roam_core.geometry import bezier, polyline, projective
+from roam_core.arrays import Array
+from roam_core.geometry import bezier, polyline
 from roam_core.params import RigidityParams, scale_for
 
 
@@ -47,18 +45,6 @@ class CutOff:
         `carried` takes places `(K, 2)` of the key to that picture.
         """
         return len(self.places) > 0 and bool((_depth_in(carried(self.places), size) > self.opened).any())
-
-
-def came_in(around: Array, grid: Grid, size: tuple[int, int]) -> Bools | None:
-    """The cells `(rows, columns)` of what lay beyond the edge of the last picture; None where nothing did.
-
-    `around (3, 3)` is the motion of the surroundings to the picture in which `grid` lies, of `size` (h, w) as the last.
-    """
-    cells = np.stack(np.meshgrid(np.arange(grid.columns), np.arange(grid.rows)), axis=-1).reshape(-1, 2)
-    centres = grid.to_image(np.asarray(cells + 0.5, dtype=np.float64))
-    before = projective.apply(np.asarray(np.linalg.inv(around), dtype=np.float64), centres)
-    beyond = _depth_in(before, size) < 0
-    return np.asarray(beyond.reshape(grid.shape)) if beyond.any() else None
 
 
 def _depth_in(places: Array, size: tuple[int, int]) -> Array:

@@ -18,7 +18,6 @@ from roam_core.params import FastMotionParams, RegionParams, scale_for
 from roam_core.propagate.frame.covering import visible
 from roam_core.propagate.frame.redetection import Behind
 from roam_core.propagate.whole import patched
-from roam_core.propagate.whole.cut_off import came_in
 from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.propagate.whole.state import RegionState
@@ -113,7 +112,7 @@ def observed(
     background = key.background(grid) if params.background is not None else None
     sources = Sources(
         *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,
-        sides, background, state.texture, came_in(around, grid, frame.size),
+        sides, background, state.texture,
     )  # fmt: skip
     return Observation(frame, sources, moved, agreement, rigidity, pose, patch_motion)
 

@@ -179,7 +179,6 @@ class Sources:
     patches: PatchSides | None = None
     background: Background | None = None
     texture: TextureModel | None = None
-    came_in: Bools | None = None
 
     @cached_property
     def lab(self) -> UInt8:
@@ -272,29 +271,11 @@ def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Flo
 
 def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """Those that look at no neighbours: histograms, motion, the last region."""
-    yield "global", global_cue(sources, params)
+    known = params.clip, params.unseen
+    yield "global", params.global_weight * sources.colours.log_ratio(sources.after, *known)
     yield "motion", motion_cue(sources, params)
     yield "prior", params.prior_weight * signed_distance(sources.carried, params.prior_reach)
     yield "bias", np.full(sources.grid.shape, params.bias, dtype=np.float32)
-
-
-def global_cue(sources: Sources, params: RegionParams) -> Float32:
-    """The weighted ratio of the histograms `(rows, columns)`, nats.
-
-    What came in beside the object is background that they do not know yet: where more comes in, they count its colours
-    as half of all that lies around, but those that the key knows as the object's rather than the background's.
-    """
-    colours, came_in, after = sources.colours, sources.came_in, sources.after
-    bounds = params.clip, params.unseen
-    told = colours.log_ratio(after, *bounds)
-    if came_in is not None:
-        beside = came_in & ~sources.band & ~sources.expected.possible
-        if beside.any():
-            new = GlobalModel.learned(after, np.zeros_like(beside), beside)
-            mixed = replace(colours, outside=np.float32(0.5) * (colours.outside + new.outside))
-            is_unknown = came_in & (sources.key.colours.log_ratio(after, *bounds) <= 0)
-            told = np.where(is_unknown, np.minimum(mixed.log_ratio(after, *bounds), told), told)
-    return np.asarray(params.global_weight * told)
 
 
 def motion_cue(sources: Sources, params: RegionParams) -> Float32:

@@ -277,21 +277,6 @@ def disc_that_comes_in(radius: float, speed: float, count: int = 5) -> tuple[lis
     return figure.pictures, masks
 
 
-def box_on_ground_that_comes_in(count: int = 5, step: int = 9) -> tuple[list[UInt8], UInt8]:
-    """Pictures of a box that the lower edge cuts off, and its first mask; the camera tilts down to the ground below.
-
-    The ground is of a colour that the first picture does not have, and begins with the end of the box.
-    """
-    (height, width), noise = SIZE, np.random.default_rng(5)
-    scene = np.empty((height + count * step, width, 3))
-    scene[:], scene[height + 2 :], scene[50 : height + 4, 64:96] = (150, 110, 90), (120, 125, 130), (60, 50, 120)
-    scene += cv2.GaussianBlur(noise.normal(0.0, 40.0, scene.shape), (0, 0), 1.5)
-    pictures = np.clip(cv2.GaussianBlur(scene, (0, 0), 0.7), 0.0, 255.0).astype(np.uint8)
-    mask = np.zeros(SIZE, np.uint8)
-    mask[50:, 64:96] = 255
-    return [pictures[k * step : k * step + height] for k in range(count)], mask
-
-
 def ball_hidden_while_the_camera_pulls_out(count: int = 13) -> tuple[list[UInt8], list[UInt8]]:
     """Pictures and masks of a ball that passes behind a post, seen at three times its size at first and 1 at last."""
     height, width = 2 * SIZE[0], 2 * SIZE[1]

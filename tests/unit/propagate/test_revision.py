@@ -32,7 +32,6 @@ from tests.unit.propagate.figures import (
     body_and_sleeve,
     body_behind_a_post,
     body_with_arms,
-    box_on_ground_that_comes_in,
     disc_that_comes_in,
     flame,
     subtracting,
@@ -142,11 +141,6 @@ def coming_in_limb() -> Points:
     return _points([last.results[0].shape])
 
 
-def coming_in_ground() -> Points:
-    """A box that the lower edge cuts off, and ground of a new colour that comes in with it."""
-    return _tracked(*box_on_ground_that_comes_in())
-
-
 def hidden_while_zoomed() -> Points:
     """A ball that passes behind a post while the camera pulls out."""
     pictures, masks = ball_hidden_while_the_camera_pulls_out()
@@ -175,7 +169,6 @@ RUNS: dict[str, Callable[[], Points]] = {
         coming_in,
         coming_in_posed,
         coming_in_limb,
-        coming_in_ground,
         hidden_while_zoomed,
     )
 }

@@ -9,12 +9,10 @@ import pytest
 
 from roam_core import shapes_from_mask, track
 from roam_core.arrays import Array
-from roam_core.features import Region
-from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import shape_matte
 from roam_core.params import RigidityParams
-from roam_core.propagate.whole.cut_off import CutOff, came_in
+from roam_core.propagate.whole.cut_off import CutOff
 from roam_core.roto import Keyframe, RotoShape
 from tests.unit.propagate import figures
 from tests.unit.propagate.figures import arm_that_comes_in, disc_that_comes_in
@@ -58,17 +56,6 @@ def test_lengths_are_those_of_a_picture_of_480_lines() -> None:
     twice = CutOff.of([box(0.0, 200.0, 160.0, 400.0)], (960, 1280), PARAMS)
     assert not twice.is_in_sight(moved(8.0, 0.0), (960, 1280))
     assert twice.is_in_sight(moved(13.0, 0.0), (960, 1280))
-
-
-def test_what_lay_beyond_the_edge_of_the_last_picture_came_in() -> None:
-    """The camera pulls out to a half about the middle: of the columns the first and the last quarter are new."""
-    pulled_out = np.array([[0.5, 0.0, 160.0], [0.0, 0.5, 120.0], [0.0, 0.0, 1.0]])
-    row = Grid(Region(0, 200, 640, 280), 2, 16)
-    found = came_in(pulled_out, row, SIZE)
-    assert found is not None
-    np.testing.assert_array_equal(found, np.array([[k < 4 or k >= 12 for k in range(16)]] * 2))
-    assert came_in(np.eye(3), row, SIZE) is None
-    assert came_in(pulled_out, Grid(Region(200, 200, 400, 280), 2, 16), SIZE) is None
 
 
 @pytest.mark.parametrize(("radius", "speed"), [(36.0, 14.0), (14.0, 5.0)], ids=["by its region", "small, by its pose"])
