@@ -75,7 +75,7 @@ def photograph_opening(shown: MainWindow) -> None:
     plates = shown.personal.folder.with_name("plates")
     plates.mkdir()
     (plates / "manta").symlink_to(demo_frames(), target_is_directory=True)  # no one's own folders in the picture
-    shown.file_actions.open_dropped(plates / "manta")
+    shown.file_actions.open_dropped([plates / "manta"])
     until(lambda: shown.findChild(ClipDialog), "the clip to be looked at")
     dialog = shown.findChild(ClipDialog)
     assert dialog is not None
