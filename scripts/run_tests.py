@@ -108,8 +108,8 @@ def run(part: Part, reports: Path, is_live: bool) -> tuple[int, str]:
     """A part's status, and what it said where that is not live."""
     environment = os.environ | {"QT_QPA_PLATFORM": "offscreen"} | part.environment
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # every program that a test starts would compile all modules
-    where = {} if is_live else {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-    done = subprocess.run(part.command(reports), cwd=ROOT, env=environment, check=False, **where)
+    out, err = (None, None) if is_live else (subprocess.PIPE, subprocess.STDOUT)
+    done = subprocess.run(part.command(reports), cwd=ROOT, env=environment, check=False, stdout=out, stderr=err)
     return done.returncode, (done.stdout or b"").decode(errors="replace")
 
 

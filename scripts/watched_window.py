@@ -40,7 +40,7 @@ class WatchedWindow:
         """Seconds of processors that the program and what it started have taken so far; ended processes left out."""
         here = psutil.Process(self._running.pid)
         times = [each.cpu_times() for each in (here, *here.children(recursive=True))]
-        return sum(each.user + each.system for each in times)
+        return float(sum(each.user + each.system for each in times))
 
     def shown(self) -> float:
         """Wait for the window; the seconds until it was there. Raises `NotShown`."""
