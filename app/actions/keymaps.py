@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -177,9 +178,9 @@ def load_own(path: Path) -> OwnKeymap:
     RoamError
         when the file is there and is no keymap.
     """
-    document = load_json(path)
-    if not document:
+    if not os.path.lexists(path):
         return OwnKeymap()
+    document = load_json(path)
     keys, preset = document.get("keys"), document.get("based_on")
     if not isinstance(keys, dict) or not isinstance(preset, str):
         raise RoamError(tr("{path} is no keymap; keys are set in Edit > Change keys.", path=path))

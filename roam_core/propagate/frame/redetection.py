@@ -181,11 +181,15 @@ class AppearanceTemplate:
 
         Turn and size are those where it was last seen, but for `LastSeen.sizes`. `behind` tells where the key's
         background is seen, `surroundings (3, 3)` how what lay around it there has gone since, where that is known.
+        Larger than the picture nothing is looked for.
         """
         if self.extent < 1.0:
             return None
         near, reach = last_seen.middle, last_seen.reach
-        turns = [size * last_seen.carried[:2, :2] for size in last_seen.sizes(surroundings)]
+        sized = [size * last_seen.carried[:2, :2] for size in last_seen.sizes(surroundings)]
+        turns = [turn for turn in sized if self._extent_under(turn) <= float(np.hypot(*frame.size))]
+        if not turns:
+            return None
         tried = each(lambda turn: self._likeness(frame, turn, near, reach, behind), turns)
         seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))

@@ -145,7 +145,7 @@ def test_a_press_that_a_file_gives_to_two_actions_is_that_of_the_first(tmp_path:
     assert clashes(own.keymap) == []
 
 
-@pytest.mark.parametrize("text", ["", "[]", '{"keys": 3, "based_on": "nuke"}', '{"keys": {"tool.bezier": 3}}'])
+@pytest.mark.parametrize("text", ["", "{}", "[]", '{"keys": 3, "based_on": "nuke"}', '{"keys": {"tool.bezier": 3}}'])
 def test_a_file_that_is_no_keymap_is_refused_in_a_sentence(tmp_path: Path, text: str) -> None:
     (tmp_path / "keymap.json").write_text(text, encoding="utf-8")
     with pytest.raises(RoamError, match=r"is no keymap|is damaged"):

@@ -109,6 +109,17 @@ def test_it_is_looked_for_at_the_size_that_the_camera_gives_it() -> None:
     assert eye.found(frame, replace(last_seen, surroundings=half), surroundings=half) is None
 
 
+@pytest.mark.parametrize("zoom", [1e-6, 1e6])
+def test_surroundings_that_were_followed_wrongly_do_no_harm(zoom: float) -> None:
+    """Larger than the picture nothing is looked for: it would take the memory of all machines."""
+    eye, last_seen = appearance()
+    wrong = np.diag([zoom, zoom, 1.0])
+    placed = eye.found(PreparedFrame(picture(90.0)), last_seen, surroundings=wrong)
+    assert placed is not None
+    assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(1.0, rel=0.3)
+    assert eye.found(PreparedFrame(picture(90.0)), replace(last_seen, carried=1e6 * np.eye(3))) is None
+
+
 def test_the_largest_size_is_that_of_a_sure_frame_or_of_the_key() -> None:
     eye, last_seen = appearance()
 
