@@ -1,4 +1,4 @@
-"""Altered shots: the object beside its own copy, the camera pulling out or pushing in, shaken, or out of focus.
+"""Altered shots: the object beside its own copy or in haze, the camera zooming, shaken, or out of focus.
 
 A copy, as one of two players of a team or two cars of a kind, lies behind the object, so what is true of that stays
 true. It goes beside it, or comes near from far off until the two touch. The same frames are tracked as they are, too.
@@ -33,6 +33,8 @@ SHAKEN = 12.0, 1.5, 1.15
 """Standard deviations of a frame's place, in pixels, and turn, in degrees; how much larger a shaken shot is seen."""
 DEFOCUS = 4.0
 """Standard deviation, in pixels, of the blur on the last frame."""
+HAZE = 0.7, 0.75
+"""How much of the last frame is haze, and how bright that is."""
 
 Frames = tuple[list[Image], list[Bools]]
 """The pictures of a run, and their true masks."""
@@ -83,6 +85,17 @@ def defocused(pictures: Sequence[Image], masks: Sequence[Bools]) -> Frames:
     return [cv2.GaussianBlur(p, (0, 0), s) if s > 0 else p for p, s in zip(pictures, sigmas, strict=True)], list(masks)
 
 
+def hazy(pictures: Sequence[Image], masks: Sequence[Bools]) -> Frames:
+    """As haze comes up from frame to frame; none is on the first."""
+    most, grey = HAZE
+    found = []
+    for picture, share in zip(pictures, np.linspace(0.0, most, len(pictures)), strict=True):
+        is_levels = picture.dtype == np.uint8
+        mixed = (1.0 - share) * picture + share * grey * (255.0 if is_levels else 1.0)
+        found.append(np.asarray(np.round(mixed) if is_levels else mixed, dtype=picture.dtype))
+    return found, list(masks)
+
+
 ALTERATIONS: dict[str, Callable[[Sequence[Image], Sequence[Bools]], Frames]] = {
     "as it is": lambda pictures, masks: (list(pictures), list(masks)),
     "a copy beside it": lambda pictures, masks: beside_its_copy(pictures, masks, [BESIDE] * len(masks)),
@@ -91,6 +104,7 @@ ALTERATIONS: dict[str, Callable[[Sequence[Image], Sequence[Bools]], Frames]] = {
     "pushed in": lambda pictures, masks: zoomed(pictures, masks, np.geomspace(1.0, ZOOM, len(masks))),
     "shaken": shaken,
     "out of focus": defocused,
+    "in haze": hazy,
 }
 """By name what becomes of the pictures and the masks of a run, the key first."""
 

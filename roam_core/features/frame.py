@@ -120,14 +120,14 @@ class PreparedFrame:
         kept = np.flatnonzero((values > values.min()) & (values < values.max()))
         return float(np.ptp(values[kept]) / np.ptp(kept)) if len(kept) > 1 else 1.0
 
-    def multiplied(self, by: Array) -> PreparedFrame:
-        """The picture as it was given, all values of its plate multiplied: rounded, and cut at white.
+    def multiplied(self, by: Array, plus: Array) -> PreparedFrame:
+        """The picture as it was given, all values of its plate multiplied, and raised: rounded, and cut at both ends.
 
-        `by (3,)`: of red, green and blue.
+        `by (3,)` and `plus (3,)`: of red, green and blue, the latter in levels.
         """
-        if (by == 1.0).all():
+        if (by == 1.0).all() and not plus.any():
             return self.given
-        values = np.clip(np.round(by * np.arange(256.0)[:, None]), 0.0, 255.0).astype(np.uint8)
+        values = np.clip(np.round(by * np.arange(256.0)[:, None] + plus), 0.0, 255.0).astype(np.uint8)
         return _MappedFrame(self.plate, self.given.table[values], self.given)
 
     def levelled(self, table: UInt8) -> PreparedFrame:

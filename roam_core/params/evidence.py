@@ -151,6 +151,7 @@ class ExposureParams:
     least : cells that must be known again.
     within : difference of the logarithm of brightness that two patches of one light may show, and of a channel's
         besides. agreed : share of the cells that must agree on a change within that.
+    veiled : share of the cells more that a veil must explain to be asked for.
     """
 
     window: int = 7
@@ -162,6 +163,7 @@ class ExposureParams:
     least: int = 200
     within: float = 0.06
     agreed: float = 0.5
+    veiled: float = later(0.2)
 
 
 @dataclass(frozen=True)

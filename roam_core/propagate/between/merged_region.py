@@ -104,7 +104,7 @@ def _compared(
 
 def _in_this_light(key: PreparedFrame, stop: Stop) -> PreparedFrame:
     """The picture of a key as it would be in the light of the frame where a pass from it stands."""
-    return key if stop.motion.key is None else key.multiplied(stop.motion.key.light.gains)
+    return key if stop.motion.key is None else stop.motion.key.light.cast(key)
 
 
 def _backgrounds(moment: Moment, grid: Grid, picture: PreparedFrame, outside: Bools, params: RegionParams) -> Float32:

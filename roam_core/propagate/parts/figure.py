@@ -32,6 +32,7 @@ from roam_core.propagate.whole import posed
 from roam_core.propagate.whole.interest import grid_around
 from roam_core.propagate.whole.state import RegionState
 from roam_core.propagate.whole.state import begin as begin_whole
+from roam_core.proposal.cues.exposure import UNCHANGED, Light
 from roam_core.roto import BlendMode
 
 T = TypeVar("T")
@@ -86,13 +87,25 @@ class Limb:
 
 @dataclass(frozen=True, eq=False)
 class FigureState:
-    """After a frame: its picture, the limbs bottom first, where they hang together, and the parts as one object."""
+    """After a frame.
+
+    Attributes
+    ----------
+    frame : its picture. limbs : bottom first. joints : where they hang together. union : the parts as one object.
+    light : what had become of the first key's light when the `union` began; the looks of all limbs are in the former.
+    """
 
     frame: PreparedFrame
     limbs: tuple[Limb, ...]
     joints: tuple[Joint, ...]
     union: RegionState | None
     steps: int = 0
+    light: Light = UNCHANGED
+
+    @property
+    def light_now(self) -> Light:
+        """What has become of the first key's light, as the background of the union tells it."""
+        return self.light if self.union is None else self.union.key.light.after(self.light)
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -149,7 +162,7 @@ def begin(
     assert params.part is not None
     scale = scale_for(frame.size)
     limbs = [_drawn(unit, parts) for unit in units]
-    learned = tuple(_learned(frame, limbs, k, params, order) for k in range(len(limbs)))
+    learned = tuple(_learned(frame, frame, limbs, k, params, order) for k in range(len(limbs)))
     found = joints([limb.lines[0] for limb in limbs], scale, params.figure.joints)
     held = [joint for joint in found if _holds(joint, limbs)]
     return FigureState(frame, learned, tuple(held), _union(frame, limbs, params))
@@ -160,16 +173,19 @@ def corrected(
 ) -> FigureState:
     """The state after a frame on which the artist gave some of the shapes.
 
-    What was given is learned anew; the other limbs stay as they are, with the looks of their own keys.
+    What was given is learned anew, as it looks in the light of the first key; the other limbs stay as they are, with
+    the looks of their own keys.
     """
+    light = state.light_now
+    lit = light.removed(state.frame)
     fresh = [any(given[k] for k in limb.unit.members) for limb in state.limbs]
     limbs = [_drawn(limb.unit, parts) if new else limb for limb, new in zip(state.limbs, fresh, strict=True)]
     learned = tuple(
-        _learned(state.frame, limbs, k, params, order) if new else replace(limbs[k], laid=limbs[k].parts)
+        _learned(state.frame, lit, limbs, k, params, order) if new else replace(limbs[k], laid=limbs[k].parts)
         for k, new in enumerate(fresh)
     )
     held = tuple(_held_now(joint, state.limbs, fresh) for joint in state.joints)
-    return replace(state, limbs=learned, joints=held, union=_union(state.frame, learned, params))
+    return replace(state, limbs=learned, joints=held, union=_union(state.frame, learned, params), light=light)
 
 
 def _held_now(joint: Joint, before: Sequence[Limb], fresh: Sequence[bool]) -> Joint:
@@ -187,14 +203,24 @@ def _drawn(unit: Unit, parts: Sequence[Part]) -> Limb:
     return Limb(unit, drawn, drawn, laid=drawn)
 
 
-def _learned(frame: PreparedFrame, limbs: Sequence[Limb], k: int, params: RegionParams, order: Sequence[int]) -> Limb:
-    """A limb as drawn, with what it looks like where no other covers it."""
+def _learned(
+    frame: PreparedFrame,
+    lit: PreparedFrame,
+    limbs: Sequence[Limb],
+    k: int,
+    params: RegionParams,
+    order: Sequence[int],
+) -> Limb:
+    """A limb as drawn, with what it looks like where no other covers it; `lit` is the frame in the first key's light.
+
+    What is no part knows of its own light.
+    """
     assert params.part is not None
     limb, covers = limbs[k], [line for nearer in _nearer(limbs, k, order) for line in nearer.lines]
     if limb.unit.role is Role.WHOLE:
         return replace(limb, whole=begin_whole(frame, limb.parts, params, covers))
-    pose = posed.learned(frame, limb.lines[0], params.part, [*limb.gaps, *covers])
-    return replace(limb, pose=pose, colours=None if pose is None else _colours(frame, limb, covers, params))
+    pose = posed.learned(lit, limb.lines[0], params.part, [*limb.gaps, *covers])
+    return replace(limb, pose=pose, colours=None if pose is None else _colours(lit, limb, covers, params))
 
 
 def _colours(frame: PreparedFrame, limb: Limb, covers: Sequence[Array], params: RegionParams) -> GlobalModel:

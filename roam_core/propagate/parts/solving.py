@@ -59,13 +59,15 @@ def step(
     if state.union is not None:
         stepped = region.step(state.union, frame, replace(params, pose=None), token)
     union = None if stepped is None else stepped.state
+    after = replace(state, frame=frame, union=union, steps=state.steps + 1)
+    lit = after.light_now.removed(frame)
     spots = np.vstack([limb.expected(params.part) for limb in state.limbs])
     reach = max((limb.pose.reach(params.part) for limb in state.limbs if limb.pose is not None), default=1.0)
     window = Region.around(spots, (params.figure.margin + params.part.search_move * reach) * scale, frame.size)
     pyramid = None
     if not posed.is_narrow(window, params.part):
-        pyramid = Pyramid.of(frame, window, 1.0 / scale, params.part.pyramid)
-    solving = _Solving(state, frame, pyramid, union, params, token)
+        pyramid = Pyramid.of(lit, window, 1.0 / scale, params.part.pyramid)
+    solving = _Solving(state, frame, lit, pyramid, union, params, token)
     for k in sorted(range(len(state.limbs)), key=lambda k: -depth(state.limbs[k], order)):
         if token is not None:
             token.check()
@@ -73,23 +75,24 @@ def step(
     solving.hold_together()
     solving.go_along()
     limbs = tuple(solving.to_the_edges(k) for k in range(len(state.limbs)))
-    return FigureStep(FigureState(frame, limbs, state.joints, union, state.steps + 1), solving.wholes, stepped)
+    return FigureStep(replace(after, limbs=limbs), solving.wholes, stepped)
 
 
 class _Solving:
-    """The limbs on one frame, as far as they are solved, from the nearest on."""
+    """The limbs on one frame, as far as they are solved, from the nearest on; `lit` is its picture in their light."""
 
     def __init__(
         self,
         state: FigureState,
         frame: PreparedFrame,
+        lit: PreparedFrame,
         pyramid: Pyramid | None,
         union: RegionState | None,
         params: RegionParams,
         token: CancelToken | None,
     ) -> None:
         assert params.part is not None
-        self.state, self.frame, self.pyramid, self.token = state, frame, pyramid, token
+        self.state, self.frame, self.lit, self.pyramid, self.token = state, frame, lit, pyramid, token
         self.region_params, self.params, self.scale = params, params.part, scale_for(frame.size)
         self.limbs: dict[int, Limb] = {}  # the nearest first
         self.wholes: dict[tuple[int, ...], RegionStep] = {}
@@ -204,7 +207,7 @@ class _Solving:
         """Whether the colours of a part are rather where `parts` have it than where it lies, as far as it is seen."""
         limb, grid = self.limbs[k], union.region.grid
         assert limb.colours is not None
-        picture, clip = grid.colours_of(union.frame), self.region_params.redetection.clip
+        picture, clip = grid.colours_of(self.lit), self.region_params.redetection.clip
         ratio = limb.colours.log_ratio(picture, clip, self.region_params.unseen)
         hidden = covered([line for nearer in self._nearer(k) for line in nearer.lines], grid)
         gained = ratio * (enclosed(parts, grid) - enclosed(limb.parts, grid))

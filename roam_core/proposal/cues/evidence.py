@@ -89,7 +89,7 @@ class KeyMemory:
 
     def in_its_light(self, frame: PreparedFrame) -> PreparedFrame:
         """A frame as it would be if the light had not changed since the key."""
-        return frame.multiplied(1.0 / self.light.gains)
+        return self.light.removed(frame)
 
     def behind(self, grid: Grid) -> KeyView:
         """The key in the cells of `grid`, carried by the motion of its surroundings."""

@@ -1,4 +1,8 @@
-"""How the light has changed since the key, told by the background that both pictures show."""
+"""How the light has changed since the key, told by the background that both pictures show.
+
+It has become brighter or darker, warmer or colder; or a veil lies over all of the picture and lifts its blacks: haze,
+glare, a fade to white. On a plate that is seen in its log encoding another exposure is one, too.
+"""
 
 from __future__ import annotations
 
@@ -21,15 +25,30 @@ class Light:
     Attributes
     ----------
     exposure : factor by which it has become brighter. tint : (3,) factors of red, green and blue besides.
+    veil : (3,) levels, in [0, 255], of red, green and blue that lie over all of it besides; less than 0 where the key
+        had more of it.
     """
 
     exposure: float = 1.0
     tint: Array = field(default_factory=lambda: np.ones(3))
+    veil: Array = field(default_factory=lambda: np.zeros(3))
 
     @property
     def gains(self) -> Array:
         """By what red, green and blue `(3,)` of the key are multiplied to look as they do now."""
         return self.exposure * self.tint
+
+    def after(self, first: Light) -> Light:
+        """The light since a key, if this is that since another picture, which `first` has come on since the key."""
+        return Light(self.exposure * first.exposure, self.tint * first.tint, self.gains * first.veil + self.veil)
+
+    def cast(self, key: PreparedFrame) -> PreparedFrame:
+        """The key's picture as it would be in this light."""
+        return key.multiplied(self.gains, self.veil)
+
+    def removed(self, frame: PreparedFrame) -> PreparedFrame:
+        """A picture in this light as it would be in that of the key."""
+        return frame.multiplied(1.0 / self.gains, -self.veil / self.gains)
 
 
 UNCHANGED = Light()
@@ -46,6 +65,8 @@ def light_since(
     Shadows and glitter change all channels alike, so that patches agree more closely on the tint. Light multiplies the
     values of the plate, not those that levels shift; but what is stretched then tells less of a change apart.
 
+    Where one factor does not tell what has become of dark patches and of bright ones, a factor and a veil may.
+
     Parameters
     ----------
     view : the key, carried by the motion of its surroundings. frame : as it was given.
@@ -59,12 +80,93 @@ def light_since(
     usable = _known_again(seen_luma, luma, known, params.flat / contrast, params)
     before, now = _means(seen_luma, params.window), _means(luma, params.window)
     usable &= _is_exposed(before, now, params)
-    brighter = np.log(now[usable].astype(np.float64) / before[usable])
-    exposure = _agreed(brighter, contrast, params)
-    channels_before, channels = _means(seen, params.window), _means(picture, params.window)
-    coloured = np.all(_is_exposed(channels_before, channels, params)[usable], axis=1)
-    shifts = np.log(channels[usable][coloured].astype(np.float64) / channels_before[usable][coloured])
-    tint = _agreed(shifts - brighter[coloured, None], contrast, params)
+    colours_before, colours = (_means(each, params.window)[usable] for each in (seen, picture))
+    patches = _Patches(before[usable], now[usable], colours_before, colours, contrast)
+    return _veiled(patches, last, params) or _multiplied(patches, last, params)
+
+
+@dataclass(frozen=True, eq=False)
+class _Patches:
+    """Patches of the background, known again: their mean luma `(N,)` and colours `(N, 3)` on the key and now.
+
+    contrast : by how much the plate's differences are stretched in what is seen of it.
+    """
+
+    luma_then: Float32
+    luma: Float32
+    colours_then: Float32
+    colours: Float32
+    contrast: float
+
+
+@dataclass(frozen=True)
+class _Line:
+    """What has become of brightness: `factor` times what it was, and `veil` levels more."""
+
+    factor: float
+    veil: float
+
+    @classmethod
+    def through(cls, then: Float32, now: Float32) -> _Line:
+        """By which the spread of all patches, then, comes to lie on that of now, and their medians on each other.
+
+        The spread is that between the middles of the darkest third and of the brightest. A fit of one to the other
+        would tell the less of a factor, the less exactly the patches lie on each other.
+        """
+        dark, middle, bright = (
+            np.array([np.quantile(each, at) for each in (then, now)]) for at in (1 / 6, 1 / 2, 5 / 6)
+        )
+        run, rise = bright - dark
+        factor = float(rise / max(run, 1.0))
+        return cls(factor, float(middle[1] - factor * middle[0]))
+
+    def at(self, then: Float32) -> Array:
+        """What has become of levels."""
+        return np.asarray(self.factor * then + self.veil, dtype=np.float64)
+
+
+def _veiled(patches: _Patches, last: Light, params: ExposureParams) -> Light | None:
+    """The light where it takes a veil to explain the patches: the `last` if that misses too many, None if it does not.
+
+    A veil explains more than a factor where that misses more of them by a share of `params.veiled`. It has a colour;
+    the factor is that of all channels.
+    """
+    if len(patches.luma) < params.least:
+        return None
+    factor = float(np.exp(np.median(np.log(patches.luma.astype(np.float64) / patches.luma_then))))
+    by_factor = _missed(_Line(factor, 0.0), patches, params)
+    if by_factor <= params.veiled:
+        return None
+    line = _Line.through(patches.luma_then, patches.luma)
+    by_line = _missed(line, patches, params)
+    if by_factor - by_line <= params.veiled:
+        return None
+    if by_line > 1.0 - params.agreed or line.factor <= 0.0:
+        return last
+    middles = (np.median(each, axis=0) for each in (patches.colours_then, patches.colours))
+    then, now = (each.astype(np.float64) for each in middles)
+    return Light(line.factor, veil=now - line.factor * then)
+
+
+def _missed(line: _Line, patches: _Patches, params: ExposureParams) -> float:
+    """The share of patches of which a line does not tell what has become of them.
+
+    As of factors, what is stretched tells less of a change apart.
+    """
+    expected = np.maximum(line.at(patches.luma_then), 1.0)
+    apart = np.abs(np.log(patches.luma / expected))
+    return float(np.mean(apart >= params.within / patches.contrast))
+
+
+def _multiplied(patches: _Patches, last: Light, params: ExposureParams) -> Light:
+    """The light by factors, of luma and of each channel besides; the `last` one's where patches agree on none."""
+    brighter = np.log(patches.luma.astype(np.float64) / patches.luma_then)
+    exposure = _agreed(brighter, patches.contrast, params)
+    if exposure is None and last.veil.any():
+        return last
+    coloured = np.all(_is_exposed(patches.colours_then, patches.colours, params), axis=1)
+    shifts = np.log(patches.colours[coloured].astype(np.float64) / patches.colours_then[coloured])
+    tint = _agreed(shifts - brighter[coloured, None], patches.contrast, params)
     return Light(last.exposure if exposure is None else float(exposure), last.tint if tint is None else tint)
 
 

@@ -127,18 +127,19 @@ def test_a_region_is_made_once() -> None:
 
 def test_a_multiplied_picture_begins_with_what_was_given() -> None:
     frame = PreparedFrame(picture())
-    twice = frame.multiplied(np.full(3, 0.5)).multiplied(np.full(3, 1.3))
+    twice = frame.multiplied(np.full(3, 0.5), np.full(3, 9.0)).multiplied(np.full(3, 1.3), np.zeros(3))
     np.testing.assert_array_equal(twice.image, np.clip(np.round(1.3 * picture()), 0, 255))
     np.testing.assert_array_equal(twice.grey, PreparedFrame(twice.image).grey)
     assert twice.size == frame.size
     assert twice.given is frame
-    assert twice.multiplied(np.ones(3)) is frame
-    assert frame.multiplied(np.ones(3)) is frame
+    assert twice.multiplied(np.ones(3), np.zeros(3)) is frame
+    assert frame.multiplied(np.ones(3), np.zeros(3)) is frame
 
 
 def test_a_part_of_a_multiplied_picture_is_that_of_the_whole() -> None:
-    frame = PreparedFrame(picture()).multiplied(np.array([0.7, 1.0, 1.2]))
-    np.testing.assert_array_equal(frame.image, np.clip(np.round(np.array([0.7, 1.0, 1.2]) * picture()), 0, 255))
+    by, plus = np.array([0.7, 1.0, 1.2]), np.array([20.0, 0.0, -40.0])
+    frame = PreparedFrame(picture()).multiplied(by, plus)
+    np.testing.assert_array_equal(frame.image, np.clip(np.round(by * picture() + plus), 0, 255))
     part = Region(5, 8, 31, 29)
     np.testing.assert_array_equal(frame.within(part), frame.image[part.slices[0], part.slices[1]])
 

@@ -59,7 +59,7 @@ def test_a_levelled_picture_counts_as_given_and_is_made_once() -> None:
     assert found is not None
     levelled = picture.levelled(found.table)
     assert levelled is picture.levelled(found.table)
-    darker = levelled.multiplied(np.array([0.5, 0.6, 0.7]))
+    darker = levelled.multiplied(np.array([0.5, 0.6, 0.7]), np.zeros(3))
     assert darker.given is levelled
     assert darker.plate is picture
     np.testing.assert_array_equal(

@@ -185,6 +185,15 @@ def flame(count: int = 8) -> Flame:
     )
 
 
+def hazy(pictures: Sequence[UInt8], most: float = 0.6) -> list[UInt8]:
+    """Pictures over which bluish haze comes up: `most` of the last one is haze, nothing of the first."""
+    haze = np.array([170.0, 180.0, 200.0])
+    return [
+        np.asarray(np.round((1.0 - share) * picture + share * haze), dtype=np.uint8)
+        for share, picture in zip(np.linspace(0.0, most, len(pictures)), pictures, strict=True)
+    ]
+
+
 def subtracting(shape: RotoShape) -> RotoShape:
     return replace(shape, blend=BlendMode.SUBTRACT)
 

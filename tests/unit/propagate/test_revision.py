@@ -34,6 +34,7 @@ from tests.unit.propagate.figures import (
     body_with_arms,
     disc_that_comes_in,
     flame,
+    hazy,
     subtracting,
 )
 
@@ -147,6 +148,14 @@ def hidden_while_zoomed() -> Points:
     return _tracked(pictures, masks[0])
 
 
+def in_haze() -> Points:
+    """A figure in parts over which haze comes up."""
+    figure = body_with_arms(6)
+    pictures = hazy(figure.pictures)
+    *_, last = track(lambda frame: pictures[frame], figure.shapes(), figure.frames, "best")
+    return _points([result.shape for result in last.results])
+
+
 def _tracked(pictures: Sequence[UInt8], mask: UInt8) -> Points:
     *_, last = track(lambda frame: pictures[frame], shapes_from_mask(mask), range(len(pictures)), "best")
     return _points([result.shape for result in last.results])
@@ -170,6 +179,7 @@ RUNS: dict[str, Callable[[], Points]] = {
         coming_in_posed,
         coming_in_limb,
         hidden_while_zoomed,
+        in_haze,
     )
 }
 

@@ -57,6 +57,76 @@ def test_a_change_of_exposure_is_told_up_to_what_patches_differ_by(gain: float) 
     np.testing.assert_array_equal(light.tint, np.ones(3))
 
 
+def land() -> UInt8:
+    """The ground in places darker and in places brighter: a factor does not explain what a veil does to it."""
+    places = np.random.default_rng(9).uniform(0.4, 1.6, (SIDE // 20, SIDE // 20))
+    return lit(ground(), shaded(np.kron(places, np.ones((20, 20)))))
+
+
+def under(picture: UInt8, by: float, veil: Array | float) -> UInt8:
+    """A picture `by` times as bright, under a veil of so many levels."""
+    return np.uint8(np.clip(np.round(by * picture + np.asarray(veil)), 0, 255))
+
+
+@pytest.mark.parametrize("by", [0.3, 0.6, 0.9])
+def test_haze_is_told_as_a_factor_and_a_veil(by: float) -> None:
+    veil = (1.0 - by) * np.array([180.0, 200.0, 220.0])
+    light = told(under(land(), by, veil), key=land())
+    np.testing.assert_allclose(light.gains, by, rtol=0.03)
+    np.testing.assert_allclose(light.veil, veil, atol=2.5)
+
+
+def test_haze_that_clears_is_told_as_well() -> None:
+    light = told(land(), key=under(land(), 0.5, 90.0))
+    np.testing.assert_allclose(light.gains, 2.0, rtol=0.03)
+    np.testing.assert_allclose(light.veil, -180.0, atol=5.0)
+
+
+def test_a_plate_in_log_encoding_becomes_brighter_by_a_veil_alone() -> None:
+    light = told(under(land(), 1.0, 40.0), key=land())
+    np.testing.assert_allclose(light.gains, 1.0, rtol=0.02)
+    np.testing.assert_allclose(light.veil, 40.0, atol=2.0)
+
+
+def test_so_it_does_where_levels_stretch_it() -> None:
+    key = under(land(), 0.25, 80.0)
+    levels = Levels.of(PreparedFrame(key), LevelsParams())
+    assert levels is not None
+    then, now = (PreparedFrame(each).levelled(levels.table) for each in (key, under(key, 1.0, 30.0)))
+    light = light_since(KeyView(then, np.eye(3), np.zeros((SIDE, SIDE), np.float32)), now, NOWHERE, GRID, LAST, PARAMS)
+    np.testing.assert_allclose(light.gains, 1.0, rtol=0.04)
+    np.testing.assert_allclose(light.veil, 30.0, atol=4.0)
+    np.testing.assert_allclose(light.removed(now).image.mean(), then.image.mean(), atol=1.5)
+
+
+@pytest.mark.parametrize("now", [lit(land(), 0.6), lit(land(), 1.6), lit(land(), 0.8 * WARM)])
+def test_what_factors_explain_asks_for_no_veil(now: UInt8) -> None:
+    assert not told(now, key=land()).veil.any()
+
+
+def test_haze_over_some_of_it_is_none_over_all() -> None:
+    part = land()
+    part[:, : SIDE // 3] = under(part[:, : SIDE // 3], 0.5, 100.0)
+    light = told(part, key=land())
+    np.testing.assert_array_equal(light.gains, UNCHANGED.gains)
+    assert not light.veil.any()
+
+
+def test_where_neither_a_factor_nor_a_veil_tells_enough_the_light_stays() -> None:
+    hazes = np.kron(np.random.default_rng(6).uniform(0.0, 0.6, (SIDE // 20, SIDE // 20)), np.ones((20, 20)))[..., None]
+    veiled = Light(0.8, np.ones(3), np.full(3, 30.0))
+    view = KeyView(PreparedFrame(land()), np.eye(3), np.zeros((SIDE, SIDE), np.float32))
+    now = PreparedFrame(np.uint8((1.0 - hazes) * land() + hazes * 200.0))
+    assert light_since(view, now, NOWHERE, GRID, veiled, PARAMS) is veiled
+
+
+def test_the_key_in_a_light_and_a_frame_out_of_it_are_the_other_one() -> None:
+    light = Light(0.6, np.array([1.1, 1.0, 0.9]), np.array([50.0, 60.0, 70.0]))
+    cast = light.cast(PreparedFrame(land()))
+    np.testing.assert_array_equal(cast.image, np.round(light.gains * land() + light.veil))
+    np.testing.assert_allclose(light.removed(PreparedFrame(cast.image)).image, land().astype(float), atol=1.0)
+
+
 @pytest.mark.parametrize("exposure", [0.7, 1.0, 1.3])
 def test_a_change_of_colour_temperature_is_told_beside_that_of_exposure(exposure: float) -> None:
     luma = np.array([0.299, 0.587, 0.114])
