@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QMainWindow, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QAbstractSpinBox, QApplication, QLineEdit, QMainWindow, QWidget
 
 from .controls import FrameField
 from .fields import NameField, NumberField
@@ -60,6 +60,9 @@ class FocusFollowsPointer(QObject):
         """Return is the field's own, and done after it; Esc puts back what stood there, so that nothing is changed."""
         if event.key() not in LEAVING or self._field is None:
             return False
+        if _is_of_a_list(self._field):  # which takes its text, or takes it back, and only then the field itself away
+            self._field.destroyed.connect(self._take)
+            return False
         if event.key() == Qt.Key.Key_Escape:
             if isinstance(self._field, NumberField | NameField | FrameField):
                 self._field.take_back()
@@ -88,6 +91,12 @@ def _is_main_or_part(window: QWidget) -> bool:
 
 def _is_typed_into(widget: QWidget | None) -> bool:
     return isinstance(widget, Field) or (widget is not None and bool(widget.property(KEEPS_KEYBOARD)))
+
+
+def _is_of_a_list(field: Field) -> bool:
+    """Whether a list lays the field over one of its rows, and closes it."""
+    around = field.parentWidget()
+    return around is not None and isinstance(around.parentWidget(), QAbstractItemView)
 
 
 def _line_of(field: Field) -> QLineEdit:
