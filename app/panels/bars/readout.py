@@ -50,5 +50,6 @@ class Readout(QLabel):
         texts = values_text(values)
         if len(texts) == 1:
             return f"{where}    A {texts[0]}"
-        opacity = f"  A {values[3]}" if len(values) == 4 else ""
-        return f"{where}    R {texts[0]}  G {texts[1]}  B {texts[2]}{opacity}"
+        opacity = picture.opacity(column, row)
+        told = "" if opacity is None else f"  A {opacity}"
+        return f"{where}    R {texts[0]}  G {texts[1]}  B {texts[2]}{told}"
