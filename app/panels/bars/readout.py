@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from ...canvas.plate.pixel_marks import values_text
 from ...canvas.view import CanvasView
-from ...translation import tr
+from ...translation import number, tr
 
 WIDEST = "x 8888.8  y 8888.8    R 255  G 255  B 255  A 255"
 
@@ -38,7 +38,7 @@ class Readout(QLabel):
         self.setText("" if self._position is None else self._words(*self._position))
 
     def _words(self, x: float, y: float) -> str:
-        where = f"x {x:.1f}  y {y:.1f}"
+        where = f"x {number(x, '.1f')}  y {number(y, '.1f')}"
         picture, size = self._canvas.stage.shown_picture(), self._canvas.plate_size()
         if picture is None:
             return where
