@@ -229,9 +229,9 @@ class NoteField(QPlainTextEdit):
         self.setPlainText(self._before)
 
     def keep(self) -> None:
-        """Take what is typed."""
+        """Take what is typed; a note that was not touched stays as it is, also one that ends in spaces."""
         text = self.toPlainText().strip()
-        if text != self._before:
+        if self.document().isModified() and text != self._before:
             self._before = text
             self.written.emit(self._frame, text)
 
