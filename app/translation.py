@@ -7,13 +7,13 @@ import re
 import string
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtCore import QCoreApplication, QDateTime, QLibraryInfo, QLocale, QTranslator
 
 from roam_core.errors import RoamError
 from roam_core.installation import resource
 from roam_core.translatable import N_, Sentence
 
-__all__ = ["LANGUAGES", "N_", "SYSTEM", "chosen", "number", "shown_language", "speak", "tr", "translated"]
+__all__ = ["LANGUAGES", "N_", "SYSTEM", "chosen", "moment", "number", "shown_language", "speak", "tr", "translated"]
 
 SOURCE = "en"
 """The language in which the texts stand in the code."""
@@ -21,6 +21,8 @@ SYSTEM = ""
 """The choice of the language that the desktop asks for, where there is a translation; English elsewhere."""
 LANGUAGES = {SOURCE: "English", "de": "Deutsch"}
 """What can be chosen, each by its own name; all but the first have their `resources/translations/roam_<code>.qm`."""
+DAY = N_("dd MMM yyyy")
+"""How days are written, in Qt's letters for their parts."""
 VARIABLE = "ROAM_LANGUAGE"
 """The environment's word for the language, which wins over the preference."""
 
@@ -43,9 +45,15 @@ def tr(text: str, disambiguation: str = "", n: int = -1, /, **values: object) ->
     return _FILLING.vformat(found, (), values) if values else found
 
 
-def number(value: float) -> str:
-    """A number as short as it goes, with the decimal point of the window's language."""
-    return _FILLING.vformat("{:g}", (value,), {})
+def number(value: float, how: str = "g") -> str:
+    """A number with the decimal point of the window's language: as short as it goes, or formatted as `how` says."""
+    return _FILLING.vformat(f"{{:{how}}}", (float(value),), {})
+
+
+def moment(when: float, clock: str = "HH:mm") -> str:
+    """Day and time of `when`, in seconds since 1970, with the months of the window's language."""
+    then = QDateTime.fromSecsSinceEpoch(int(when))
+    return ", ".join(QLocale().toString(then, part) for part in (tr(DAY), clock))
 
 
 def translated(text: str) -> str:

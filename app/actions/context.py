@@ -8,6 +8,7 @@ from enum import StrEnum
 from PySide6.QtWidgets import QMenu, QWidget
 
 from .menus import SEPARATOR
+from .specs import SPECS, Reach
 from .viewer_actions import ActionsById
 
 
@@ -62,11 +63,15 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
 }  # fmt: skip
 """What each offers; what cannot be done there at the moment is left out."""
 
-IN_LIST = (
-    "edit.copy", "edit.cut", "edit.paste", "shape.duplicate", "shape.select_all", "shape.group", "layer.ungroup",
-    "shape.hide", "shape.show_all",
+_LISTS_OWN = (
+    "points.delete", "points.select_all", "points.next", "points.previous", "proposal.keep", "proposal.refuse",
 )  # fmt: skip
-"""Actions of the viewer whose keys work in the list of shapes, too: what they mean are its rows."""
+"""Actions of the viewer with keys that mean something else in a list: Del, Ctrl+A, Tab, Return, Backspace."""
+IN_LIST = tuple(spec.id for spec in SPECS if spec.reach is Reach.VIEWER and spec.id not in _LISTS_OWN)
+"""Actions of the viewer whose keys work in the list of shapes, too: what they mean are its rows.
+
+So the tool for a shape may be chosen on the row that was clicked, and the keys work that the menu of a row shows.
+"""
 
 
 def context_menu(actions: ActionsById, place: Place, is_possible: Callable[[str], bool], parent: QWidget) -> QMenu:

@@ -17,7 +17,7 @@ from roam_core.roto import Keyframe
 from ..jobs.propagation import Propagation
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
-from ..translation import N_, tr
+from ..translation import N_, number, tr
 
 Place = tuple[str, int]
 """A shape's id and a frame."""
@@ -257,4 +257,4 @@ def _is_same(offer: Offer, other: Offer | None) -> bool:
 
 def _figures(gain: float) -> str:
     """A gain in three figures, written out."""
-    return f"{gain:.0f}" if abs(gain) >= 100 else f"{gain:.3g}"
+    return number(gain, ".0f" if abs(gain) >= 100 else ".3g")

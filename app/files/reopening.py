@@ -1,4 +1,7 @@
-"""Reopening: remembers what was opened and saved, and offers it again on the start page and in the File menu."""
+"""Reopening: remembers what was opened and saved, and offers it again on the start page and in the File menu.
+
+A project opens where it was left: on its frame, with its in and out.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,8 @@ from ..jobs.runner import Runner
 from ..jobs.thumbnails import Thumbnails
 from ..model.document import Document
 from ..model.personal import Personal
-from ..model.recent import Recent
+from ..model.recent import Place, Recent
+from ..model.view_state import ViewState
 from ..translation import tr
 from .file_actions import FileActions
 from .files import Files
@@ -32,6 +36,7 @@ class Reopening(QObject):
     def __init__(
         self,
         document: Document,
+        view_state: ViewState,
         files: Files,
         file_actions: FileActions,
         reader: PlateReader,
@@ -43,6 +48,9 @@ class Reopening(QObject):
     ) -> None:
         super().__init__(parent)
         self._document, self._files, self._file_actions, self._personal = document, files, file_actions, personal
+        self._view = view_state
+        self._left: tuple[Path, Place] | None = None
+        """The project that is open, and where in it the artist is."""
         self._thumbnails = Thumbnails(personal.cache, runner, self)
         self._undrawn: list[Path] = []
         self._picture: tuple[int, Any] | None = None
@@ -52,6 +60,9 @@ class Reopening(QObject):
         self.page.chosen.connect(file_actions.open_chosen)
         file_actions.refused_to_open.connect(self.page.begin)
         document.replaced.connect(self._forget_picture)
+        for signal in (document.replaced, self._view.frame_changed, self._view.range_changed):
+            signal.connect(self._follow)
+        files.opened.connect(self._come_back)
         files.opened.connect(self._note_opened)
         files.saved.connect(self._note_saved)
         reader.picture.connect(self._see)
@@ -60,7 +71,30 @@ class Reopening(QObject):
         """What the actions of this part call, by id."""
         return {"file.open_demo": lambda: self._file_actions.leave_project(self._files.open_demo)}
 
+    def close(self) -> None:
+        """Remember where the artist was at the end."""
+        if self._left is not None:
+            self._personal.note_place(*self._left)
+
     # ---- the rest is private
+
+    def _follow(self) -> None:
+        """Know where the artist is; of another project than before, where they were in that one is remembered."""
+        path, clip = self._document.path, self._document.project.clip
+        if self._left is not None and self._left[0] != path:
+            self._personal.note_place(*self._left)
+        within = self._view.play_range
+        is_whole = clip is None or within == (clip.first, clip.last + 1)
+        self._left = None if path is None else (path, Place(self._view.frame, None if is_whole else within))
+
+    def _come_back(self, path: Path) -> None:
+        """Go where the artist was in the project, as far as its clip has these frames."""
+        place, clip = self._personal.place_in(path), self._document.project.clip
+        if place is None or clip is None or path != self._document.path:
+            return
+        first, stop = place.within or (clip.first, clip.last + 1)
+        self._view.set_play_range(max(first, clip.first), min(stop, clip.last + 1))
+        self._view.set_frame(place.frame)
 
     def _note_opened(self, path: Path) -> None:
         self._personal.note_recent(path)
@@ -70,6 +104,7 @@ class Reopening(QObject):
     def _note_saved(self) -> None:
         if (path := self._document.path) is not None:
             self._note_opened(path)
+            self._follow()
 
     def _see(self, frame: int, pixels: Any) -> None:
         if pixels is not None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
 from PySide6.QtWidgets import (
@@ -21,7 +19,7 @@ from ..actions.actions import Actions
 from ..jobs.thumbnails import RecentEntry, Thumbnails, empty_picture
 from ..model.document import Document
 from ..model.personal import Personal
-from ..translation import N_, tr
+from ..translation import N_, moment, tr
 from ..widgets.controls import weak_label
 from .files import Files
 
@@ -182,7 +180,7 @@ def _button(actions: Actions, action_id: str) -> QPushButton:
 def _card(entry: RecentEntry) -> QListWidgetItem:
     """Picture, name and day; dim where it is gone."""
     path = entry.recent.path
-    day = time.strftime("%d %b %Y, %H:%M", time.localtime(entry.recent.when))
+    day = moment(entry.recent.when)
     item = QListWidgetItem(_icon(entry.picture), f"{path.name}\n{day if entry.is_there else tr('not there any more')}")
     item.setData(_PATH, path)
     item.setToolTip(str(path))

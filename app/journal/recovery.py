@@ -19,7 +19,7 @@ from roam_core.roto.backups import backup_path
 from roam_core.roto.fingerprint import Fingerprint
 
 from ..model.preferences import MOST_BACKUPS
-from ..translation import tr
+from ..translation import moment, tr
 from .delta import Delta, applied
 from .record import Damaged, Entry, entries
 from .session import DECLINED, RECOVERED, is_held, journals
@@ -92,7 +92,7 @@ class Recovery:
 
     @property
     def day(self) -> str:
-        return time.strftime("%d %b %Y, %H:%M:%S", time.localtime(self.when))
+        return moment(self.when, "HH:mm:ss")
 
 
 def recoveries(root: Path, own: Path | None = None) -> list[Recovery]:

@@ -13,7 +13,7 @@ from roam_core.errors import RoamError
 from ..actions.keymaps import OwnKeymap, load_own, save_own
 from ..atomic_json import loaded
 from .preferences import Preferences, load_preferences, save_preferences
-from .recent import Recent, load_recent, save_recent, with_newest, without
+from .recent import Place, Recent, load_recent, save_recent, with_newest, with_place, without
 
 PREFERENCES_FILE, KEYMAP_FILE, RECENT_FILE = "preferences.json", "keymap.json", "recent.json"
 
@@ -78,6 +78,15 @@ class Personal(QObject):
     def note_recent(self, path: Path) -> None:
         """Remember that a project or clip was opened or saved now."""
         self._set_recent(lambda entries: with_newest(entries, Recent(path, time.time())))
+
+    def note_place(self, path: Path, place: Place) -> None:
+        """Remember where in a project the artist was, if it is one of those that are remembered."""
+        if any(entry.path == path and entry.place != place for entry in self._recent):
+            self._set_recent(lambda entries: with_place(entries, path, place))
+
+    def place_in(self, path: Path) -> Place | None:
+        """Where in a project the artist was last."""
+        return next((entry.place for entry in self._recent if entry.path == path), None)
 
     def forget_recent(self, path: Path) -> None:
         """Offer a project or clip no more."""

@@ -46,7 +46,7 @@ class ViewState(QObject):
         self._preview: Project | None = None
         self._is_hand_busy: Callable[[], bool] = lambda: False
         self._range = (1, 2)
-        self._message = self._hint = ""
+        self._message = self._hint = self._advice = ""
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
@@ -94,8 +94,11 @@ class ViewState(QObject):
         if layers is None:
             layers = self._layers if selection == self._selection else frozenset()
         if (selection, layers) != (self._selection, self._layers):
+            is_about_others = selection.shapes != self._selection.shapes
             self._selection, self._layers = selection, layers
             self.selection_changed.emit()
+            if is_about_others and self._advice and self._message == self._advice:
+                self.say(self._hint)
 
     @property
     def tool(self) -> str:
@@ -153,6 +156,11 @@ class ViewState(QObject):
         """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
         self._message = told(sentence, self._keymap)
         self.message_changed.emit()
+
+    def advise(self, sentence: str) -> None:
+        """Tell what to do next with the shapes that are selected; when others are, it goes."""
+        self.say(sentence)
+        self._advice = self._message
 
     def say_hint(self, hint: str) -> None:
         """Tell what the tool in the hand expects, in place of the last tool's hint, which goes also where `hint` is

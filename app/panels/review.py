@@ -89,6 +89,9 @@ class ReviewPanel(QWidget):
         for signal in (document.changed, document.replaced, view_state.selection_changed, self._boil.changed):
             signal.connect(self._pull_soon)
         view_state.frame_changed.connect(self._pull_frame)
+        # Only where it was asked for: what comes back with the layout at the start leaves the column at its top.
+        for name in ("review.panel", "window.float_review"):
+            actions[name].triggered.connect(lambda _: QTimer.singleShot(0, self, self._come_into_sight))
         self._pull_list()
 
     @property
@@ -128,14 +131,13 @@ class ReviewPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._pull_list()
-        QTimer.singleShot(0, self, self._come_into_sight)
 
     def _come_into_sight(self) -> None:
         """Scroll the column of panels, which may be longer than the window is high, to the panel in its new place."""
         above = self.parentWidget()
         while above is not None and not isinstance(above, QScrollArea):
             above = above.parentWidget()
-        if above is not None:
+        if above is not None and self.isVisible():
             above.ensureWidgetVisible(self)
 
     def _pull_soon(self, _ids: object = None) -> None:
@@ -227,9 +229,9 @@ class NoteField(QPlainTextEdit):
         self.setPlainText(self._before)
 
     def keep(self) -> None:
-        """Take what is typed."""
+        """Take what is typed; a note that was not touched stays as it is, also one that ends in spaces."""
         text = self.toPlainText().strip()
-        if text != self._before:
+        if self.document().isModified() and text != self._before:
             self._before = text
             self.written.emit(self._frame, text)
 

@@ -221,6 +221,9 @@ class ShapeTree(QTreeWidget):
         """Delete the layers and shapes of the selected rows."""
         delete(self._document, self._view, self.selected_ids())
 
+    def keyboardSearch(self, _search: str) -> None:
+        """Letters are keys, as in the viewer: they select no row whose name begins with them."""
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.delete_selected()

@@ -175,17 +175,17 @@ class MainWindow(QMainWindow):
 
     def _build_surroundings(self, actions: Actions) -> None:
         """What lies around the work: dialogs, the start page, and what is there for bad days."""
-        view_state, files, file_actions = self.view_state, self.files, self.file_actions
+        document, view_state = self.document, self.view_state
+        files, file_actions = self.files, self.file_actions
         messages = MessageLog(view_state, self.under_way, self)
         self.services = WindowServices(actions, view_state, messages, self.personal, self)
-        self.reopening = Reopening(
-            self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
-        )
-        self.reviewing = Reviewing(self.document, view_state, self.canvas.viewing, self.review_job, file_actions, self)
+        about = document, view_state, files, file_actions
+        self.reopening = Reopening(*about, self.reader, self.personal, actions, self.canvas, self.writer, self)
+        self.reviewing = Reviewing(document, view_state, self.canvas.viewing, self.review_job, file_actions, self)
         self.defects = Defects(view_state, self.journal, messages, self)
         self.recovering = Recovering(self.journal, self.writer, files, file_actions, view_state, self)
         self.recovering.asking.connect(self.defects.wait_for)
-        self.context_menus = ContextMenus(self.document, view_state, actions, self)
+        self.context_menus = ContextMenus(document, view_state, actions, self)
         for part in (self.canvas, self.shapes.tree):
             part.menu_asked.connect(self.context_menus.open)
         self.setMenuWidget(TopBar(menus.menu_bar(actions, self.reopening.menu), self.view_bar))
@@ -446,5 +446,5 @@ class MainWindow(QMainWindow):
         self.playback.pause()
         self.under_way.drop_edits()
         runners = self.solver, self.eye, self.reader, self.writer, self.exporter, self.saver
-        for part in (*runners, self.files.claim, self.journal):
+        for part in (self.reopening, *runners, self.files.claim, self.journal):
             part.close()

@@ -201,7 +201,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             for shape in shapes
             if (key := shape.key_at(frame)) is not None and key.confidence is not None
         )
-        lines = [f"{value:.2f}  {name}" for value, name in known[:TOLD]]
+        lines = [f"{number(value, '.2f')}  {name}" for value, name in known[:TOLD]]
         more = [tr("and {count} more", count=len(known) - TOLD)] if len(known) > TOLD else []
         return "\n".join([tr("Frame {frame}", frame=frame), *(lines or [tr("Nothing is tracked here")]), *more])
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QMainWindow, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QAbstractSpinBox, QApplication, QLineEdit, QMainWindow, QWidget
+from shiboken6 import isValid
 
 from .controls import FrameField
 from .fields import NameField, NumberField
@@ -22,6 +23,7 @@ LEAVING = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape}
 class FocusFollowsPointer(QObject):
     """Gives `viewer` the keyboard when the pointer enters it, and when a field of its window is done with.
 
+    So it does where what had the keyboard is hidden: Qt would give it to the next control, a tool's button.
     What is being typed keeps the keyboard until Return takes it, Esc takes it back, or the viewer is pressed. A second
     viewer does not mind fields: done with, they give the keyboard to the first.
     """
@@ -47,8 +49,10 @@ class FocusFollowsPointer(QObject):
 
     # ---- the rest is private
 
-    def _follow(self, _old: QWidget | None, now: QWidget | None) -> None:
+    def _follow(self, old: QWidget | None, now: QWidget | None) -> None:
         """Watch the field that has the keyboard, where it lies in the viewer's window; forget the one before."""
+        if old is not None and now is not None and self._is_ours(old.window()):
+            QTimer.singleShot(0, self._viewer, lambda: self._pass_on(old, now))
         if self._field is not None:
             self._field.removeEventFilter(self)
             self._field = None
@@ -60,6 +64,9 @@ class FocusFollowsPointer(QObject):
         """Return is the field's own, and done after it; Esc puts back what stood there, so that nothing is changed."""
         if event.key() not in LEAVING or self._field is None:
             return False
+        if _is_of_a_list(self._field):  # which takes its text, or takes it back, and only then the field itself away
+            self._field.destroyed.connect(self._take)
+            return False
         if event.key() == Qt.Key.Key_Escape:
             if isinstance(self._field, NumberField | NameField | FrameField):
                 self._field.take_back()
@@ -67,6 +74,11 @@ class FocusFollowsPointer(QObject):
                 _line_of(self._field).setText(self._before)
         QTimer.singleShot(0, self._viewer, self._take)
         return event.key() == Qt.Key.Key_Escape
+
+    def _pass_on(self, old: QWidget, now: QWidget) -> None:
+        """Take the keyboard that `now` got for no other reason than that `old`, which had it, is in sight no more."""
+        if now is QApplication.focusWidget() and isValid(old) and not old.isVisible() and self._is_ours(now.window()):
+            self._take()
 
     def _is_ours(self, window: QWidget) -> bool:
         """True for the viewer's own window, and for parts of it that float, unless a viewer floats among them."""
@@ -88,6 +100,12 @@ def _is_main_or_part(window: QWidget) -> bool:
 
 def _is_typed_into(widget: QWidget | None) -> bool:
     return isinstance(widget, Field) or (widget is not None and bool(widget.property(KEEPS_KEYBOARD)))
+
+
+def _is_of_a_list(field: Field) -> bool:
+    """Whether a list lays the field over one of its rows, and closes it."""
+    around = field.parentWidget()
+    return around is not None and isinstance(around.parentWidget(), QAbstractItemView)
 
 
 def _line_of(field: Field) -> QLineEdit:

@@ -5117,6 +5117,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>zyklisch schließen öffnen spline</translation>
     </message>
     <message>
+        <source>dd MMM yyyy</source>
+        <translation>dd. MMM yyyy</translation>
+    </message>
+    <message>
         <source>delete all keys</source>
         <translation>alle Keyframes löschen</translation>
     </message>

@@ -96,14 +96,19 @@ def seen(pixels: UInt8, look: Look) -> UInt8:
     """
     if pixels.ndim == 3 and pixels.shape[2] == 4:
         shown = seen(np.ascontiguousarray(pixels[:, :, :3]), look)
-        code = cv2.COLOR_GRAY2RGB
-        colours = shown if shown.ndim == 3 else cv2.cvtColor(shown, code)
-        return np.dstack([colours, pixels[:, :, 3]])
+        return with_opacity(shown, pixels[:, :, 3])
     if pixels.ndim == 3:
         pixels = _channel(pixels, look.channel)
     if (look.exposure, look.gamma) == (0.0, 1.0):
         return pixels
     return np.asarray(cv2.LUT(pixels, look.table), dtype=np.uint8)
+
+
+def with_opacity(colours: UInt8, opacity: UInt8) -> UInt8:
+    """A picture `(h, w, 3)`, or a grey one `(h, w)`, with opacity `(h, w)` as its fourth channel: `(h, w, 4)` uint8."""
+    if colours.ndim == 2:
+        colours = np.asarray(cv2.cvtColor(colours, cv2.COLOR_GRAY2RGB))
+    return np.dstack([colours, opacity])
 
 
 def seen_plate(values: Image, colour_space: str, look: Look) -> UInt8:

@@ -1,4 +1,7 @@
-"""Text on pictures, by OpenImageIO's renderer; its package brings a font with the letters of Western Europe."""
+"""Text on pictures, by OpenImageIO's renderer; its package brings a font with the letters of Western Europe.
+
+What a font lacks is drawn by another one of the machine (`roam_core.review.fonts`).
+"""
 
 from __future__ import annotations
 
@@ -9,11 +12,12 @@ import OpenImageIO as oiio  # noqa: N813
 
 from roam_core.arrays import Float32, UInt8
 from roam_core.errors import RoamError
+from roam_core.review.fonts import Run, has, runs
 
 UNKNOWN = "?"
-"""Stands for a character that the font does not have."""
-NOTHING = (0, 0, 1, 1)
-"""What OpenImageIO says of a character that a font lacks: left, top, width, height."""
+"""Stands for a character that no font has."""
+BEHIND = "i"
+"""Written behind a piece of a line to tell where the next one begins: trailing spaces have no width of their own."""
 ELLIPSIS = "..."
 LEADING = 1.3
 """Height of a line in heights of the letters."""
@@ -30,7 +34,8 @@ def text_width(text: str, size: int, font: str = "") -> int:
     """Pixels that a line of text takes up."""
     if not text:
         return 0
-    return int(oiio.ImageBufAlgo.text_size(_drawable(text, font), size, font).xend)
+    *before, last = runs(text, font)
+    return sum(_advance(run, size) for run in before) + _extent(_drawable(last), size, last.font)
 
 
 def wrapped(text: str, width: int, size: int, font: str = "", most: int = 0) -> list[str]:
@@ -60,13 +65,23 @@ def write_boxed(
     if not lines:
         return
     pad, step = round(PAD * size), round(LEADING * size)
-    width, height = max(text_width(line, size, font) for line in lines) + 2 * pad, step * len(lines) + pad
+    width, height = max(text_width(line, size, font) for line in lines) + 2 * pad, box_height(len(lines), size)
     left = 0 if corner[0] == "left" else pixels.shape[1] - width
     top = 0 if corner[1] == "top" else pixels.shape[0] - height
     box = pixels[max(top, 0) : top + height, max(left, 0) : left + width]
     box[:] = np.rint(box * (1.0 - VEIL)).astype(np.uint8)
     for k, line in enumerate(lines):
         write(pixels, line, (left + pad, top + pad // 2 + k * step), size, colour, font)
+
+
+def box_height(lines: int, size: int) -> int:
+    """Pixels from top to bottom that so many lines in a box take up."""
+    return round(LEADING * size) * lines + round(PAD * size)
+
+
+def lines_in(rows: int, size: int) -> int:
+    """How many lines a box of so many pixels from top to bottom has room for."""
+    return max((rows - round(PAD * size)) // round(LEADING * size), 0)
 
 
 def _broken(text: str, width: int, size: int, font: str) -> list[str]:
@@ -103,23 +118,26 @@ def _letters(text: str, size: int, font: str) -> Float32:
     width, height = text_width(text, size, font) + 2, round(LEADING * size) + 2
     buffer = oiio.ImageBuf(oiio.ImageSpec(width, height, 1, "float"))
     oiio.ImageBufAlgo.zero(buffer)
-    oiio.ImageBufAlgo.render_text(buffer, 0, size, _drawable(text, font), size, font, (1.0,))
+    left = 0
+    for run in runs(text, font):
+        oiio.ImageBufAlgo.render_text(buffer, left, size, _drawable(run), size, run.font, (1.0,))
+        left += _advance(run, size)
     letters = np.asarray(buffer.get_pixels(oiio.FLOAT), dtype=np.float32).reshape(height, width)
     letters.setflags(write=False)
     return letters
 
 
-def _drawable(text: str, font: str) -> str:
-    return "".join(char if _has(char, font) else UNKNOWN for char in text)
+def _advance(run: Run, size: int) -> int:
+    """Pixels from the begin of a piece of a line to that of the next one."""
+    return _extent(_drawable(run) + BEHIND, size, run.font) - _extent(BEHIND, size, run.font)
 
 
-@lru_cache(maxsize=4096)
-def _has(char: str, font: str) -> bool:
-    """Whether a font can draw a character."""
-    if char == " ":
-        return True
-    area = oiio.ImageBufAlgo.text_size(char, 32, font)
-    return char.isprintable() and (area.xbegin, area.ybegin, area.width, area.height) != NOTHING
+def _extent(text: str, size: int, font: str) -> int:
+    return int(oiio.ImageBufAlgo.text_size(text, size, font).xend)
+
+
+def _drawable(run: Run) -> str:
+    return "".join(char if has(char, run.font) else UNKNOWN for char in run.text)
 
 
 def require_font(font: str) -> None:

@@ -43,7 +43,8 @@ class ReviewLook:
     view : outlines on the plate, or a cut-out. ground : what a cut-out lies on.
     burns : what is written on the picture.
     scale : of the picture's height to the plate's; pixels that are not square are made so.
-    font : name or file of the font; "" for the one that comes with OpenImageIO, which has Latin, Greek and Cyrillic.
+    font : name or file of the font; "" for the one that comes with OpenImageIO, which has the letters of Western
+        Europe. What it lacks is drawn by the fonts of the machine.
     """
 
     view: ReviewView = ReviewView.OVERLAY

@@ -12,7 +12,7 @@ from roam_core.arrays import Array, UInt8
 from roam_core.geometry import bezier
 from roam_core.matte import render_matte
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
-from roam_core.review.lettering import WHITE, wrapped, write_boxed
+from roam_core.review.lettering import WHITE, box_height, lines_in, wrapped, write_boxed
 from roam_core.review.look import Burn, Ground, ReviewLook, ReviewView
 from roam_core.roto import Clip, Layer, Project, RotoShape
 from roam_core.roto.timing import mark_at
@@ -27,8 +27,9 @@ LETTER_ROWS = 30
 LEAST_LETTERS = 11
 LINE_ROWS = 1080
 """Rows of a picture that give an outline two pixels of width."""
-NOTE_SHARE = 0.6
-"""Of the picture's width that a note may take up."""
+NOTES = ((1.0, 0.6), (1.0, 0.95), (0.75, 0.95), (0.5, 0.95))
+"""How a note is written, the first of these in which all of it has room: the size of its letters to that of others, and
+its share of the picture's width."""
 FRACTION = 4
 """Bits of a fraction of a pixel in which OpenCV is told positions."""
 
@@ -139,5 +140,16 @@ def _burn(pixels: UInt8, project: Project, frame: int, look: ReviewLook, has_pic
         write_boxed(pixels, [f"{confidence:.2f}"], ("right", "bottom"), size, WHITE, look.font)
     mark = mark_at(project, frame)
     if Burn.NOTE in look.burns and mark is not None and mark.text:
-        lines = wrapped(mark.text, round(NOTE_SHARE * pixels.shape[1]), size, look.font)
-        write_boxed(pixels, lines, ("left", "top"), size, WHITE, look.font)
+        _write_note(pixels, mark.text, size, look.font)
+
+
+def _write_note(pixels: UInt8, text: str, size: int, font: str) -> None:
+    """A note above what stands at the lower edge; where it is too long for the picture an ellipsis says so."""
+    rows = pixels.shape[0] - box_height(1, size)
+    for smaller, share in NOTES:
+        letters = max(LEAST_LETTERS, round(smaller * size))
+        most = max(lines_in(rows, letters), 1)
+        width = round(share * pixels.shape[1])
+        if len(wrapped(text, width, letters, font)) <= most:
+            break
+    write_boxed(pixels, wrapped(text, width, letters, font, most), ("left", "top"), letters, WHITE, font)

@@ -18,17 +18,21 @@ from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.files import signed_png
 from roam_core.media import MissingFrame
 from roam_core.media.source import ReadImage
-from roam_core.review.lettering import require_font
-from roam_core.review.look import ReviewLook
+from roam_core.review.fonts import lacking
+from roam_core.review.lettering import ELLIPSIS, UNKNOWN, require_font
+from roam_core.review.look import Burn, ReviewLook
 from roam_core.review.movie import ENCODERS, is_movie, require_encoder, write_movie
 from roam_core.review.picture import review_picture
 from roam_core.review.sheet import SheetLayout, page_paths, page_picture
 from roam_core.roto import Project
+from roam_core.roto.timing import mark_at
 
 PNG = ".png"
 PICTURE_NAME = "review.{frame:04d}.png"
 OTHER_SUFFIXES = frozenset({".mkv", ".webm", ".m4v", ".wmv", ".gif", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".pdf"})
 """Of pictures and movies that are not written: a path with one of these is no folder that somebody means."""
+MOST_NAMED = 8
+"""Of the characters that no font has."""
 
 
 class Output(StrEnum):
@@ -117,7 +121,7 @@ def write_review(
         raise RoamError("There is no frame to write.")
     shown = _Frames(request, read, token or CancelToken(), progress or (lambda fraction, words: None))
     write = {Output.MOVIE: _write_movie, Output.PICTURES: _write_pictures, Output.SHEET: _write_sheet}
-    sentence = write[request.output](request, shown)
+    sentence = write[request.output](request, shown) + _unwritten(request)
     shown.progress(1.0, sentence)
     return sentence
 
@@ -175,6 +179,17 @@ def _write_sheet(request: ReviewRequest, shown: _Frames) -> str:
 def _write_png(path: Path, picture: UInt8) -> None:
     _, buffer = cv2.imencode(".png", cv2.cvtColor(picture, cv2.COLOR_RGB2BGR))
     write_atomically(path, signed_png(buffer.tobytes()))
+
+
+def _unwritten(request: ReviewRequest) -> str:
+    """What is said of characters that no font of this machine has; empty where all are written."""
+    has_notes = request.output is Output.SHEET or Burn.NOTE in request.look.burns
+    marks = (mark_at(request.project, frame) for frame in request.frames if has_notes)
+    unknown = lacking("".join(mark.text for mark in marks if mark is not None), request.look.font)
+    if not unknown:
+        return ""
+    named = unknown if len(unknown) <= MOST_NAMED else f"{unknown[:MOST_NAMED]}{ELLIPSIS}"
+    return f" No font of this machine has {named}: {UNKNOWN} stands for each; install a font that has them."
 
 
 def _make(folder: Path) -> None:

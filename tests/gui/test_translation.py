@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QLocale
 from PySide6.QtGui import QKeySequence
@@ -13,8 +15,9 @@ from PySide6.QtWidgets import QWidget
 from app.actions.actions import Actions
 from app.actions.keymaps import load_keymap
 from app.actions.search_words import words_for
+from app.canvas.plate.pixel_marks import values_text
 from app.model.preferences import Preferences, load_preferences, save_preferences
-from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, number, shown_language, speak, tr, translated
+from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, moment, number, shown_language, speak, tr, translated
 from roam_core.translatable import listed, sentence
 
 
@@ -48,7 +51,9 @@ def test_german(german: None) -> None:
 
 def test_numbers_and_keys_go_with_the_language(german: None) -> None:
     assert tr("Confidence is {confidence:.2f} at least.", confidence=0.5) == "Die Konfidenz ist mindestens 0,50."
-    assert [number(0.75), number(2)] == ["0,75", "2"]
+    assert [number(0.75), number(2), number(2, ".3f")] == ["0,75", "2", "2,000"]
+    assert re.fullmatch(r"\d\d\. Okt\.? 2026, \d\d:\d\d", moment(1_791_720_000.0))
+    assert values_text(np.array([0.5, 1.25, 1], np.float32)) == ["0,500", "1,250", "1,000"]
     assert QKeySequence("Ctrl+Z").toString(QKeySequence.SequenceFormat.NativeText) == "Strg+Z"
     assert QKeySequence("Ctrl+Z").toString() == "Ctrl+Z"
     assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Abbrechen"

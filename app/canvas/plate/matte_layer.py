@@ -13,16 +13,18 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.arrays import Float32, UInt8
 from roam_core.roto import Project
 
+from .picture import Picture
+
 Render = Callable[[Project, int, tuple[int, int]], Float32]
 
 
 class MatteRequest(NamedTuple):
-    """What to render: `size` is (h, w). With the plate's picture `(h, w, 3)` of the frame, it is cut out."""
+    """What to render: `size` is (h, w). With the plate's picture of the frame, it is cut out."""
 
     project: Project
     frame: int
     size: tuple[int, int]
-    plate: UInt8 | None = None
+    plate: Picture | None = None
 
     def is_same(self, other: MatteRequest | None) -> bool:
         """Projects are immutable: the same object has the same matte."""
@@ -53,8 +55,10 @@ class MatteLayer(QObject):
         self._rendered.connect(self._take)
         self.pixels: UInt8 | None = None
         """The last matte that was rendered, (h, w), or the plate cut out by it, (h, w, 4); read-only."""
+        self.plate: Picture | None = None
+        """The picture that `pixels` are cut out of; None for a matte."""
 
-    def request(self, project: Project, frame: int, size: tuple[int, int], plate: UInt8 | None = None) -> None:
+    def request(self, project: Project, frame: int, size: tuple[int, int], plate: Picture | None = None) -> None:
         """Ask for a matte, or with the plate's picture for a cut-out; `ready` tells when `pixels` holds it."""
         request = MatteRequest(project, frame, size, plate)
         if self._running:
@@ -78,12 +82,12 @@ class MatteLayer(QObject):
         matte = self._render(*request[:3])
         pixels = np.rint(matte * np.float32(255.0)).astype(np.uint8)
         if request.plate is not None:
-            pixels = cut_out(request.plate, pixels)
+            pixels = cut_out(request.plate.pixels, pixels)
         pixels.setflags(write=False)
         self._rendered.emit(request, pixels)
 
     def _take(self, request: MatteRequest, pixels: UInt8) -> None:
-        self.pixels, self._shown, self._running = pixels, request, None
+        self.pixels, self.plate, self._shown, self._running = pixels, request.plate, request, None
         waiting, self._waiting = self._waiting, None
         if waiting:
             self._start(waiting)

@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from roam_core.arrays import Image, UInt8
-from roam_core.media.looking import Look, Plate, is_seen_anew, seen, seen_plate
+from roam_core.media.looking import Look, Plate, is_seen_anew, seen, seen_plate, with_opacity
 
 from ...paint.viewport import Viewport
 
@@ -51,6 +51,20 @@ class Picture:
         """The display values."""
         return self._levels[0]
 
+    def cut_out(self, pixels: UInt8) -> Picture:
+        """The same picture with opacity: `pixels` are its display values with a fourth channel, (h, w, 4) uint8."""
+        result = Picture(pixels, self._plate)
+        result._plate_levels = self._plate_levels  # their halvings are made once
+        return result
+
+    def opacity(self, x: float, y: float) -> int | None:
+        """How opaque the pixel at (x, y) is, 0 to 255; None where the picture has no opacity."""
+        return int(self.pixels[int(y), int(x), 3]) if self._has_opacity else None
+
+    @property
+    def _has_opacity(self) -> bool:
+        return self.pixels.ndim == 3 and self.pixels.shape[2] == 4
+
     def value(self, x: float, y: float) -> Image:
         """What is told of the pixel at (x, y), in its own pixels: the plate's own values where known, else display's.
 
@@ -89,26 +103,18 @@ class Picture:
     ) -> None:
         """Resample what is in sight to device pixels, from the halving that is just large enough."""
         levels = self._sources(look)
-        level = _level(levels, min(scale) * ratio)
-        rows, columns = level.shape[:2]
         height, width = levels[0].shape[:2]
-        spans = [
-            _Span.of(*given, ratio)
-            for given in (
-                (corner[0], scale[0] * width, columns, window.width()),
-                (corner[1], scale[1] * height, rows, window.height()),
-            )
-        ]
-        across, down = spans
-        if across.length <= 0 or down.length <= 0:
+        area = QRectF(corner[0], corner[1], scale[0] * width, scale[1] * height)
+        if (resampled := _resampled(levels, area, window, ratio)) is None:
             return
-        matrix = np.array([[across.grow, 0.0, across.shift], [0.0, down.grow, down.shift]])
-        shown = cv2.warpAffine(
-            level, matrix, (across.length, down.length), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
-        )
-        image = _image(self._looked(shown, look))
+        shown, start = resampled
+        opacity = None
+        if levels is not self._levels and self._has_opacity:
+            display = _resampled(self._levels, area, window, ratio)
+            opacity = None if display is None else display[0][:, :, 3]
+        image = _image(self._looked(shown, look, opacity))
         image.setDevicePixelRatio(ratio)
-        painter.drawImage(QPointF(across.start / ratio, down.start / ratio), image)
+        painter.drawImage(start / ratio, image)
 
     def _paint_squares(
         self, painter: QPainter, corner: tuple[float, float], scale: tuple[float, float], window: QRectF, look: Look
@@ -120,7 +126,13 @@ class Picture:
         top, bottom = in_sight(corner[1], scale[1], rows, window.height())
         if left >= right or top >= bottom:
             return
-        image = _image(self._looked(source[top:bottom, left:right], look))
+        opacity = None
+        if source is not self._levels[0] and self._has_opacity:
+            whole = np.ascontiguousarray(self.pixels[:, :, 3])
+            if whole.shape != (rows, columns):
+                whole = np.asarray(cv2.resize(whole, (columns, rows), interpolation=cv2.INTER_NEAREST))
+            opacity = whole[top:bottom, left:right]
+        image = _image(self._looked(source[top:bottom, left:right], look, opacity))
         target = QRectF(
             corner[0] + left * scale[0], corner[1] + top * scale[1],
             (right - left) * scale[0], (bottom - top) * scale[1],
@@ -134,9 +146,11 @@ class Picture:
         """The halvings that the look is taken from: of the plate's values where exposing brings more to light."""
         return self._plate_levels if self._is_seen_anew(look) else self._levels
 
-    def _looked(self, shown: Image, look: Look) -> UInt8:
+    def _looked(self, shown: Image, look: Look, opacity: Image | None = None) -> UInt8:
+        """`opacity (h, w)` is that of a cut-out whose plate's values are `shown`."""
         if self._plate and self._is_seen_anew(look):
-            return seen_plate(shown, self._plate.colour_space, look)
+            colours = seen_plate(shown, self._plate.colour_space, look)
+            return colours if opacity is None else with_opacity(colours, opacity)
         return seen(shown, look)
 
     def _is_seen_anew(self, look: Look) -> bool:
@@ -167,6 +181,25 @@ class _Span(NamedTuple):
         grow = (last - first) / pixels
         # Centres of pixels lie half a pixel in; OpenCV counts from the centre of the first one.
         return cls(start, stop - start, grow, first + 0.5 * grow - 0.5 - start)
+
+
+def _resampled(levels: list[Image], area: QRectF, window: QRectF, ratio: float) -> tuple[Image, QPointF] | None:
+    """What of a picture is in sight, at device pixels, from the halving that is just large enough; and where it begins.
+
+    `area` is what the picture covers and `window` what is seen, in widget units. None where nothing is in sight.
+    """
+    height, width = levels[0].shape[:2]
+    level = _level(levels, min(area.width() / width, area.height() / height) * ratio)
+    rows, columns = level.shape[:2]
+    across = _Span.of(area.x(), area.width(), columns, window.width(), ratio)
+    down = _Span.of(area.y(), area.height(), rows, window.height(), ratio)
+    if across.length <= 0 or down.length <= 0:
+        return None
+    matrix = np.array([[across.grow, 0.0, across.shift], [0.0, down.grow, down.shift]])
+    shown = cv2.warpAffine(
+        level, matrix, (across.length, down.length), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
+    )
+    return np.asarray(shown), QPointF(across.start, down.start)
 
 
 def in_sight(corner: float, scale: float, pixels: int, window: float) -> tuple[int, int]:

@@ -10,6 +10,7 @@ from roam_core.media.colour import unit_floats
 from roam_core.media.looking import LUMINANCE, SINGLE, Look
 
 from ...paint.viewport import Viewport
+from ...translation import number
 from .picture import Picture, in_sight
 
 GRID_ABOVE = 8.0
@@ -52,7 +53,7 @@ def values_text(values: np.ndarray) -> list[str]:
     flat = np.atleast_1d(values)[:3]
     if flat.dtype == np.uint16:
         flat = unit_floats(flat)
-    return [f"{value:.3f}" if flat.dtype.kind == "f" else str(value) for value in flat.tolist()]
+    return [number(value, ".3f") if flat.dtype.kind == "f" else str(value) for value in flat.tolist()]
 
 
 def _paint_grid(painter: QPainter, first: QRectF, columns: range, rows: range) -> None:

@@ -104,10 +104,11 @@ class Stage(QObject):
         if not cuts_out:
             self.matte.request(project, frame, size)
         elif self.picture is not None and self.frame == frame:
-            self.matte.request(project, frame, size, self.picture.pixels)
+            self.matte.request(project, frame, size, self.picture)
 
     def _take_matte(self) -> None:
         if (pixels := self.matte.pixels) is not None:
-            self._mattes[pixels.ndim == 3] = Picture(pixels)
+            plate = self.matte.plate
+            self._mattes[plate is not None] = Picture(pixels) if plate is None else plate.cut_out(pixels)
         self.changed.emit()
         self.matte_ready.emit()

@@ -49,7 +49,7 @@ def finish_shape(
     said_open = tr(
         "{name} is drawn: drag its points to adjust it, it is open, <points.toggle_closed> closes it.", name=name
     )
-    view_state.say(outdated or (said if closed else said_open))
+    _tell(view_state, outdated, said if closed else said_open)
 
 
 def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequence[RotoShape], text: str) -> None:
@@ -62,7 +62,7 @@ def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequenc
     name = _named(project.shape(ids[0]).name, home)
     one = tr("{name} is fitted: drag the points to adjust, <track.forward> tracks forward.", name=name)
     all_ = tr("{count} shapes are fitted: drag the points to adjust, <track.forward> tracks forward.", count=len(ids))
-    view_state.say(outdated or (one if len(ids) == 1 else all_))
+    _tell(view_state, outdated, one if len(ids) == 1 else all_)
 
 
 def home_in_hand(project: Project, view_state: ViewState) -> Layer:
@@ -79,3 +79,11 @@ def hand_over(view_state: ViewState, tool: str, shape_ids: frozenset[str]) -> No
     view_state.select(shape_ids)
     if view_state.tool == tool:
         view_state.set_tool("select")
+
+
+def _tell(view_state: ViewState, outdated: str, advice: str) -> None:
+    """What the new shape made out of date; else what to do with it."""
+    if outdated:
+        view_state.say(outdated)
+    else:
+        view_state.advise(advice)

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from ...canvas.plate.pixel_marks import values_text
 from ...canvas.view import CanvasView
-from ...translation import tr
+from ...translation import number, tr
 
 WIDEST = "x 8888.8  y 8888.8    R 255  G 255  B 255  A 255"
 
@@ -38,7 +38,7 @@ class Readout(QLabel):
         self.setText("" if self._position is None else self._words(*self._position))
 
     def _words(self, x: float, y: float) -> str:
-        where = f"x {x:.1f}  y {y:.1f}"
+        where = f"x {number(x, '.1f')}  y {number(y, '.1f')}"
         picture, size = self._canvas.stage.shown_picture(), self._canvas.plate_size()
         if picture is None:
             return where
@@ -50,5 +50,6 @@ class Readout(QLabel):
         texts = values_text(values)
         if len(texts) == 1:
             return f"{where}    A {texts[0]}"
-        opacity = f"  A {values[3]}" if len(values) == 4 else ""
-        return f"{where}    R {texts[0]}  G {texts[1]}  B {texts[2]}{opacity}"
+        opacity = picture.opacity(column, row)
+        told = "" if opacity is None else f"  A {opacity}"
+        return f"{where}    R {texts[0]}  G {texts[1]}  B {texts[2]}{told}"

@@ -24,7 +24,7 @@ from roam_core.roto.value_curves import ValuePlace
 from ... import style
 from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
-from ...translation import tr
+from ...translation import number, tr
 from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
@@ -320,7 +320,9 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
     def tip_at(self, at: QPointF) -> str:
         """The values of all curves on the frame under the pointer."""
         frame, unit = self._axis.scale.frame(at.x() + LABEL_WIDTH), SHOWN_AS[self.kind][1]
-        told = [f"{np.interp(frame, line.frames, line.values):.4g} {unit}  {line.title}" for line in self.lines]
+        told = [
+            f"{number(np.interp(frame, line.frames, line.values), '.4g')} {unit}  {line.title}" for line in self.lines
+        ]
         return "\n".join([tr("Frame {frame}, {kind}", frame=frame, kind=tr(KINDS[self.kind])), *told])
 
     def _choose_next(self, step: int) -> None:

@@ -23,7 +23,7 @@ from app.model.viewing import BackgroundKind, Onion, Viewing, ViewMode
 from app.paint.viewport import LARGEST, Viewport
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media.colour_spaces import offered_views
-from roam_core.media.looking import Channel, Look, Plate
+from roam_core.media.looking import Channel, Look, Plate, seen_plate
 from roam_core.roto import Keyframe, edit
 from tests.gui.hand import CTRL, Hand
 
@@ -241,6 +241,29 @@ def test_float_plates_show_what_lies_above_white(canvas: CanvasView) -> None:
     assert colour_at(canvas, 100.0, 75.0) == QColor(255, 255, 255)
     canvas.viewing.set_look(exposure=-2.0)
     assert colour_at(canvas, 100.0, 75.0).red() == 225  # the sRGB value of 0.75
+
+
+@pytest.mark.parametrize("near", [False, True])
+def test_a_cut_out_is_looked_at_as_the_plate_is(
+    canvas: CanvasView, hand: Hand, shape_id: str, qtbot: QtBot, near: bool
+) -> None:
+    light = np.full((150, 200, 3), (3.0, 0.5, 0.1), dtype=np.float32)
+    canvas.stage.plate_of = lambda frame: Plate(light, "linear", light)
+    canvas.set_image(1, np.full((150, 200, 3), (255, 188, 89), dtype=np.uint8))
+    if near:
+        canvas.set_viewport(Viewport(4.0, -200.0, -200.0))
+    view = offered_views()[0]
+    seen_plate(light[:1, :1], "linear", Look(view=view))  # as the reader of plates does beside the window's thread
+    reach(canvas, "4", hand, qtbot)
+    for look in ({"exposure": -2.0}, {"view": view}, {"channel": Channel.GREEN}):
+        canvas.viewing.set_look(**look)  # type: ignore[arg-type]
+        hand.key("1")
+        plate = colour_at(canvas, 80.0, 70.0)
+        hand.key("4")
+        assert colour_at(canvas, 80.0, 70.0) == plate
+        assert colour_at(canvas, 60.0, 110.0) in CHECKERS
+    assert canvas.stage.shown_picture().value(80.0, 70.0).tolist() == pytest.approx([3.0, 0.5, 0.1])
+    assert [canvas.stage.shown_picture().opacity(80.0, y) for y in (70.0, 110.0)] == [255, 0]
 
 
 # ---- what comes back

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QMessageBox
 from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
@@ -14,6 +15,7 @@ from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.questions import Unsaved
 from app.jobs import export
 from app.journal import recovery
+from app.shell.leaving import leave_questions_and
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file
@@ -142,6 +144,18 @@ def test_what_is_half_drawn_waits_for_recovery_where_the_desktop_closes_the_wind
     qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
     (found,) = recovery.offered(recovery.recoveries(tmp_path / "journal"))
     assert len(recovery.load(found)[0].shapes) == 2
+
+
+def test_a_question_does_not_hold_up_the_desktop(qtbot: QtBot, window: MainWindow) -> None:
+    """Qt closes no window behind a question: it ends as if it was cancelled."""
+    answers: list[int] = []
+    question = QMessageBox(window)
+    question.setModal(True)
+    question.finished.connect(answers.append)
+    question.open()
+    leave_questions_and(window.leave_unasked)
+    assert answers == [QMessageBox.DialogCode.Rejected]
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=10_000)
 
 
 def test_a_shape_that_is_begun_while_something_opens_is_asked_about(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,11 +14,11 @@ from pytestqt.qtbot import QtBot
 from app import style
 from app.jobs.thumbnails import SIZE
 from app.model.personal import Personal
-from app.model.recent import MOST, Recent, load_recent, save_recent, with_newest
+from app.model.recent import MOST, Place, Recent, load_recent, save_recent, with_newest
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
-from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
+from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
@@ -68,8 +69,66 @@ def test_the_list_is_bounded_and_a_path_stands_there_once() -> None:
 def test_entries_that_make_no_sense_are_not_remembered(tmp_path: Path, text: str) -> None:
     (tmp_path / "recent.json").write_text(text, encoding="utf-8")
     assert load_recent(tmp_path / "recent.json") == ()
-    save_recent([Recent(Path("/a"), 1.0)], tmp_path / "recent.json")
-    assert load_recent(tmp_path / "recent.json") == (Recent(Path("/a"), 1.0),)
+    kept = Recent(Path("/a"), 1.0), Recent(Path("/b"), 1.0, Place(7)), Recent(Path("/c"), 1.0, Place(7, (3, 9)))
+    save_recent(kept, tmp_path / "recent.json")
+    assert load_recent(tmp_path / "recent.json") == kept
+
+
+@pytest.mark.parametrize(
+    ("told", "place"),
+    [
+        ({"frame": "7"}, None),
+        ({"frame": True}, None),
+        ({"frame": 1e9}, None),
+        ({"in": 3, "stop": 9}, None),
+        ({"frame": 7, "in": 9, "stop": 3}, Place(7)),
+        ({"frame": 7, "in": 3}, Place(7)),
+        ({"frame": 7, "in": 3, "stop": 10**12}, Place(7)),
+    ],
+)
+def test_a_place_that_makes_no_sense_is_left_out(tmp_path: Path, told: dict[str, object], place: Place | None) -> None:
+    entry = {"path": "/a", "when": 1.0} | told
+    (tmp_path / "recent.json").write_text(json.dumps({"recent": [entry]}), encoding="utf-8")
+    assert load_recent(tmp_path / "recent.json") == (Recent(Path("/a"), 1.0, place),)
+
+
+@pytest.mark.parametrize("way", ["another", "restart"])
+def test_a_project_opens_where_it_was_left(qtbot: QtBot, window: MainWindow, tmp_path: Path, way: str) -> None:
+    plate, path, view = write_clip(tmp_path / "plate"), tmp_path / "shot.roam", window.view_state
+    opened(qtbot, window, plate)
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        window.files.save(path)
+    view.set_play_range(FIRST + 2, FIRST + 6)
+    view.set_frame(FIRST + 4)
+    if way == "another":
+        opened(qtbot, window, plate)
+        assert (view.frame, view.play_range) == (FIRST, (FIRST, FIRST + COUNT))
+        opened(qtbot, window, path)
+        assert (view.frame, view.play_range) == (FIRST + 4, (FIRST + 2, FIRST + 6))
+    else:
+        window.close()
+        qtbot.waitUntil(lambda: not window.isVisible())
+        with opened_window(qtbot, None, tmp_path / "next", Personal(tmp_path, tmp_path / "cache")) as again:
+            opened(qtbot, again, path)
+            assert (again.view_state.frame, again.view_state.play_range) == (FIRST + 4, (FIRST + 2, FIRST + 6))
+
+
+def test_of_a_place_beside_the_clip_is_taken_what_the_clip_has(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    opened(qtbot, window, write_clip(tmp_path / "plate"))
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        window.files.save(tmp_path / "shot.roam")
+    window.files.new()
+    for place, frame, within in (
+        (Place(FIRST + 99, (FIRST + 3, FIRST + 99)), FIRST + COUNT - 1, (FIRST + 3, FIRST + COUNT)),
+        (Place(FIRST + 1, (FIRST + 50, FIRST + 99)), FIRST + 1, (FIRST, FIRST + COUNT)),
+        (Place(FIRST + 1), FIRST + 1, (FIRST, FIRST + COUNT)),
+    ):
+        window.personal.note_place(tmp_path / "shot.roam", place)
+        opened(qtbot, window, tmp_path / "shot.roam")
+        assert (window.view_state.frame, window.view_state.play_range) == (frame, within)
+        window.files.new()
 
 
 def test_two_windows_remember_together(tmp_path: Path, qapp: object) -> None:

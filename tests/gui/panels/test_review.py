@@ -109,6 +109,18 @@ def test_another_frame_shows_its_own_note_and_keeps_what_was_being_typed(
     assert panel.note.toPlainText() == ""
 
 
+def test_a_note_that_is_only_looked_at_is_no_edit(
+    qtbot: QtBot, panel: ReviewPanel, document: Document, view_state: ViewState
+) -> None:
+    """Files of other programs may have notes that end in spaces."""
+    marked = timing.set_mark(document.project, 1008, " the elbow slips \n")
+    document.apply("Mark", marked)
+    for frame in (1008, 1009):
+        view_state.set_frame(frame)
+    assert document.project is marked
+    assert document.undo_stack.count() == 1
+
+
 def test_an_emptied_note_goes_away_with_its_mark(qtbot: QtBot, panel: ReviewPanel, document: Document) -> None:
     document.apply("Mark", timing.set_mark(document.project, 1005, "elbow"))
     panel.note.setFocus()

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QGuiApplication
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QMessageBox, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.actions.specs import SPECS
@@ -61,10 +61,11 @@ def test_every_action_is_connected(window: MainWindow) -> None:
 
 def test_transport_keys_work_in_the_whole_window_and_edit_keys_in_the_viewer(qtbot: QtBot, window: MainWindow) -> None:
     draw(window)
-    window.shapes.tree.setFocus()
-    qtbot.keyClick(window.shapes.tree, Qt.Key.Key_Right)
+    button = window.tool_column.findChildren(QToolButton)[0]
+    button.setFocus()
+    qtbot.keyClick(button, Qt.Key.Key_Right)
     assert window.view_state.frame == FIRST + 1
-    qtbot.keyClick(window.shapes.tree, Qt.Key.Key_S)
+    qtbot.keyClick(button, Qt.Key.Key_S)
     assert window.document.project.shapes[0].artist_frames == (FIRST,)
     window.canvas.setFocus()
     qtbot.keyClick(window.canvas, Qt.Key.Key_S)
@@ -90,6 +91,23 @@ def test_keys_that_mean_whole_shapes_and_layers_work_in_the_list_of_shapes(qtbot
     assert [item.visible for item in window.document.project.root.children] == [True, False]
     qtbot.keyClick(tree, Qt.Key.Key_Delete)
     assert [item.id for item in window.document.project.root.children] == [layer]
+
+
+def test_letters_in_the_list_of_shapes_are_keys_and_select_no_row(qtbot: QtBot, window: MainWindow) -> None:
+    draw(window)
+    first = window.view_state.selection
+    draw(window)
+    others = edit.set_properties(window.document.project, window.document.project.shapes[1].id, name="Torso")
+    window.document.apply("Rename", edit.set_properties(others, others.shapes[0].id, name="Arm"))
+    window.view_state.select(first.shapes)
+    window.shapes.tree.setFocus()
+    qtbot.keyClicks(window.shapes.tree, "t")
+    assert window.view_state.tool == "transform"
+    window.view_state.set_frame(FIRST + 1)
+    qtbot.keyClicks(window.shapes.tree, "s")
+    assert [shape.artist_frames for shape in window.document.project.shapes] == [(FIRST, FIRST + 1), (FIRST,)]
+    qtbot.keyClicks(window.shapes.tree, "3x")
+    assert window.view_state.selection == first
 
 
 def test_typing_a_name_moves_no_playhead_and_plays_nothing(qtbot: QtBot, window: MainWindow) -> None:

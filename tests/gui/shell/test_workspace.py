@@ -156,3 +156,20 @@ def test_a_monitor_that_is_gone_gives_its_windows_back(window: MainWindow, monke
     monkeypatch.setattr(workspace, "monitors", lambda: [LEFT])
     part.bring_into_reach()
     assert LEFT.contains(part.window.geometry())
+
+
+def test_the_review_panel_is_scrolled_to_where_it_is_asked_for_and_not_as_it_comes_back(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    bar = window.panel_column.verticalScrollBar()
+    window.resize(1100, 600)
+    window.actions_by_id["review.panel"].trigger()
+    qtbot.waitUntil(lambda: bar.value() > 0)
+    window.keep_settings(tmp_path / "layout.ini")
+    with opened_window(qtbot, None, tmp_path / "again") as again:
+        again.resize(1100, 600)
+        again.restore_settings(tmp_path / "layout.ini")
+        assert again.review.isVisible()
+        qtbot.wait(50)
+        assert again.panel_column.verticalScrollBar().maximum() > 0
+        assert again.panel_column.verticalScrollBar().value() == 0

@@ -16,7 +16,11 @@ from app.shell.main_window import MainWindow
 from app.widgets.controls import number_field
 from app.widgets.fields import NumberField
 from app.widgets.focus import FocusFollowsPointer
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import edit
 from tests.gui.windows import opened_window, write_clip
+
+SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
 
 @pytest.fixture
@@ -112,3 +116,20 @@ def test_after_a_frame_number_the_next_key_is_an_edit_key(qtbot: QtBot, main_win
     qtbot.waitUntil(lambda: main_window.canvas.hasFocus())
     QTest.keyClick(main_window.canvas, Qt.Key.Key_3)
     assert field.value() == main_window.view_state.frame == 1004
+
+
+@pytest.mark.parametrize("part", ["curves", "list"])
+def test_what_is_hidden_leaves_the_keyboard_to_the_viewer(qtbot: QtBot, main_window: MainWindow, part: str) -> None:
+    window = main_window
+    qtbot.waitUntil(window.isActiveWindow)
+    if part == "curves":
+        window.canvas.setFocus()
+        window.actions_by_id["view.curves"].trigger()
+        qtbot.waitUntil(window.timeline.curves.plot.hasFocus)
+        window.actions_by_id["view.curves"].trigger()
+    else:
+        window.document.apply("Draw", edit.new_shape(window.document.project, SQUARE, 1000)[0])
+        window.shapes.tree.setFocus()
+        window.document.undo_stack.undo()  # a list without a row makes way for a sentence
+        assert not window.shapes.tree.isVisible()
+    qtbot.waitUntil(window.canvas.hasFocus)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QAbstractSpinBox, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.shell.main_window import MainWindow
@@ -140,3 +140,28 @@ def test_a_mark_of_another_project_gets_nothing_of_it(window: MainWindow) -> Non
     window.document.open(other, None)
     window.canvas.setFocus()
     assert window.document.project is other
+
+
+def begin_a_name(qtbot: QtBot, window: MainWindow) -> QLineEdit:
+    """The name of the first shape, typed over in its row."""
+    tree = window.shapes.tree
+    tree.setFocus()
+    tree.editItem(tree.item("shape-1"), 0)
+    field = tree.viewport().findChild(QLineEdit)
+    assert field is not None
+    qtbot.waitUntil(field.hasFocus)
+    begin(field, "Arm")
+    return field
+
+
+@pytest.mark.parametrize(("key", "name"), [(Qt.Key.Key_Return, "Arm"), (Qt.Key.Key_Escape, "Shape 1")])
+def test_a_name_in_the_list_is_done_with_once_and_the_viewer_has_the_keyboard(
+    qtbot: QtBot, window: MainWindow, key: Qt.Key, name: str
+) -> None:
+    """A warning of Qt's, of a field that was closed before it was asked to, fails the test."""
+    field = begin_a_name(qtbot, window)
+    QTest.keyClick(field, key)
+    qtbot.waitUntil(window.canvas.hasFocus)
+    assert window.shapes.tree.state() is QAbstractItemView.State.NoState
+    assert window.document.project.shape("shape-1").name == name
+    assert window.document.undo_stack.count() == (name == "Arm")

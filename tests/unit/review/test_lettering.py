@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
-from roam_core.review.lettering import require_font, text_width, wrapped, write, write_boxed
+from roam_core.review import fonts
+from roam_core.review.lettering import _letters, require_font, text_width, wrapped, write, write_boxed
+from tests.unit.review.tiny_font import write_font
 
 
 def black(width: int = 200, height: int = 40) -> UInt8:
@@ -64,11 +69,55 @@ def test_a_box_darkens_what_lies_behind_its_letters_and_keeps_to_its_corner() ->
     assert pixels[40:, 160:].max() > 230
 
 
-def test_a_character_that_the_font_lacks_is_a_question_mark() -> None:
+@pytest.fixture
+def machine(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[list[str]]:
+    """The fonts of a machine, none at first."""
+    installed: list[str] = []
+    monkeypatch.setattr(fonts, "machine_fonts", lambda: installed)
+    forget()
+    yield installed
+    forget()
+
+
+def forget() -> None:
+    for kept in (fonts.runs, fonts.font_of, text_width, _letters):
+        kept.cache_clear()
+
+
+def test_a_character_that_no_font_has_is_a_question_mark(machine: list[str]) -> None:
     unknown, asked = black(), black()
-    write(unknown, "a\U0001f600", (0, 0), 20)
+    write(unknown, "a\u624b", (0, 0), 20)
     write(asked, "a?", (0, 0), 20)
     assert (unknown == asked).all()
+    assert fonts.lacking("a\u624b\u304c\u624b b", "") == "\u624b\u304c"
+
+
+def test_what_the_font_lacks_is_drawn_by_one_of_the_machine(machine: list[str], tmp_path: Path) -> None:
+    machine += [str(write_font(tmp_path / f"{name}.ttf", has)) for name, has in (("kana", "\u304c"), ("han", "\u624b"))]
+    text = "ac \u624b\u304c ca"
+    assert [Path(run.font).stem for run in fonts.runs(text, "")] == ["", "han", "kana", ""]
+    assert fonts.lacking(text, "") == ""
+    pixels, plain = black(), black()
+    write(pixels, text, (0, 0), 20)
+    write(plain, "ac", (0, 0), 20)
+    filled = np.flatnonzero((pixels[6:20] == 255).all(axis=(0, 2)))  # the columns of two filled squares
+    assert text_width("ac", 20) < filled.min() <= filled.max() < text_width(text, 20)
+    assert 28 <= len(filled) <= 34
+    assert (pixels[:, : text_width("ac", 20)] == plain[:, : text_width("ac", 20)]).all()
+    assert pixels[:, filled.max() + 3 :].any()
+    assert np.flatnonzero(pixels.any(axis=(0, 2))).max() == pytest.approx(text_width(text, 20), abs=2)
+
+
+def test_lines_without_spaces_break_where_the_box_ends(machine: list[str], tmp_path: Path) -> None:
+    machine.append(str(write_font(tmp_path / "han.ttf", "\u624b\u90e8")))
+    lines = wrapped("\u624b\u90e8" * 20, 90, 14)
+    assert "".join(lines) == "\u624b\u90e8" * 20
+    assert all(50 < text_width(line, 14) <= 90 for line in lines[:-1])
+
+
+def test_a_font_that_draws_boxes_for_what_it_lacks_does_not_have_it(tmp_path: Path) -> None:
+    font = str(write_font(tmp_path / "han.ttf", "\u624b"))
+    assert [fonts.has(char, font) for char in "\u624ba\u90e8 "] == [True, False, False, False]
 
 
 def test_a_font_that_is_not_there_is_told() -> None:

@@ -8,12 +8,23 @@ import numpy as np
 import pytest
 
 from roam_core.errors import RoamError
+from roam_core.review.lettering import ELLIPSIS, box_height, lines_in
 from roam_core.review.look import Burn, Ground, ReviewLook, ReviewView
-from roam_core.review.picture import BLACK, CHECKERS, GREY, MISSING, confidence_at, review_picture
-from roam_core.roto import Project
+from roam_core.review.picture import (
+    BLACK,
+    CHECKERS,
+    GREY,
+    MISSING,
+    _write_note,
+    confidence_at,
+    letters_for,
+    review_picture,
+)
+from roam_core.roto import Project, timing
 from tests.unit.review.conftest import FIRST, PLATE, body, project_of, read
 
 PLAIN = ReviewLook(burns=frozenset())
+PLAIN4 = ReviewLook(burns=frozenset(), scale=4.0)
 
 
 def test_the_outline_lies_on_the_plate_in_the_colour_of_its_shape(project: Project) -> None:
@@ -105,3 +116,26 @@ def test_a_scaled_picture_has_its_outline_at_the_scaled_place(project: Project) 
 def test_a_scale_beyond_reason_is_refused() -> None:
     with pytest.raises(RoamError, match=r"scaled by 0\.05 to 4, not by 9"):
         ReviewLook(scale=9.0)
+
+
+def test_a_long_note_is_written_smaller_and_wider_above_the_frame_number() -> None:
+    look = replace(PLAIN, burns=frozenset({Burn.NOTE}), scale=4.0)
+    for words, rows in (("look here", 0.1), ("look here " * 60, 0.95)):
+        project = timing.set_mark(project_of(body([0.0])), FIRST, words.strip())
+        veiled = review_picture(read(FIRST), project, FIRST, look) != review_picture(
+            read(FIRST), project, FIRST, PLAIN4
+        )
+        inside = np.flatnonzero(veiled.any(axis=(1, 2)))
+        assert inside.min() == 0
+        assert inside.max() < rows * 360
+        assert not veiled[-box_height(1, letters_for(360)) :].any()
+
+
+def test_of_a_note_that_never_fits_the_picture_there_is_an_ellipsis() -> None:
+    written: list[list[str]] = []
+    pixels = np.zeros((90, 160, 3), dtype=np.uint8)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("roam_core.review.picture.write_boxed", lambda _, lines, *rest: written.append(lines))
+        _write_note(pixels, "look here " * 60, 11, "")
+    assert 1 < len(written[0]) <= lines_in(90, 11) - 1
+    assert written[0][-1].endswith(ELLIPSIS)

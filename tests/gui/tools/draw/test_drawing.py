@@ -150,6 +150,10 @@ def test_a_finished_shape_says_what_comes_next(
     hand.key(finish)
     assert view_state.message.startswith("Shape 1 is drawn")
     assert follow in view_state.message
+    view_state.select(view_state.selection.shapes, frozenset({(only_id, 0) for only_id in view_state.selection.shapes}))
+    assert follow in view_state.message
+    view_state.select(frozenset())
+    assert view_state.message == ""
 
 
 def test_escape_forgets_a_single_point(canvas: CanvasView, hand: Hand, document: Document, drawing: str) -> None:
