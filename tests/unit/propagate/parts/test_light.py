@@ -14,7 +14,7 @@ from roam_core.roto import RotoShape, edit
 from tests.golden.shots import outline_distance
 from tests.unit.propagate.figures import Figure, body_with_arms, hazy
 
-COUNT, GIVEN = 10, 5
+COUNT, GIVEN, HAZY = 10, 5, 6
 BEST = params_for("best+region.levels=none")
 """As they are: levels would see through some of the haze."""
 WITHOUT_LIGHT = params_for("best+region.levels=none+region.exposure=none")
@@ -43,11 +43,11 @@ def distances(shapes: Sequence[RotoShape], figure: Figure, frame: int) -> Array:
 
 
 def test_parts_look_as_on_their_keys_in_haze(figure: Figure) -> None:
-    pictures, last = hazy(figure.pictures), COUNT - 1
+    pictures = hazy(figure.pictures)
     known, unknown = (run(figure.shapes(), pictures, params) for params in (BEST, WITHOUT_LIGHT))
-    assert confidence(known, last) > 0.7
-    assert confidence(unknown, last) < 0.3
-    assert distances(known, figure, last).max() < 0.4 < distances(unknown, figure, last).max()
+    assert confidence(known, HAZY) > 0.9
+    assert confidence(unknown, HAZY) < 0.3
+    assert distances(known, figure, HAZY).max() < 0.2 < distances(unknown, figure, HAZY).max()
 
 
 def test_parts_that_are_not_corrected_still_know_their_light(figure: Figure) -> None:
