@@ -203,19 +203,21 @@ def without_timed_intersect(branch: Branch, size: tuple[int, int]) -> Branch:
     """
     items: list[RotoShape | Branch] = []
     for item in branch.items:
-        if isinstance(item, Branch):
-            items.append(without_timed_intersect(item, size))
-        elif item.lifetime is None or item.blend is not BlendMode.INTERSECT or not takes_part(item):
-            items.append(item)
-        else:
-            taking = replace(item, blend=BlendMode.SUBTRACT)
-            items.append(replace(taking, invert=not item.invert, opacity=1.0))
-            if item.opacity != 1.0:
-                opacity = mapped(item.opacity, lambda value: 1.0 - value)
-                rest = everything(f"{item.name} rest", size, item.keys[0].frame)
-                rest = replace(rest, blend=BlendMode.SUBTRACT, opacity=opacity, lifetime=item.lifetime)
-                items.append(replace(rest, id=f"{item.id}-rest", locked=item.locked))
+        items += [without_timed_intersect(item, size)] if isinstance(item, Branch) else untimed_intersect(item, size)
     return replace(branch, items=tuple(items))
+
+
+def untimed_intersect(shape: RotoShape, size: tuple[int, int]) -> Iterator[RotoShape]:
+    """A shape as `without_timed_intersect` has it in a picture of `size` (width, height): itself, or what subtracts."""
+    if shape.lifetime is None or shape.blend is not BlendMode.INTERSECT or not takes_part(shape):
+        yield shape
+        return
+    yield replace(shape, blend=BlendMode.SUBTRACT, invert=not shape.invert, opacity=1.0)
+    if shape.opacity != 1.0:
+        opacity = mapped(shape.opacity, lambda value: 1.0 - value)
+        rest = everything(f"{shape.name} rest", size, shape.keys[0].frame)
+        rest = replace(rest, blend=BlendMode.SUBTRACT, opacity=opacity, lifetime=shape.lifetime)
+        yield replace(rest, id=f"{shape.id}-rest", locked=shape.locked)
 
 
 def everything(name: str, size: tuple[int, int], frame: int) -> RotoShape:
