@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from roam_core.arguments import shown
+from roam_core.arguments import path_of, shown
 from roam_core.errors import RoamError
 from roam_core.interchange.after_effects.exporter import AfterEffectsExporter
 from roam_core.interchange.blender.exporter import BlenderExporter
@@ -102,11 +102,11 @@ def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) ->
     Raises
     ------
     ValueError
-        when the clip is none.
+        when the path or the clip is none.
     RoamError
         when the suffix is not known, the file cannot be read, is none of its format, or is too large.
     """
-    path = Path(path)
+    path = path_of(path)
     if not isinstance(clip, Clip):
         raise ValueError(
             f"shapes are read into the pixels of a Clip, such as Clip.of(open_clip(path)), not {shown(clip)}"
@@ -132,7 +132,7 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     Raises
     ------
     ValueError
-        when the project is none.
+        when the project or the path is none.
     LossyExport
         when the mattes would differ in the other program, and the options are not `lossy`.
     RoamError
@@ -140,4 +140,4 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     """
     if not isinstance(project, Project):
         raise ValueError(f"shapes are written of a Project, as edit.add_shape makes it, not of {shown(project)}")
-    return exporter_for(name).export(project, Path(path), options)
+    return exporter_for(name).export(project, path_of(path), options)
