@@ -160,6 +160,10 @@ def _open_file(file: Path, layer: str) -> PlateSource:
     except RoamError:
         if not os.access(file, os.R_OK):
             raise
+        if file.suffix.lower() == ".roam":
+            raise RoamError(
+                f"{file} is a project, not a plate; name the plate: a folder of images, a pattern, an image or a movie."
+            ) from None
         raise RoamError(
             f"{file} is no ROAM project, no picture and no movie. Open a folder of pictures, a movie, or a project, "
             "whose name ends with .roam; shapes of other programs are imported into a project."
