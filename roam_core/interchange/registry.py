@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -84,11 +85,13 @@ SHAPE_SUFFIXES = tuple(
 
 
 def importer_for(path: Path) -> Importer:
-    """The format that reads files of this suffix, or folders; a `RoamError` lists those that are read."""
+    """The format that reads files of this suffix, or folders; else a `RoamError`, which lists those that are read."""
     suffix = "" if path.is_dir() else path.suffix.lower() or "none"
     for importer in IMPORTERS:
         if suffix in importer.suffixes:
             return importer
+    if not os.path.lexists(path):
+        raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
     known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes if suffix)
     raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
 
