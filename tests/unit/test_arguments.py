@@ -38,6 +38,8 @@ from roam_core import (
 )
 from roam_core.arguments import frame_number, moment, names_of, pixels_of, shown, size_of
 from roam_core.errors import RoamError
+from roam_core.interchange import MaskOptions
+from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.roto import Animated, ValueKey
 from tests.golden.shots import gliding, square
 
@@ -241,7 +243,18 @@ def test_words_stand_for_the_kinds_that_they_name() -> None:
     assert key.origin is Origin.ENGINE
     assert RotoShape("a", "A", (key,), blend="subtract").blend is BlendMode.SUBTRACT  # type: ignore[arg-type]
     assert ExportOptions(keys="reduced").keys is KeyChoice.REDUCED  # type: ignore[arg-type]
+    assert MaskOptions(keys="every").keys is KeyChoice.EVERY  # type: ignore[arg-type]
+    assert Layer("l", "L", (SHAPE,), blend="max").blend is BlendMode.MAX  # type: ignore[arg-type]
+    assert Animated((ValueKey(1, 0.0, "hold"), ValueKey(5, 1.0))).at(3) == 0.0  # type: ignore[arg-type]
+    style = MatteStyle("exr", "float", parts="layer", gathering="channels", window="tight")  # type: ignore[arg-type]
+    assert style == MatteStyle(MatteFile.EXR, Depth.FLOAT, None, Parts.LAYER, Gathering.CHANNELS, DataWindow.TIGHT)
+    assert style.window is DataWindow.TIGHT
     for call in (
+        lambda: MaskOptions(keys="few"),  # type: ignore[arg-type]
+        lambda: Layer("l", "L", blend="cut"),  # type: ignore[arg-type]
+        lambda: ValueKey(1, 0.0, "held"),  # type: ignore[arg-type]
+        lambda: MatteStyle("gif"),  # type: ignore[arg-type]
+        lambda: MatteStyle(depth="12"),  # type: ignore[arg-type]
         lambda: Keyframe(1, points, origin="nobody"),  # type: ignore[arg-type]
         lambda: RotoShape("a", "A", (key,), blend="cut"),  # type: ignore[arg-type]
         lambda: ExportOptions(keys="few"),  # type: ignore[arg-type]
