@@ -16,6 +16,7 @@ from roam_core.cli.environment import cache_bytes
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour_spaces import config_trouble, known_space
+from roam_core.media.movie_plate import shortfall
 from roam_core.media.partial import PartialFrames, PartialPicture
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import other_content, other_size, relinked
@@ -109,13 +110,15 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     The layer is the one asked for, else that of the project's `clip`, else the one that is found; so is the space of
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so, and that a studio's colour
-    configuration, which would tell the space, cannot be read.
+    configuration, which would tell the space, cannot be read; of a movie without a project, that it may be cut short.
     """
     source = open_clip(path, layer or (clip.layer if clip else ""), clip.content if clip else "")
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
+    if clip is None:
+        tell(shortfall(source))
     if clip is None and not colour:
         tell(config_trouble())
     if colour:
