@@ -9,6 +9,7 @@ import math
 import operator
 import os
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -71,6 +72,20 @@ def finite(value: Any, name: str) -> float:
         if math.isfinite(number):
             return number
     raise ValueError(f"{name} is a number, not {shown(value)}")
+
+
+def path_of(path: Any) -> Path:
+    """The path of a file or folder, from a text, from bytes as the system has them, or from any `os.PathLike`.
+
+    Raises
+    ------
+    ValueError
+        when it is none.
+    """
+    try:
+        return Path(os.fsdecode(path))
+    except TypeError:
+        raise ValueError(f"a file is named by a text or a Path, not {shown(path)}") from None
 
 
 def size_of(size: Any) -> tuple[int, int]:

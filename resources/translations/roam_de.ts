@@ -6144,6 +6144,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} flimmert</translation>
     </message>
     <message>
+        <source>{name} has {count} frames that can be read, its header says {claimed}: it may be cut short.</source>
+        <translation>{name} hat {count} lesbare Bilder, laut Kopf der Datei {claimed}: sie ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
         <source>{name} in {layer}</source>
         <translation>{name} in {layer}</translation>
     </message>

@@ -16,6 +16,8 @@ from roam_core.cli.environment import cache_bytes
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour_spaces import config_trouble, known_space
+from roam_core.media.finding import is_there
+from roam_core.media.movie_plate import shortfall
 from roam_core.media.partial import PartialFrames, PartialPicture
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import other_content, other_size, relinked
@@ -109,13 +111,17 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     The layer is the one asked for, else that of the project's `clip`, else the one that is found; so is the space of
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so, and that a studio's colour
-    configuration, which would tell the space, cannot be read.
+    configuration, which would tell the space, cannot be read; of a movie without a project, that it may be cut short.
     """
+    if clip is not None and path == str(clip.path):
+        require_plate(clip)
     source = open_clip(path, layer or (clip.layer if clip else ""), clip.content if clip else "")
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
+    if clip is None:
+        tell(shortfall(source))
     if clip is None and not colour:
         tell(config_trouble())
     if colour:
@@ -125,6 +131,26 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
         yield plate
     finally:
         plate.close()
+
+
+def require_plate(clip: Clip) -> None:
+    """Refuse to go on where the plate of a project is gone: of a path that nobody typed `open_clip` says too little."""
+    if not is_there(clip.path) and not _is_refused(clip.path):
+        raise RoamError(
+            f"The project's plate {clip.path} is not there; put it back, or near the project, where it is found by its "
+            "name, or choose another in the window with File > Relink clip."
+        )
+
+
+def _is_refused(path: Path) -> bool:
+    """Whether the system does not let this user look."""
+    try:
+        path.stat()
+    except PermissionError:
+        return True
+    except (OSError, ValueError):
+        return False
+    return False
 
 
 def _compare(clip: Clip, found: Clip) -> None:

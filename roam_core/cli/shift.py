@@ -11,7 +11,7 @@ from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_of
 from roam_core.cli.picking import with_only
-from roam_core.cli.plate import loaded
+from roam_core.cli.plate import loaded, require_plate
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -72,6 +72,7 @@ def _renumbered(project: Project, path: Path, names: list[str] | None) -> Projec
     if names:
         raise RoamError("With --shape say by how many frames: --by N. With its plate's numbers all of a project goes.")
     clip = project.require_clip()
+    require_plate(clip)
     found = Clip.of(declared(open_plate(clip), clip.colour_space, clip.fps, clip.pixel_aspect))
     if not is_renumbered(clip, found):
         raise RoamError(

@@ -273,6 +273,11 @@ def given_project(init: Path) -> Project | None:
         raise RoamError(
             f"{init} does not exist; --init wants a mask image of the start frame, a .roam project or a file of shapes."
         )
+    if init.is_dir():
+        raise RoamError(
+            f"{init} is a folder; --init wants the mask of the start frame, a file. "
+            "A sequence of masks becomes shapes by roam import."
+        )
     if init.suffix.lower() != PROJECT:
         return None
     project = file.load(init)

@@ -7,7 +7,7 @@ for which a program needs something of its own: a composition, a second chain of
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from roam_core.geometry import bezier
@@ -110,30 +110,26 @@ def _branch(layer: Layer, visible: bool, locked: bool) -> Branch:
     visible, locked = visible and layer.visible, locked or layer.locked
     items: list[RotoShape | Branch] = []
     for child in layer.children:
-        if isinstance(child, Layer):
-            lies_lowest = not any(takes_part(item) for item in items)
-            inner = _branch(child, visible, locked)
-            if lies_lowest and inner.blend in TAKING:
-                items += (replace(shape, visible=False) for shape in inner.shapes())
-            elif visible and child.visible:
-                items += _dissolved(replace(inner, blend=BlendMode.ADD) if lies_lowest else inner, lies_lowest)
-            else:
-                items += inner.shapes()
+        lies_lowest = not any(takes_part(item) for item in items)
+        if isinstance(child, RotoShape):
+            shape = replace(child, visible=child.visible and visible, locked=child.locked or locked)
+            items.append(_above_nothing(shape) if lies_lowest and takes_part(shape) else shape)
+            continue
+        inner = _branch(child, visible, locked)
+        if lies_lowest and inner.blend in TAKING:
+            items += (replace(shape, visible=False) for shape in inner.shapes())
+        elif visible and child.visible:
+            items += _dissolved(replace(inner, blend=BlendMode.ADD) if lies_lowest else inner, lies_lowest)
         else:
-            items.append(replace(child, visible=child.visible and visible, locked=child.locked or locked))
+            items += inner.shapes()
     if not visible:
         return Branch(layer.name, tuple(items))
-    return Branch(layer.name, tuple(_above_nothing(items)), layer.opacity, layer.invert, layer.blend)
+    return Branch(layer.name, tuple(items), layer.opacity, layer.invert, layer.blend)
 
 
-def _above_nothing(items: Iterable[RotoShape | Branch]) -> Iterator[RotoShape | Branch]:
-    """The items with modes that other programs, too, understand of shapes which lie above nothing."""
-    is_lowest = True
-    for item in items:
-        if isinstance(item, RotoShape) and is_lowest and takes_part(item) and item.blend is not BlendMode.ADD:
-            item = replace(item, visible=False) if item.blend in TAKING else replace(item, blend=BlendMode.ADD)
-        is_lowest = is_lowest and not takes_part(item)
-        yield item
+def _above_nothing(shape: RotoShape) -> RotoShape:
+    """The lowest shape with a mode that other programs, too, understand of one which lies above nothing."""
+    return replace(shape, visible=False) if shape.blend in TAKING else replace(shape, blend=BlendMode.ADD)
 
 
 def _dissolved(branch: Branch, lies_lowest: bool) -> list[RotoShape | Branch]:
@@ -207,19 +203,21 @@ def without_timed_intersect(branch: Branch, size: tuple[int, int]) -> Branch:
     """
     items: list[RotoShape | Branch] = []
     for item in branch.items:
-        if isinstance(item, Branch):
-            items.append(without_timed_intersect(item, size))
-        elif item.lifetime is None or item.blend is not BlendMode.INTERSECT or not takes_part(item):
-            items.append(item)
-        else:
-            taking = replace(item, blend=BlendMode.SUBTRACT)
-            items.append(replace(taking, invert=not item.invert, opacity=1.0))
-            if item.opacity != 1.0:
-                opacity = mapped(item.opacity, lambda value: 1.0 - value)
-                rest = everything(f"{item.name} rest", size, item.keys[0].frame)
-                rest = replace(rest, blend=BlendMode.SUBTRACT, opacity=opacity, lifetime=item.lifetime)
-                items.append(replace(rest, id=f"{item.id}-rest", locked=item.locked))
+        items += [without_timed_intersect(item, size)] if isinstance(item, Branch) else untimed_intersect(item, size)
     return replace(branch, items=tuple(items))
+
+
+def untimed_intersect(shape: RotoShape, size: tuple[int, int]) -> Iterator[RotoShape]:
+    """A shape as `without_timed_intersect` has it in a picture of `size` (width, height): itself, or what subtracts."""
+    if shape.lifetime is None or shape.blend is not BlendMode.INTERSECT or not takes_part(shape):
+        yield shape
+        return
+    yield replace(shape, blend=BlendMode.SUBTRACT, invert=not shape.invert, opacity=1.0)
+    if shape.opacity != 1.0:
+        opacity = mapped(shape.opacity, lambda value: 1.0 - value)
+        rest = everything(f"{shape.name} rest", size, shape.keys[0].frame)
+        rest = replace(rest, blend=BlendMode.SUBTRACT, opacity=opacity, lifetime=shape.lifetime)
+        yield replace(rest, id=f"{shape.id}-rest", locked=shape.locked)
 
 
 def everything(name: str, size: tuple[int, int], frame: int) -> RotoShape:

@@ -97,6 +97,8 @@ class MatteStyle:
 
     Raises
     ------
+    ValueError
+        when a word is none of those that are meant.
     RoamError
         when the kind of file cannot hold what is asked for.
     """
@@ -110,6 +112,9 @@ class MatteStyle:
     resumes: bool = False
 
     def __post_init__(self) -> None:
+        for field, kind in (("file", MatteFile), ("parts", Parts), ("gathering", Gathering), ("window", DataWindow)):
+            object.__setattr__(self, field, kind(getattr(self, field)))
+        object.__setattr__(self, "depth", None if self.depth is None else Depth(self.depth))
         name = self.file.upper()
         if self.depth is not None and self.depth not in DEPTHS[self.file]:
             raise RoamError(f"{name} mattes are {_choice(DEPTHS[self.file])} deep, not {self.depth}.")

@@ -60,6 +60,9 @@ class MaskOptions:
     keys: KeyChoice = KeyChoice.REDUCED
     speckle: float | None = None
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "keys", KeyChoice(self.keys))
+
     def speckle_for(self, size: tuple[int, int]) -> float:
         """The area below which something is a speck in masks of `size` (width, height), in square pixels."""
         return SPECK * scale_for(size[::-1]) ** 2 if self.speckle is None else self.speckle

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from roam_core.arguments import shown
+from roam_core.arguments import path_of, shown
 from roam_core.errors import RoamError
 from roam_core.interchange.after_effects.exporter import AfterEffectsExporter
 from roam_core.interchange.blender.exporter import BlenderExporter
@@ -84,11 +85,13 @@ SHAPE_SUFFIXES = tuple(
 
 
 def importer_for(path: Path) -> Importer:
-    """The format that reads files of this suffix, or folders; a `RoamError` lists those that are read."""
+    """The format that reads files of this suffix, or folders; else a `RoamError`, which lists those that are read."""
     suffix = "" if path.is_dir() else path.suffix.lower() or "none"
     for importer in IMPORTERS:
         if suffix in importer.suffixes:
             return importer
+    if not os.path.lexists(path):
+        raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
     known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes if suffix)
     raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
 
@@ -102,11 +105,11 @@ def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) ->
     Raises
     ------
     ValueError
-        when the clip is none.
+        when the path or the clip is none.
     RoamError
         when the suffix is not known, the file cannot be read, is none of its format, or is too large.
     """
-    path = Path(path)
+    path = path_of(path)
     if not isinstance(clip, Clip):
         raise ValueError(
             f"shapes are read into the pixels of a Clip, such as Clip.of(open_clip(path)), not {shown(clip)}"
@@ -132,7 +135,7 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     Raises
     ------
     ValueError
-        when the project is none.
+        when the project or the path is none.
     LossyExport
         when the mattes would differ in the other program, and the options are not `lossy`.
     RoamError
@@ -140,4 +143,4 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     """
     if not isinstance(project, Project):
         raise ValueError(f"shapes are written of a Project, as edit.add_shape makes it, not of {shown(project)}")
-    return exporter_for(name).export(project, Path(path), options)
+    return exporter_for(name).export(project, path_of(path), options)

@@ -140,6 +140,8 @@ def _reach(outlines: list[Outline], feather: float, size: tuple[int, int]) -> tu
     hulls = [outline.points.reshape(-1, 2) for outline in outlines]
     hulls += [(o.points + o.feather).reshape(-1, 2) for o in outlines if o.feather is not None]
     hull, margin = np.concatenate(hulls), max(feather + 1.0, 0.0)
+    if not np.isfinite(hull).all():
+        raise ValueError("a shape has a point that is not finite")
     bounds = np.array([size[1], size[0]], dtype=np.float64)
     low = np.clip(np.floor(hull.min(axis=0) - margin), 0.0, bounds).astype(np.intp)
     high = np.clip(np.ceil(hull.max(axis=0) + margin), low, bounds).astype(np.intp)

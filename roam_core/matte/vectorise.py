@@ -12,7 +12,7 @@ import numpy as np
 from contourpy import FillType, contour_generator
 from numpy.typing import NDArray
 
-from roam_core.arguments import frame_number, pixels_of, shown, size_of
+from roam_core.arguments import frame_number, path_of, pixels_of, shown, size_of
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
@@ -239,10 +239,12 @@ def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[
 
     Raises
     ------
+    ValueError
+        when the path or the size is none.
     RoamError
         when it is no picture, is damaged, holds more than 512 MiB of pixels, or is not of that size.
     """
-    path = Path(path)
+    path = path_of(path)
     mask = read_channels(path)
     if mask is None:
         raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")

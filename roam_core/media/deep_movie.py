@@ -63,6 +63,7 @@ class DeepMovie(MoviePlate):
         aspect = float(self._stream.sample_aspect_ratio or 1.0)
         self.pixel_aspect = aspect if 0.1 <= aspect <= 10.0 else 1.0
         self._times = self._times_of_packets()
+        self.claimed = int(self._stream.frames)
         self._number(len(self._times))
         self._frames: Iterator[Any] = iter(())
         self._next = 0

@@ -160,7 +160,7 @@ class Movie(MoviePlate):
     def _verified_count(self) -> int:
         """The number of frames: the container's where the last frame bears it out, else counted."""
         claimed = self._capture.get(cv2.CAP_PROP_FRAME_COUNT)
-        claimed = int(claimed) if math.isfinite(claimed) else 0
+        claimed = self.claimed = int(claimed) if math.isfinite(claimed) else 0
         if claimed > 1 and self._ends_with(claimed - 1):
             return claimed
         self._rewind()

@@ -1,4 +1,4 @@
-"""MoviePlate: what every movie is as a plate, whoever decodes it."""
+"""MoviePlate: what every movie is as a plate, whoever decodes it; and whether one is shorter than it says."""
 
 from __future__ import annotations
 
@@ -8,7 +8,23 @@ from pathlib import Path
 from roam_core.arrays import Image
 from roam_core.media.curves import SRGB
 from roam_core.media.layers import PLAIN
-from roam_core.media.source import DamagedFrame, MissingFrame
+from roam_core.media.source import DamagedFrame, MissingFrame, PlateSource
+from roam_core.translatable import sentence
+
+ROUNDED = 0.01
+"""The share of its frames by which a header may be wrong that reckons them from the length and the speed."""
+
+
+def shortfall(source: PlateSource) -> str:
+    """That a movie has fewer frames than its header speaks of, in a sentence; "" where it has them, or is no movie."""
+    if not isinstance(source, MoviePlate) or source.claimed - source.count <= max(1.0, ROUNDED * source.claimed):
+        return ""
+    return sentence(
+        "{name} has {count} frames that can be read, its header says {claimed}: it may be cut short.",
+        name=source.path.name,
+        count=source.count,
+        claimed=source.claimed,
+    )
 
 
 class MoviePlate(ABC):
@@ -22,6 +38,8 @@ class MoviePlate(ABC):
     colour_space = SRGB
     missing: tuple[int, ...] = ()
     layer, layers = PLAIN, (PLAIN,)
+    claimed = 0
+    """How many frames its header speaks of; 0 where it does not say."""
 
     def __init__(self, path: Path) -> None:
         self.path = path

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roam_core.arguments import path_of
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.content import content_hash
@@ -62,13 +63,16 @@ def open_clip(path: str | Path, layer: str = "", content: str = "") -> PlateSour
 
     Raises
     ------
+    ValueError
+        when the path is none.
     RoamError
         when there is nothing, nothing readable, no single longest sequence, or no layer of that name.
     """
+    given = path_of(path)
     if not str(path).strip():
         raise RoamError("No plate was named; give a folder of images, a pattern, an image or a movie.")
     try:
-        place = Path(path).expanduser().absolute()
+        place = given.expanduser().absolute()
         is_folder, is_file, is_there = place.is_dir(), place.is_file(), place.exists()
     except (OSError, RuntimeError, ValueError) as error:
         raise RoamError(f"{str(path)!r} is no path that can be opened: {error}.") from error
@@ -156,6 +160,10 @@ def _open_file(file: Path, layer: str) -> PlateSource:
     except RoamError:
         if not os.access(file, os.R_OK):
             raise
+        if file.suffix.lower() == ".roam":
+            raise RoamError(
+                f"{file} is a project, not a plate; name the plate: a folder of images, a pattern, an image or a movie."
+            ) from None
         raise RoamError(
             f"{file} is no ROAM project, no picture and no movie. Open a folder of pictures, a movie, or a project, "
             "whose name ends with .roam; shapes of other programs are imported into a project."

@@ -9,7 +9,7 @@ from enum import StrEnum
 from itertools import pairwise, zip_longest
 from typing import Any
 
-from roam_core.arguments import finite
+from roam_core.arguments import finite, frame_number
 
 
 class Interpolation(StrEnum):
@@ -48,7 +48,10 @@ class ValueKey:
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "frame", frame_number(self.frame))
         object.__setattr__(self, "value", finite(self.value, "the value of a key"))
+        if not isinstance(self.interpolation, Interpolation):
+            object.__setattr__(self, "interpolation", Interpolation(self.interpolation))
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
+import numpy as np
+
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.placement import Placement, matrix_at
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import Keyframe, Origin, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, RotoShape, unplaced
+
+ALIKE = 1e-6
+"""Pixels of a layer by which two outlines may differ that are one, but for rounding."""
 
 
 def baked(shape: RotoShape) -> RotoShape:
@@ -18,11 +23,13 @@ def baked(shape: RotoShape) -> RotoShape:
     Where its layers move it gets a key on every frame, linear from one to the next; so it does between keys of its own
     whose span is smooth and reaches out of that time, or is seen in perspective, in which no blend of keys in the plate
     is that of the keys in the layer. A key that only a layer's motion asks for is an artist's, for without it the
-    outline would be wrong; the shape's own keys stay what they are.
+    outline would be wrong; the shape's own keys stay what they are. A step at the end of a held span stays a step: on
+    the frame before it the outline is held, without what the layers move it within that one frame.
     """
     moving = _moving(shape.placement)
     busy = {*moving, *_between_keys(shape, moving)}
-    keys = tuple(_key(shape, frame, frame in busy and frame + 1 in busy) for frame in sorted({*shape.frames, *busy}))
+    goes_on = {frame for frame in busy if frame + 1 in busy} - set(_before_steps(shape))
+    keys = tuple(_key(shape, frame, frame in goes_on) for frame in sorted({*shape.frames, *busy}))
     return replace(shape, keys=keys, placement=())
 
 
@@ -55,6 +62,20 @@ def _between_keys(shape: RotoShape, moving: range) -> Iterator[int]:
         is_cut = not still and start.interpolation is Interpolation.SMOOTH
         if is_cut or _in_perspective(shape.placement, start.frame, stop.frame):
             yield from range(start.frame, stop.frame + 1)
+
+
+def _before_steps(shape: RotoShape) -> Iterator[int]:
+    """The frames before keys of the shape's own at which it steps from what was held to another outline."""
+    own = unplaced(shape)
+    for start, stop in pairwise(own.keys):
+        if start.interpolation is Interpolation.HOLD and not _is_alike(start, stop):
+            yield stop.frame - 1
+
+
+def _is_alike(one: Keyframe, other: Keyframe) -> bool:
+    if one.feather is None or other.feather is None:
+        return one.feather is other.feather and np.allclose(one.points, other.points, atol=ALIKE)
+    return np.allclose(one.points, other.points, atol=ALIKE) and np.allclose(one.feather, other.feather, atol=ALIKE)
 
 
 def _in_perspective(placement: Placement, start: int, stop: int) -> bool:

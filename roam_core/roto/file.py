@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from roam_core.arguments import shown
+from roam_core.arguments import path_of, shown
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto.backups import backup_path
@@ -53,7 +53,7 @@ def save(project: Project, path: str | Path) -> None:
         when the folder is missing or may not be written to, or the project is too large to be read again; a file that
         was there is then still there, whole.
     """
-    path = Path(path)
+    path = path_of(path)
     write_atomically(path, _limited(_encoded(pieces(project, path.parent))))
 
 
@@ -65,11 +65,11 @@ def save_checked(project: Project, path: str | Path) -> None:
     Raises
     ------
     ValueError
-        when the project holds what no project file may, such as two shapes of one id.
+        when the path is none, or the project holds what no project file may, such as two shapes of one id.
     RoamError
         when the folder is missing or may not be written to, or the project is too large.
     """
-    path = Path(path)
+    path = path_of(path)
     if not isinstance(project, Project):
         raise ValueError(f"a project file holds a Project, not {shown(project)}")
     try:
@@ -86,12 +86,14 @@ def load(path: str | Path) -> Project:
 
     Raises
     ------
+    ValueError
+        when the path is none.
     RoamError
         when it is missing, not a project, too large, or of a newer version.
     DamagedProject
         when it is empty, cut short or damaged; its newest backup is named, where there is one.
     """
-    return load_versioned(Path(path))[0]
+    return load_versioned(path_of(path))[0]
 
 
 def load_versioned(path: Path) -> tuple[Project, int]:

@@ -113,6 +113,9 @@ class Layer:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "opacity", checked(self.opacity, f"the opacity of {self.name!r}"))
+        object.__setattr__(self, "children", tuple(self.children))
+        if not isinstance(self.blend, BlendMode):
+            object.__setattr__(self, "blend", BlendMode(self.blend))
 
     def opacity_at(self, frame: float) -> float:
         """The opacity of its joint matte at `frame`, in [0, 1]."""

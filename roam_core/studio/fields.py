@@ -65,7 +65,7 @@ class Verb:
     makes_project: bool
 
 
-_CONFIG = Field("config", Kind.TEXT, "the engine's configuration, with dials, such as best+smooth=2")
+_CONFIG = Field("config", Kind.TEXT, "the engine's configuration, with dials, such as best+smoothness=2")
 _SHAPE = Field("shape", Kind.TEXTS, "names or ids of the shapes (all)")
 _ALONE = Field("alone", Kind.FLAG, "solve each shape as if its object had no others")
 _KEYS = tuple(choice.value for choice in KeyChoice)

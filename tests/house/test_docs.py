@@ -16,6 +16,7 @@ import pytest
 from benchmarks import report
 from benchmarks.__main__ import BENCHMARKS
 from roam_core.cli import COMMANDS, main, program
+from roam_core.cli.configuring import configured
 from roam_core.params import CONFIGS
 from tests.conftest import ROOT
 
@@ -113,6 +114,13 @@ def test_options_of_the_readme_exist(command: str, capsys: pytest.CaptureFixture
     with pytest.raises(SystemExit):
         main([command, "--help"])
     assert sorted(written - set(re.findall(r"--[a-z-]+", capsys.readouterr().out))) == []
+
+
+@pytest.mark.parametrize("text", [*PAGES, ROOT / "roam_core/studio/fields.py"], ids=name_of)
+def test_dials_that_are_named_are_there(text: Path) -> None:
+    config = rf"\b(?:{'|'.join(CONFIGS)})(?:\+[a-z_.]+=[\d.]+)+"
+    for named in set(re.findall(config, text.read_text(encoding="utf-8"))):
+        configured(named.rstrip("."))
 
 
 def test_the_targets_of_make_that_documents_name_exist() -> None:

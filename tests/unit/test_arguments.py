@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -25,6 +26,8 @@ from roam_core import (
     fill_span,
     keys_from_mask,
     load_project,
+    open_clip,
+    read_mask,
     read_shapes,
     render_matte,
     save_project,
@@ -35,6 +38,8 @@ from roam_core import (
 )
 from roam_core.arguments import frame_number, moment, names_of, pixels_of, shown, size_of
 from roam_core.errors import RoamError
+from roam_core.interchange import MaskOptions
+from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.roto import Animated, ValueKey
 from tests.golden.shots import gliding, square
 
@@ -238,7 +243,18 @@ def test_words_stand_for_the_kinds_that_they_name() -> None:
     assert key.origin is Origin.ENGINE
     assert RotoShape("a", "A", (key,), blend="subtract").blend is BlendMode.SUBTRACT  # type: ignore[arg-type]
     assert ExportOptions(keys="reduced").keys is KeyChoice.REDUCED  # type: ignore[arg-type]
+    assert MaskOptions(keys="every").keys is KeyChoice.EVERY  # type: ignore[arg-type]
+    assert Layer("l", "L", (SHAPE,), blend="max").blend is BlendMode.MAX  # type: ignore[arg-type]
+    assert Animated((ValueKey(1, 0.0, "hold"), ValueKey(5, 1.0))).at(3) == 0.0  # type: ignore[arg-type]
+    style = MatteStyle("exr", "float", parts="layer", gathering="channels", window="tight")  # type: ignore[arg-type]
+    assert style == MatteStyle(MatteFile.EXR, Depth.FLOAT, None, Parts.LAYER, Gathering.CHANNELS, DataWindow.TIGHT)
+    assert style.window is DataWindow.TIGHT
     for call in (
+        lambda: MaskOptions(keys="few"),  # type: ignore[arg-type]
+        lambda: Layer("l", "L", blend="cut"),  # type: ignore[arg-type]
+        lambda: ValueKey(1, 0.0, "held"),  # type: ignore[arg-type]
+        lambda: MatteStyle("gif"),  # type: ignore[arg-type]
+        lambda: MatteStyle(depth="12"),  # type: ignore[arg-type]
         lambda: Keyframe(1, points, origin="nobody"),  # type: ignore[arg-type]
         lambda: RotoShape("a", "A", (key,), blend="cut"),  # type: ignore[arg-type]
         lambda: ExportOptions(keys="few"),  # type: ignore[arg-type]
@@ -304,6 +320,36 @@ def test_files_are_made_of_projects_and_read_for_clips(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"such as Clip\.of"):
         read_shapes(tmp_path / "p.nk", "plates")  # type: ignore[arg-type]
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("path", [None, 5, ["shot"]])
+def test_what_names_no_file_is_refused_by_every_call_that_takes_a_path(path: Any) -> None:
+    project = Project(Clip(Path("/plate"), 1, 5, (20, 20)))
+    calls: list[Callable[[], object]] = [
+        lambda: open_clip(path),
+        lambda: read_mask(path),
+        lambda: load_project(path),
+        lambda: save_project(project, path),
+        lambda: read_shapes(path, Clip(Path("/plate"), 1, 5, (20, 20))),
+        lambda: write_shapes(project, path, "json"),
+    ]
+    for call in calls:
+        with pytest.raises(ValueError, match="a file is named by a text or a Path, not"):
+            call()
+
+
+def test_a_path_may_be_bytes_as_the_system_has_them(tmp_path: Path) -> None:
+    project = Project(Clip(tmp_path / "plate", 1, 5, (20, 20)))
+    save_project(project, os.fsencode(tmp_path / "größe.roam"))
+    assert load_project(tmp_path / "größe.roam") == project
+
+
+@pytest.mark.parametrize("number", [np.nan, np.inf, -np.inf])
+def test_a_point_that_is_not_finite_has_no_matte(number: float) -> None:
+    points = np.full((4, 3, 2), 10.0)
+    points[1, 2, 0] = number
+    with pytest.raises(ValueError, match="not finite"):
+        render_matte(RotoShape("shape-1", "A", (Keyframe(1, points),)), 1, (20, 20))
 
 
 def test_a_wrong_argument_is_shown_in_few_letters() -> None:

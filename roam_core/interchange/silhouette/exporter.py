@@ -17,7 +17,7 @@ from roam_core.arrays import Array
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
-from roam_core.interchange.flatten import everything, is_feathered, shown_shapes
+from roam_core.interchange.flatten import everything, is_feathered, shown_shapes, untimed_intersect
 from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
@@ -87,7 +87,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     shown = frozenset(shape.id for shape in shown_shapes(project.root))
     writer = _Writer(clip, options, len(project.shapes), shown=shown)
     writer.notes += tangent_notes(project.root)
-    project = replace(project, root=writer.veiled(project.root))
+    project = replace(project, root=writer.veiled(_without_timed_intersect(project.root, clip.size)))
     writer.total = len(project.shapes)
     root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")
     if not project.root.visible or project.root.locked:
@@ -218,6 +218,16 @@ class _Writer(ShapeWriter):
 
     def _frame(self, frame: int) -> str:
         return str(frame - self.clip.first + self.options.frame_offset)
+
+
+def _without_timed_intersect(layer: Layer, size: tuple[int, int]) -> Layer:
+    """The layer without intersecting shapes of a lifetime: outside of it, their opacity of zero would take all."""
+    children: list[Item] = []
+    for child in layer.children:
+        children += (
+            [_without_timed_intersect(child, size)] if isinstance(child, Layer) else untimed_intersect(child, size)
+        )
+    return replace(layer, children=tuple(children))
 
 
 def _folds(layer: Layer) -> bool:

@@ -42,6 +42,7 @@ class IsolatedMovie(MoviePlate):
         self.size = told.size()
         self.fps, self.pixel_aspect = told.number("fps"), told.number("pixel_aspect")
         self.colour_space, self.depth = told.text("colour_space"), told.text("depth")
+        self.claimed = int(told.number("claimed"))
         self._number(min(int(told.number("count")), MOST_FRAMES))
 
     def _picture(self, index: int) -> Image | None:

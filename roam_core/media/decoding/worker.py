@@ -123,7 +123,7 @@ class Worker:
 
     def _movie(self, file: str) -> Result:
         movie = self._opened(file)
-        told = ("size", "fps", "pixel_aspect", "colour_space", "depth", "count")
+        told = ("size", "fps", "pixel_aspect", "colour_space", "depth", "count", "claimed")
         return {name: getattr(movie, name) for name in told}, None
 
     def _movie_picture(self, file: str, frame: int) -> Result:

@@ -22,6 +22,7 @@ from roam_core.roto import edit, file
 from tests.gui.engines import GlidingEngine, put_in
 from tests.gui.hand import Hand
 from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
+from tests.unit.media.conftest import write_movie
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
@@ -181,6 +182,14 @@ def test_a_shape_that_is_half_drawn_stays_when_the_plate_is_linked_anew(
     with qtbot.waitSignal(window.document.replaced, timeout=WAIT):
         window.files.open_plate(write_clip(tmp_path / "v002", 3))
     assert [shape.point_count for shape in window.document.project.shapes] == [4, 3]
+
+
+def test_a_movie_that_may_be_cut_short_is_told_as_it_opens(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    path = write_movie(tmp_path / "shot.avi", "MJPG", 20)
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT) as told:
+        window.files.open_clip(path)
+    assert "its header says 20: it may be cut short" in told.args[1]
 
 
 def test_a_colour_configuration_that_cannot_be_read_is_told_as_a_clip_opens(

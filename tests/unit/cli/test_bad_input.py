@@ -63,6 +63,22 @@ def test_a_text_file_in_place_of_a_project_is_no_damaged_image(roam: Roam, tmp_p
     assert "OpenImageIO" not in done.err
 
 
+def test_a_folder_of_masks_in_place_of_a_mask(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    done = roam("track", plate.folder, "--init", tmp_path)
+    require_refusal(
+        done, f"{tmp_path} is a folder; --init wants the mask of the start frame, a file. A sequence of masks"
+    )
+
+
+def test_a_project_in_place_of_the_clip_is_called_a_project(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    project = tmp_path / "shot.roam"
+    file.save(Project(), project)
+    done = roam("track", project, "--init", plate.mask)
+    require_refusal(
+        done, f"{project} is a project, not a plate; name the plate: a folder of images, a pattern, an image"
+    )
+
+
 def test_a_backup_is_known_as_a_project_and_a_picture_by_its_content(roam: Roam, plate: Plate, tmp_path: Path) -> None:
     file.save(Project(), tmp_path / "shot.roam.1")
     assert roam("info", tmp_path / "shot.roam.1").out.startswith("project ")

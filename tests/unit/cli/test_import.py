@@ -53,6 +53,7 @@ def test_the_project_itself_grows_when_no_other_is_named(roam: Roam, project: Pa
         ("a.fxs", "<Silhouette/>", "no shape that ROAM can read"),
         ("a.obj", "v 1 2 3", "no suffix that ROAM reads"),
         ("missing.nk", None, "does not exist"),
+        ("mattes", None, "does not exist; give a file of shapes, a mask or a folder of masks"),
     ],
 )
 def test_bad_files_are_one_sentence(roam: Roam, project: Path, name: str, content: str | None, message: str) -> None:

@@ -145,6 +145,18 @@ def test_info_tells_of_a_plate_that_moved_or_is_gone(roam: Roam, plate: Plate, k
     assert "is not there\n" in roam("info", keyed).out
 
 
+@pytest.mark.parametrize("command", ["shift", "soften", "plane", "review"])
+def test_what_needs_a_plate_that_is_gone_says_whose_it_is_and_what_to_do(
+    roam: Roam, plate: Plate, keyed: Path, command: str
+) -> None:
+    project, gone = file.load(keyed), plate.folder / "gone"
+    file.save(replace(project, clip=replace(project.require_clip(), path=gone)), keyed)
+    done = roam(command, keyed, *([keyed.with_suffix(".mp4")] if command == "review" else []))
+    assert done.status == 1
+    assert f"The project's plate {gone} is not there; put it back, or near the project" in done.err
+    assert len(done.err.splitlines()) == 1
+
+
 def test_a_colour_configuration_that_cannot_be_read_is_told_where_it_would_have_told_the_space(
     roam: Roam, plate: Plate, keyed: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -41,6 +41,11 @@ HOLE = block(2, 6.0, blend=BlendMode.SUBTRACT)
         (Layer("l", "L", (block(1, 2.0), block(3, 8.0)), blend=BlendMode.INTERSECT), (block(9, 5.0),), False),
         (Layer("l", "L", (), blend=BlendMode.INTERSECT), (block(9, 5.0),), False),
         (Layer("l", "L", (block(1, 2.0), HOLE), visible=False), (block(9, 5.0),), True),
+        (
+            Layer("l", "L", (block(1, 2.0), HOLE), blend=BlendMode.SUBTRACT),
+            (block(9, 5.0, blend=BlendMode.SUBTRACT),),
+            True,
+        ),
     ],
 )
 def test_the_shapes_of_a_layer_join_alike_or_stay_a_branch(

@@ -169,6 +169,15 @@ def square(left: float, **fields: Any) -> RotoShape:
     return RotoShape(f"shape-{left:g}", f"Square {left:g}", (key,), **fields)
 
 
+@pytest.mark.parametrize("opacity", [1.0, 0.4])
+@pytest.mark.parametrize("frame", [1001, 1003, 1006])
+def test_outside_of_its_lifetime_an_intersecting_shape_takes_nothing(frame: int, opacity: float) -> None:
+    keep = square(150.0, blend=BlendMode.INTERSECT, lifetime=(1002, 1005), opacity=opacity)
+    project = only(square(100.0), keep, opacity=0.5)
+    theirs = matte(silhouette_document(project)[0], frame, CLIP.size[::-1])
+    np.testing.assert_allclose(theirs, render_matte(project, frame, CLIP.size[::-1]), atol=1e-3)
+
+
 @pytest.mark.parametrize(
     ("upper", "is_veiled"),
     [

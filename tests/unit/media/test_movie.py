@@ -14,8 +14,9 @@ import pytest
 
 from roam_core.arrays import Image, UInt8
 from roam_core.errors import RoamError
-from roam_core.media import MissingFrame, open_clip
+from roam_core.media import MissingFrame, decoding, open_clip
 from roam_core.media.movie import LONGEST_STEP
+from roam_core.media.movie_plate import shortfall
 from tests.unit.media.conftest import movie_pictures, write_movie
 
 COUNT = 40
@@ -234,6 +235,23 @@ def test_a_movie_cut_short_gives_the_frames_that_are_whole(tmp_path: Path) -> No
     assert 1 < len(plate.frames) < COUNT
     for frame in (plate.frames[-2], 2, 1):
         np.testing.assert_array_equal(plate.read(frame), expected[frame - 1])
+
+
+@pytest.mark.parametrize("isolated", [False, True])
+def test_a_movie_shorter_than_its_header_says_is_told(
+    tmp_path: Path, isolated: bool, request: pytest.FixtureRequest
+) -> None:
+    if isolated:
+        request.addfinalizer(decoding.trust)
+        decoding.isolate()
+    path = write_movie(tmp_path / "shot.avi", "MJPG", COUNT)
+    assert shortfall(open_clip(path)) == ""
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    plate = open_clip(path)
+    assert len(plate.frames) < COUNT
+    assert shortfall(plate) == (
+        f"shot.avi has {len(plate.frames)} frames that can be read, its header says {COUNT}: it may be cut short."
+    )
 
 
 def test_a_movie_without_its_index_is_told(tmp_path: Path) -> None:

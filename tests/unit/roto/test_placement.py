@@ -121,6 +121,19 @@ def test_baking_keeps_the_outline_beyond_the_motion_of_the_layer(interpolation: 
         np.testing.assert_allclose(still.at(frame).points, placed.at(frame).points, atol=1e-9, err_msg=str(frame))
 
 
+def test_baking_keeps_a_step_where_the_layer_moves_on() -> None:
+    one = project()
+    placed = one.with_shape(edit.set_interpolation(one.shape("shape-1"), [1], Interpolation.HOLD)).shape("shape-1")
+    still = baked(placed)
+    np.testing.assert_allclose(still.at(1.5).points, placed.at(1.5).points)
+    assert [still.at(2.75).points[0, ANCHOR].tolist(), placed.at(2.75).points[0, ANCHOR].tolist()] == [
+        [12, 10],
+        [13.5, 10],
+    ]
+    same = edit.set_key(placed, 3, SQUARE + np.array([4.0, 0.0]))  # held to what it is already: nothing steps
+    np.testing.assert_allclose(baked(same).at(2.75).points, same.at(2.75).points)
+
+
 def test_exports_hold_the_motion() -> None:
     one = project()
     (shape,) = branched(one).shapes()
