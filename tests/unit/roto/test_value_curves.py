@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
@@ -9,7 +10,8 @@ from hypothesis import given
 
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Animated, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey
-from roam_core.roto.animated import value_at, values_of
+from roam_core.roto.animated import set_at, value_at, values_of
+from roam_core.roto.shifting import shifted
 from roam_core.roto.value_curves import (
     bend_values,
     bounded,
@@ -55,6 +57,34 @@ def test_keys_move_in_time_and_value_and_others_stay() -> None:
 def test_a_key_gives_way_to_one_that_arrives() -> None:
     after = move_values(PROJECT, [("shape-1", "opacity", 10)], 10)
     assert [(k.frame, k.value) for k in value(after, "shape-1", "opacity").keys] == [(20, 0.0), (30, 0.25)]
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        lambda project: move_values(project, PLACES, 2, 0.125),
+        lambda project: copy_values(project, PLACES, 3),
+        lambda project: delete_values(project, [("shape-1", "opacity", 10)]),
+        lambda project: paste_values(project, {("shape-1", "opacity"): [ValueKey(15, 0.5)]}),
+        lambda project: bend_values(project, PLACES),
+        lambda project: interpolate_values(project, PLACES, Interpolation.SMOOTH),
+        lambda project: set_slopes(project, ("shape-1", "opacity", 20), (0.01, 0.01)),
+        lambda project: shifted(project, 4),
+        lambda project: with_value(project, lambda value: set_at(value, 12, 0.5)),
+        lambda project: with_value(project, lambda value: value.without_key(20)),
+    ],
+)
+def test_what_a_later_program_wrote_beside_the_keys_outlives_their_edits(edit: Callable[[Project], Project]) -> None:
+    later = {"later": [1, 2]}
+    after = edit(with_value(PROJECT, lambda value: replace(value, extra=later)))
+    assert value(after, "shape-1", "opacity") != FADES
+    assert value(after, "shape-1", "opacity").extra == later
+
+
+def with_value(project: Project, change: Callable[[Animated], Animated | float]) -> Project:
+    shape = project.shape("shape-1")
+    assert isinstance(shape.opacity, Animated)
+    return project.with_shape(replace(shape, opacity=change(shape.opacity)))
 
 
 def test_the_last_key_to_go_leaves_its_value() -> None:
