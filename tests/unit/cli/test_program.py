@@ -119,3 +119,26 @@ def test_a_checkout_finds_its_own_folders() -> None:
     assert installation.resource("icons", "eye.svg").is_file()
     with pytest.raises(AttributeError, match="no attribute 'trailer'"):
         _ = installation.trailer
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["tarck", "shot", "--init", "mask.png"], "there is no command tarck; did you mean track?"),
+        (["zzz", "--json"], "there is no command zzz\n"),
+        ([".", "--init", "mask.png"], "unrecognized arguments: --init mask.png"),
+    ],
+)
+def test_a_misspelt_command_is_named_and_not_what_follows_it(
+    arguments: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        program.main(arguments)
+    assert ended.value.code == program.BAD_USAGE
+    assert sentence in capsys.readouterr().err
+
+
+def test_help_of_a_command_begins_with_what_the_list_says_of_it(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        program.main(["plugin", "--help"])
+    assert "Write ROAM's menu for Nuke, Natron or Blender." in capsys.readouterr().out
