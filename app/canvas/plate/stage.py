@@ -109,5 +109,7 @@ class Stage(QObject):
     def _take_matte(self) -> None:
         if (pixels := self.matte.pixels) is not None:
             self._mattes[pixels.ndim == 3] = Picture(pixels)
+        else:
+            self._mattes.clear()  # those of before would pass for what could not be rendered
         self.changed.emit()
         self.matte_ready.emit()
