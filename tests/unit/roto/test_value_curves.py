@@ -103,6 +103,12 @@ def test_tangents_run_through_and_are_flat_at_turns_and_ends() -> None:
     assert (min(seen), max(seen)) == (0.0, 5.0)
 
 
+def test_a_tangent_is_as_steep_as_the_line_between_its_own_neighbours() -> None:
+    rising = Animated(tuple(map(ValueKey, (0, 2, 4, 8, 10), (0.0, 1.0, 4.0, 5.0, 9.0))))
+    slopes = [key.slopes and key.slopes[0] for key in with_tangents(rising, rising.frames).keys]
+    assert slopes == pytest.approx([0.0, 4.0 / 4, 4.0 / 6, 5.0 / 6, 0.0])
+
+
 def test_another_way_to_move_on_takes_the_tangents_away() -> None:
     bent = bend_values(PROJECT, value_places(PROJECT))
     assert all(key.slopes is not None for key in value(bent, "layer-1", "opacity").keys)
