@@ -83,6 +83,8 @@ class ReviewJob(QObject):
             report.partial(boil_by_picture(read, tuple(asked.values()), report.token, report.progress))
             return tr("Boil is measured by the picture.")
 
+        if self._runner.makes_wait(MEASURING):
+            self._tell(MEASURING, 0.0, tr("Boil is measured when what is being written has ended."))
         job = self._runner.start(MEASURING, work)
         job.progress.connect(partial(self._tell, MEASURING))
         job.partial.connect(lambda boil: self.measured.emit(asked, boil))
