@@ -136,9 +136,3 @@ def test_a_misspelt_command_is_named_and_not_what_follows_it(
         program.main(arguments)
     assert ended.value.code == program.BAD_USAGE
     assert sentence in capsys.readouterr().err
-
-
-def test_help_of_a_command_begins_with_what_the_list_says_of_it(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit):
-        program.main(["plugin", "--help"])
-    assert "Write ROAM's menu for Nuke, Natron or Blender." in capsys.readouterr().out
