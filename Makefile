@@ -7,6 +7,16 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+MADE_IN := $(shell cat $(READY) 2>/dev/null)
+FRESH :=
+
+# What is installed in .venv names the folder that it was installed in: where that was moved or renamed it is made anew.
+ifneq "$(MADE_IN)" ""
+ifneq "$(MADE_IN)" "$(CURDIR)"
+FRESH := yes
+.PHONY: $(READY)
+endif
+endif
 
 .PHONY: run test setup lint bench docs screenshots translations wheel bundle clean
 
@@ -16,10 +26,10 @@ $(READY): pyproject.toml constraints.txt scripts/system-libraries
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "ROAM needs Python 3.11 or newer: make setup PYTHON=python3.11"; exit 1; }
 	@scripts/system-libraries --test
 	@$(PYTHON) -c 'import ensurepip' 2>/dev/null || { echo "Python's venv module is missing: sudo apt-get install python3-venv"; exit 1; }
-	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@{ test -z "$(FRESH)" && test -x $(BIN)/python; } || $(PYTHON) -m venv --clear $(VENV)
 	@echo "Installing ROAM and its libraries into $(VENV) ..."
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[window,docs,dev,studio]'
-	@touch $(READY)
+	@echo "$(CURDIR)" > $(READY)
 
 run: setup
 	@$(BIN)/roam demo

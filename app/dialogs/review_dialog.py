@@ -274,12 +274,12 @@ class ReviewDialog(QDialog):
         self._pull_hint()
 
     def _show_progress(self, fraction: float, text: str) -> None:
-        if self._is_ours:
+        if self._is_ours and self._writing.is_told_of_writing:
             self.bar.setValue(round(1000 * fraction))
             self.hint.setText(text)
 
     def _show_end(self, _ending: Ending, sentence: str) -> None:
-        if self._is_ours:
+        if self._is_ours and self._writing.is_told_of_writing:
             self._is_ours = False
             self._pull_running()
             self.hint.setText(sentence)

@@ -103,11 +103,6 @@ class Playback(QObject):
     def repeat(self) -> Repeat:
         return self._repeat
 
-    @property
-    def is_looping(self) -> bool:
-        """True when the first frame follows the last."""
-        return self._repeat is Repeat.LOOP
-
     def set_repeat(self, repeat: Repeat) -> None:
         """Choose what happens at the end of the play range, also while it plays."""
         if repeat is not self._repeat:

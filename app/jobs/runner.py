@@ -126,6 +126,10 @@ class Runner(QObject):
         job = self._jobs.get(kind)
         return None if job is None or job.is_over else job
 
+    def makes_wait(self, kind: str) -> bool:
+        """Whether a job of a kind would have to wait for unfinished ones of other kinds."""
+        return any(not job.is_over for job in self._jobs.values() if job.kind != kind)
+
     @property
     def is_idle(self) -> bool:
         return all(job.is_over for job in self._jobs.values())

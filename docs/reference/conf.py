@@ -93,7 +93,8 @@ class Bare(str):
 
 def signature(_app: Sphinx, what: str, _name: str, thing: Any, *_: object) -> tuple[str, str | None] | None:
     """The parameters and the result of a function or class, with the types as the source writes them."""
-    if what not in ("class", "function", "method"):
+    # Sphinx asks of what a module imports, too, before it leaves that out: some of Python's own has no signature.
+    if what not in ("class", "function", "method") or not thing.__module__.startswith("roam_core"):
         return None
     if isinstance(thing, type) and (issubclass(thing, Enum) or getattr(thing, "_is_protocol", False)):
         return "", None  # nobody makes one by calling it

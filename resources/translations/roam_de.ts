@@ -607,6 +607,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Das Flimmern ist am Bild gemessen.</translation>
     </message>
     <message>
+        <source>Boil is measured when what is being written has ended.</source>
+        <translation>Das Flimmern wird gemessen, sobald fertig geschrieben ist.</translation>
+    </message>
+    <message>
         <source>Box or click an object: a shape is fitted to it</source>
         <translation>Rahmen oder Klick auf ein Objekt: Eine Form wird angepasst</translation>
     </message>

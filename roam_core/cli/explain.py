@@ -16,7 +16,7 @@ from roam_core.cli.explain_picture import TOTAL, choices, drawn
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
-from roam_core.cli.picking import picked
+from roam_core.cli.picking import add_shapes, picked
 from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import require_target
@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("project", type=path_of, metavar="P.roam")
     parser.add_argument("--frame", type=int, required=True, metavar="F", help="frame to explain")
-    parser.add_argument("--shape", metavar="NAME", help="only this shape (default: all that hold a key there)")
+    add_shapes(parser, "only this shape, or these; default: all that hold a key there")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a shape")
     parser.add_argument("--picture", type=path_of, metavar="OUT.png", help="draw the terms over the frame")
     parser.add_argument(
@@ -82,15 +82,12 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def keyed_shapes(project: Project, path: Path, frame: int, name: str | None) -> list[RotoShape]:
-    """The closed shapes that hold a key on the frame, or the one that was asked for; one sentence if there is none."""
+def keyed_shapes(project: Project, path: Path, frame: int, names: Sequence[str] | None) -> list[RotoShape]:
+    """The closed shapes that hold a key on the frame, or those asked for of them; one sentence if there is none."""
     clip = project.require_clip()
     if not clip.first <= frame <= clip.last:
         raise RoamError(f"--frame {frame} lies outside the clip's frames {clip.first}-{clip.last}.")
-    shapes = [shape for shape in project.shapes if shape.closed]
-    if name is not None:
-        shapes = picked(project, [name])
-    keyed = [shape for shape in shapes if shape.key_at(frame) is not None]
+    keyed = [shape for shape in picked(project, names) if shape.closed and shape.key_at(frame) is not None]
     if not keyed:
         raise RoamError(f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first.")
     return keyed

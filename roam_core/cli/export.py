@@ -10,7 +10,7 @@ from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
-from roam_core.cli.picking import add_only, with_only
+from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
@@ -55,7 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--lossy", action="store_true", help="write even where the mattes would differ in the other program"
     )
     parser.add_argument("--json", action="store_true", help="print a line of JSON: the files, and what they leave out")
-    add_only(parser)
+    add_shapes(parser, "write only this shape, or these")
     add_matte_arguments(parser)
     add_overwrite(parser)
 

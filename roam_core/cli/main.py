@@ -93,7 +93,8 @@ def _run(argv: list[str]) -> int:
 def _run_command(name: str, argv: list[str]) -> int:
     """Run a command. Only its module is loaded: `roam info` does not wait for the solver."""
     module = _module(name)
-    parser = argparse.ArgumentParser(prog=f"roam {name}", description=f"{COMMANDS[name].capitalize()}.")
+    summary = COMMANDS[name]
+    parser = argparse.ArgumentParser(prog=f"roam {name}", description=f"{summary[0].upper()}{summary[1:]}.")
     module.add_arguments(parser)
     # What is optional may stand between what is not: `roam review P.roam --sheet OUT`.
     arguments = parser.parse_intermixed_args(argv)

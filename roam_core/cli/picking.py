@@ -24,11 +24,14 @@ EVERYTHING = Picking()
 """All shapes, those of an object together."""
 
 
+def add_shapes(parser: argparse.ArgumentParser, meaning: str, word: str = "--shape") -> None:
+    """Declare `--shape`, or another `word` that takes names or ids of shapes and may be given again."""
+    parser.add_argument(word, action="append", metavar="NAME", help=f"{meaning} (name or id; may be given again)")
+
+
 def add_arguments(parser: argparse.ArgumentParser, verb: str) -> None:
     """Declare `--shape` and `--alone` for a command that solves frames."""
-    parser.add_argument(
-        "--shape", action="append", metavar="NAME", help=f"{verb} only this shape, or these (may be given again)"
-    )
+    add_shapes(parser, f"{verb} only this shape, or these")
     parser.add_argument(
         "--alone", action="store_true", help="solve each shape as if its object had no others (default: together)"
     )
@@ -39,13 +42,6 @@ def picked(project: Project, names: Sequence[str] | None) -> list[RotoShape]:
     if not names:
         return list(project.shapes)
     return _named([shape for shape in project.shapes if shape.closed], names, "closed shape")
-
-
-def add_only(parser: argparse.ArgumentParser) -> None:
-    """Declare `--shape` for a command that writes shapes or pictures of them."""
-    parser.add_argument(
-        "--shape", action="append", metavar="NAME", help="write only this shape, or these (name or id; may be repeated)"
-    )
 
 
 def with_only(project: Project, names: Sequence[str] | None) -> Project:

@@ -14,7 +14,7 @@ from roam_core.cli.keeping import Keeper, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_of
-from roam_core.cli.picking import Picking, picked, trackable
+from roam_core.cli.picking import Picking, add_shapes, picked, trackable
 from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import first_key, frame_range, require_target
@@ -35,21 +35,14 @@ WAYS = tuple(way.value for way in LeaveOut if way is not LeaveOut.CHOSEN)
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("project", type=path_of, metavar="P.roam")
-    parser.add_argument(
-        "--shape", action="append", metavar="NAME", help="a shape on the surface (may be given again; default: all)"
-    )
+    add_shapes(parser, "a shape on the surface; default: all")
     parser.add_argument(
         "--motion",
         choices=[kind.value for kind in PlaneMotion],
         default=PlaneMotion.SIMILARITY.value,
         help="what the surface may do; the simplest that fits is the best (default similarity)",
     )
-    parser.add_argument(
-        "--exclude",
-        action="append",
-        metavar="NAME",
-        help="a shape before the surface: what it covers is not looked at (may be given again)",
-    )
+    add_shapes(parser, "a shape before the surface: what it covers is not looked at", "--exclude")
     parser.add_argument(
         "--leave-out",
         choices=WAYS,

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import os
 import signal
 import sys
 from collections.abc import Sequence
+from difflib import get_close_matches
 from types import ModuleType
 
 from roam_core import __version__
@@ -30,7 +32,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
         return command(arguments) if argv is not None else command_as_process(arguments)
-    path = _parser().parse_args(arguments).path
+    path = _path_in(arguments)
     launch = window_module("shell.launch")
     with decoding_apart():
         return _demo(launch) if arguments == ["demo"] else _window(launch, path)
@@ -75,6 +77,19 @@ def _demo(launch: ModuleType | None) -> int:
     missing = "The window is not installed" if launch is None else "There is no display"
     _tell(f"{missing}, so the demo is tracked without a window.")
     return command_line(["demo", "--headless"])
+
+
+def _path_in(arguments: list[str]) -> str | None:
+    """The clip or project that is named for the window; bad usage, a misspelt command too, ends here."""
+    parser = _parser()
+    given, rest = parser.parse_known_args(arguments)
+    path: str | None = given.path
+    if rest and path is not None and not os.path.lexists(path):
+        near = get_close_matches(path, COMMANDS, n=1)
+        parser.error(f"there is no command {path}{f'; did you mean {near[0]}?' if near else ''}")
+    if rest:
+        parser.error(f"unrecognized arguments: {' '.join(rest)}")
+    return path
 
 
 def _parser() -> argparse.ArgumentParser:

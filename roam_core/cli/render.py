@@ -14,7 +14,7 @@ from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style, require_no_picture
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
-from roam_core.cli.picking import add_only, with_only
+from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, tell
 from roam_core.cli.spans import asked_frames
 from roam_core.cli.track import require_writable
@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--name", metavar="PATTERN", help="of the files, such as 'hero.####.exr' (default: as the plate's frames)"
     )
     parser.add_argument("--json", action="store_true", help="print a line of JSON: the files, written or there already")
-    add_only(parser)
+    add_shapes(parser, "write only this shape, or these")
     add_matte_arguments(parser)
     add_overwrite(parser)
 

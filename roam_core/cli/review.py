@@ -13,7 +13,7 @@ from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
-from roam_core.cli.picking import add_only, with_only
+from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
@@ -74,7 +74,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--width", type=int, default=SheetLayout.width, metavar="PX", help="of a page of a contact sheet"
     )
     parser.add_argument("--font", default="", metavar="NAME", help="name or file of the font of what is written")
-    add_only(parser)
+    add_shapes(parser, "write only this shape, or these")
     add_overwrite(parser)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_of
-from roam_core.cli.picking import with_only
+from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, require_plate
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
@@ -30,9 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--by", type=int, metavar="N", help="frames later, or below zero earlier (default: as the plate was renumbered)"
     )
-    parser.add_argument(
-        "--shape", action="append", metavar="NAME", help="shift only this shape, or these, with --by (may be repeated)"
-    )
+    add_shapes(parser, "shift only this shape, or these, with --by")
     parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument(
         "--json", action="store_true", help="print a line of JSON: by how much, which frames, and what is out of date"

@@ -8,6 +8,7 @@ import sys
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
+from roam_core.cli.picking import add_shapes
 from roam_core.cli.plate_task import PlateTask
 from roam_core.matte.softening import matched, told
 from roam_core.matte.softness import Softness, measured
@@ -28,9 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="what the softness becomes: motion blur, with feather for what the motion does not explain (default), "
         "or one of the two",
     )
-    parser.add_argument(
-        "--shape", action="append", metavar="NAME", help="soften only this shape, or these (may be given again)"
-    )
+    add_shapes(parser, "soften only this shape, or these")
     parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a key: how wide its edge is")
     add_overwrite(parser)

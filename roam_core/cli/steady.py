@@ -10,6 +10,7 @@ from pathlib import Path
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_of
+from roam_core.cli.picking import add_shapes
 from roam_core.cli.plate_task import PlateTask
 from roam_core.errors import RoamError
 from roam_core.params.steadiness import RESIDUAL, STEADINESS
@@ -27,9 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="S",
         help=f"from 0, nothing, to 1 (default: {STEADINESS.strength:g})",
     )
-    parser.add_argument(
-        "--shape", action="append", metavar="NAME", help="steady only this shape, or these (may be given again)"
-    )
+    add_shapes(parser, "steady only this shape, or these")
     parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the first with a tracked key)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the last with a tracked key)")
     parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")

@@ -59,6 +59,7 @@ class Animated:
     """A value through time: at least one key, in frame order, one on a frame."""
 
     keys: tuple[ValueKey, ...]
+    extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         keys = tuple(sorted(self.keys, key=lambda key: key.frame))
@@ -109,12 +110,12 @@ class Animated:
 
     def with_key(self, key: ValueKey) -> Animated:
         """The value with `key` put on its frame, in place of a key that was there."""
-        return Animated((*(each for each in self.keys if each.frame != key.frame), key))
+        return replace(self, keys=(*(each for each in self.keys if each.frame != key.frame), key))
 
     def without_key(self, frame: int) -> Animatable:
         """The value without the key on `frame`; the last key to go leaves its value, which stays for good."""
         kept = tuple(key for key in self.keys if key.frame != frame)
-        return Animated(kept) if kept else self.keys[0].value
+        return replace(self, keys=kept) if kept else self.keys[0].value
 
 
 def cubic_slopes(before: ValueKey, after: ValueKey) -> Slopes | None:

@@ -174,7 +174,8 @@ def _read_value(value: Any, name: str, count: Count) -> Animatable:
     if value["type"] != "Animated":
         raise ValueError(f"{name} is no number and no animated value")
     count.keys(len(value["keys"]))
-    return Animated(tuple(_read_value_key(key, name) for key in value["keys"]))
+    keys = tuple(_read_value_key(key, name) for key in value["keys"])
+    return Animated(keys, extra=_rest(value, "type", "keys"))
 
 
 def _read_value_key(document: Document, name: str) -> ValueKey:

@@ -126,7 +126,7 @@ def _stamp(key: Keyframe, offset: int) -> str:
 def _value(value: Animatable, offset: int) -> Animatable:
     if not isinstance(value, Animated):
         return value
-    return Animated(tuple(replace(key, frame=key.frame + offset) for key in value.keys))
+    return replace(value, keys=tuple(replace(key, frame=key.frame + offset) for key in value.keys))
 
 
 def _lifetime(lifetime: tuple[int, int] | None, offset: int) -> tuple[int, int] | None:

@@ -118,7 +118,7 @@ def _transform(transform: LayerTransform) -> dict[str, Any]:
 def _value(value: Animatable) -> Any:
     if not isinstance(value, Animated):
         return value
-    return {"type": "Animated", "keys": [_value_key(key) for key in value.keys]}
+    return {"type": "Animated", "keys": [_value_key(key) for key in value.keys], **value.extra}
 
 
 def _value_key(key: ValueKey) -> dict[str, Any]:

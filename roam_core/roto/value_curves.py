@@ -135,19 +135,22 @@ def moved(value: Animated, frames: Collection[int], offset: int, amount: float) 
     """The value with its keys on `frames` shifted by frames and an amount; a key where one arrives gives way."""
     going = [replace(k, frame=k.frame + offset, value=k.value + amount) for k in value.keys if k.frame in frames]
     staying = {key.frame: key for key in value.keys if key.frame not in frames}
-    return Animated(tuple((staying | {key.frame: key for key in going}).values()))
+    return replace(value, keys=tuple((staying | {key.frame: key for key in going}).values()))
 
 
 def pasted(value: Animatable, keys: Iterable[ValueKey], offset: int) -> Animatable:
     """The value with keys put on frames `offset` on; a key where one arrives gives way."""
     put = {key.frame + offset: replace(key, frame=key.frame + offset) for key in keys}
-    return Animated(tuple(({key.frame: key for key in value_keys(value)} | put).values())) if put else value
+    if not put:
+        return value
+    all_keys = tuple(({key.frame: key for key in value_keys(value)} | put).values())
+    return replace(value, keys=all_keys) if isinstance(value, Animated) else Animated(all_keys)
 
 
 def deleted(value: Animated, frames: Collection[int]) -> Animatable:
     """The value without its keys on `frames`; the last one to go leaves its value, which stays for good."""
     kept = tuple(key for key in value.keys if key.frame not in frames)
-    return Animated(kept) if kept else value.keys[0].value
+    return replace(value, keys=kept) if kept else value.keys[0].value
 
 
 def with_tangents(value: Animated, frames: Collection[int]) -> Animated:
@@ -197,7 +200,7 @@ def bounded(value: Animatable, name: str) -> Animatable:
         if i + 1 < len(keys) and cubic_slopes(key, keys[i + 1]) is not None:
             leaving = _held_slope(key.value, leaving, (keys[i + 1].frame - key.frame) / 3.0, held)
         keys[i] = replace(key, slopes=(arriving, leaving))
-    return Animated(tuple(keys))
+    return replace(value, keys=tuple(keys))
 
 
 def _held_slope(value: float, slope: float, reach: float, held: Callable[[float], float]) -> float:
@@ -207,4 +210,4 @@ def _held_slope(value: float, slope: float, reach: float, held: Callable[[float]
 
 
 def _changed(value: Animated, frames: Collection[int], change: Callable[[ValueKey], ValueKey]) -> Animated:
-    return Animated(tuple(change(key) if key.frame in frames else key for key in value.keys))
+    return replace(value, keys=tuple(change(key) if key.frame in frames else key for key in value.keys))

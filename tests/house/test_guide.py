@@ -66,6 +66,13 @@ def test_keys_of_the_tour_exist() -> None:
     assert [key for cell in cells for key in keys_in(cell) if key not in known] == []
 
 
+def test_every_section_stands_in_the_contents_in_its_order() -> None:
+    contents, _, tour = GUIDE.partition("\n## ")
+    tour = f"## {tour.partition('## Coming from other programs')[0]}"
+    listed = [title for title in re.findall(r"^\d+\. \[(.+?)\]", contents, flags=re.MULTILINE) if "Coming" not in title]
+    assert listed == re.findall(r"^## (.+)$", tour, flags=re.MULTILINE)
+
+
 def test_pictures_are_taken_by_the_script() -> None:
     files = ROOT / "scripts" / "screenshots.py", *(ROOT / "scripts").glob("*_scenes.py")
     script = "".join(path.read_text(encoding="utf-8") for path in files)

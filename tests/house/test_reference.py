@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import runpy
 import subprocess
 import sys
 
@@ -51,6 +52,14 @@ def test_parameters_stand_with_their_meaning_and_errors_with_their_reason(pages:
 def test_a_name_in_a_docstring_leads_to_its_own_description(pages: dict[str, str]) -> None:
     assert 'href="#roam_core.Project.shape"' in pages["shapes"]
     assert 'href="tracking.html#roam_core.RoamError"' in pages["files"]
+
+
+def test_what_a_module_imports_from_python_needs_no_signature() -> None:
+    """Of Python 3.12 and later `typing.TypeVar` has none, as `dict` has none in any."""
+    pytest.importorskip("sphinx", reason="sphinx is not installed (pip install 'roam-roto[docs]')")
+    signature = runpy.run_path(str(SOURCE / "conf.py"))["signature"]
+    assert signature(None, "class", "roam_core.params.paths.dict", dict) is None
+    assert signature(None, "function", "roam_core.params.params_for", params.params_for) is not None
 
 
 def test_methods_of_what_is_offered_have_a_docstring_each() -> None:

@@ -66,15 +66,18 @@ class BackgroundLayer(QObject):
 
     def _work(self, path: str) -> None:
         """On a thread of its own: the signal brings the result back to the window's."""
+        found: UInt8 | str = ""
         try:
-            self._read.emit(path, _read(Path(path)))
+            found = _read(Path(path))
         except RoamError as error:
-            self._read.emit(path, str(error))
+            found = str(error)
+        finally:  # after any other error, too, which goes its own way: the next picture has to be read
+            self._read.emit(path, found)
 
     def _take(self, path: str, found: UInt8 | str) -> None:
         self._thread = None
         self._picture = path, None if isinstance(found, str) else Picture(found)
-        if isinstance(found, str):
+        if isinstance(found, str) and found:
             self.refused.emit(found)
         if path != self._wanted:
             self._start()

@@ -54,7 +54,7 @@ class MatteLayer(QObject):
         self._thread: threading.Thread | None = None
         self._rendered.connect(self._take)
         self.pixels: UInt8 | None = None
-        """The last matte that was rendered, (h, w), or the plate cut out by it, (h, w, 4); read-only."""
+        """The last matte, (h, w), or the plate cut out by it, (h, w, 4); read-only. None where that failed."""
         self.plate: Picture | None = None
         """The picture that `pixels` are cut out of; None for a matte."""
 
@@ -79,14 +79,17 @@ class MatteLayer(QObject):
 
     def _work(self, request: MatteRequest) -> None:
         """On the layer's thread: the signal brings the result back to the window's."""
-        matte = self._render(*request[:3])
-        pixels = np.rint(matte * np.float32(255.0)).astype(np.uint8)
-        if request.plate is not None:
-            pixels = cut_out(request.plate.pixels, pixels)
-        pixels.setflags(write=False)
-        self._rendered.emit(request, pixels)
+        pixels: UInt8 | None = None
+        try:
+            matte = self._render(*request[:3])
+            pixels = np.rint(matte * np.float32(255.0)).astype(np.uint8)
+            if request.plate is not None:
+                pixels = cut_out(request.plate.pixels, pixels)
+            pixels.setflags(write=False)
+        finally:  # after an error, too, which goes its own way: the next request has to be rendered
+            self._rendered.emit(request, pixels)
 
-    def _take(self, request: MatteRequest, pixels: UInt8) -> None:
+    def _take(self, request: MatteRequest, pixels: UInt8 | None) -> None:
         self.pixels, self.plate, self._shown, self._running = pixels, request.plate, request, None
         waiting, self._waiting = self._waiting, None
         if waiting:

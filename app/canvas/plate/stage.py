@@ -110,5 +110,7 @@ class Stage(QObject):
         if (pixels := self.matte.pixels) is not None:
             plate = self.matte.plate
             self._mattes[plate is not None] = Picture(pixels) if plate is None else plate.cut_out(pixels)
+        else:
+            self._mattes.clear()  # those of before would pass for what could not be rendered
         self.changed.emit()
         self.matte_ready.emit()

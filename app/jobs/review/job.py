@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -34,6 +35,8 @@ class ReviewJob(QObject):
     written(path) : it was made as a whole.
     measured(shapes, boil) : the boil by the picture of shapes, as they were when it began, both by their ids.
 
+    `is_told_of_writing`: whether `progress` or `finished` tells of what is written, and not of a measurement.
+
     Neither plate nor project file are written over. Files that ROAM did not make are, if `may_overwrite(paths)` says
     so: the artist, who is asked before anything is written.
     """
@@ -53,6 +56,7 @@ class ReviewJob(QObject):
     ) -> None:
         super().__init__(parent)
         self._document, self._runner, self._reading, self._may_overwrite = document, runner, reading, may_overwrite
+        self.is_told_of_writing = False
 
     @property
     def is_writing(self) -> bool:
@@ -79,10 +83,12 @@ class ReviewJob(QObject):
             report.partial(boil_by_picture(read, tuple(asked.values()), report.token, report.progress))
             return tr("Boil is measured by the picture.")
 
+        if self._runner.makes_wait(MEASURING):
+            self._tell(MEASURING, 0.0, tr("Boil is measured when what is being written has ended."))
         job = self._runner.start(MEASURING, work)
-        job.progress.connect(self.progress)
+        job.progress.connect(partial(self._tell, MEASURING))
         job.partial.connect(lambda boil: self.measured.emit(asked, boil))
-        job.ended.connect(lambda ending, sentence: self.finished.emit(ending, sentence or tr("Stopped measuring.")))
+        job.ended.connect(lambda ending, sentence: self._end(MEASURING, ending, sentence or tr("Stopped measuring.")))
 
     def _start(self, writing: _Writing) -> None:
         foreign: list[Path] = []
@@ -95,16 +101,24 @@ class ReviewJob(QObject):
             if ending is Ending.DONE and foreign and self._may_overwrite(foreign):
                 self._start(replace(writing, overwrites=True))
             elif ending is Ending.DONE and foreign:
-                self.finished.emit(Ending.CANCELLED, tr("Nothing was written; the files that are there stay."))
+                self._end(WRITING, Ending.CANCELLED, tr("Nothing was written; the files that are there stay."))
             else:
                 stopped = sentence or tr("Stopped; pictures that are finished stay.")
-                self.finished.emit(ending, stopped if ending is Ending.CANCELLED else sentence)
+                self._end(WRITING, ending, stopped if ending is Ending.CANCELLED else sentence)
                 if ending is Ending.DONE:
                     self.written.emit(writing.request.path)
 
         job = self._runner.start(WRITING, work)
-        job.progress.connect(self.progress)
+        job.progress.connect(partial(self._tell, WRITING))
         job.ended.connect(end)
+
+    def _tell(self, kind: str, fraction: float, text: str) -> None:
+        self.is_told_of_writing = kind == WRITING
+        self.progress.emit(fraction, text)
+
+    def _end(self, kind: str, ending: Ending, sentence: str) -> None:
+        self.is_told_of_writing = kind == WRITING
+        self.finished.emit(ending, sentence)
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,6 @@ SELECTED, BACKGROUND = "#3a3a3a", "#707070"
 DOUBT, STALE = "#ff8c1a", "#a8a8a8"
 """The canvas's colour of doubt; a grey for what is of the past. Form tells them apart as well."""
 
-NO_FRAMES: frozenset[int] = frozenset()
 Look = tuple[TimeScale, QSize, bool, frozenset[int], float]
 
 

@@ -189,6 +189,49 @@ def test_a_movie_that_is_stopped_does_not_appear_and_another_can_be_written(
     assert write(qtbot, dialog).startswith("Wrote 10 frame(s)")
 
 
+def test_boil_that_has_to_wait_for_what_is_written_says_so(
+    qtbot: QtBot, dialog: ReviewDialog, document: Document, plate: Plate
+) -> None:
+    plate.opened.clear()
+    qtbot.mouseClick(dialog.start, LEFT)
+    qtbot.waitUntil(lambda: bool(plate.threads), timeout=WAIT)
+    told: list[str] = []
+    dialog._writing.progress.connect(lambda _, text: told.append(text))
+    for _ in range(2):  # again: the first one, which waits, is superseded
+        dialog._writing.measure(document.project.shapes)
+    assert told == 2 * ["Boil is measured when what is being written has ended."]
+    assert dialog.hint.text() != told[0]
+    ended: list[str] = []
+    dialog._writing.finished.connect(lambda _, sentence: ended.append(sentence))
+    plate.opened.set()
+    qtbot.waitUntil(lambda: len(ended) == 2, timeout=WAIT)
+    assert ended[1] == "Boil is measured by the picture."
+    told.clear()
+    with qtbot.waitSignal(dialog._writing.finished, timeout=WAIT):
+        dialog._writing.measure(document.project.shapes)
+    assert "Boil is measured when" not in " ".join(told)
+
+
+def test_boil_that_is_measured_before_is_not_taken_for_what_is_written(
+    qtbot: QtBot, dialog: ReviewDialog, document: Document, plate: Plate
+) -> None:
+    plate.opened.clear()
+    dialog._writing.measure(document.project.shapes)
+    qtbot.waitUntil(lambda: bool(plate.threads), timeout=WAIT)
+    qtbot.mouseClick(dialog.start, LEFT)
+    told: list[tuple[str, bool, bool]] = []
+
+    def note(_ending: Ending, sentence: str) -> None:
+        told.append((sentence, dialog.start.isEnabled(), dialog.stop.isEnabled()))
+
+    dialog._writing.finished.connect(note)
+    plate.opened.set()
+    qtbot.waitUntil(lambda: len(told) == 2, timeout=WAIT)
+    assert told[0] == ("Boil is measured by the picture.", False, True)
+    assert told[1][0].startswith("Wrote 10 frame(s)")
+    assert told[1][1:] == (True, False)
+
+
 def test_what_somebody_else_made_is_asked_about(
     qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path, answers: list[bool]
 ) -> None:

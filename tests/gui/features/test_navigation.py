@@ -107,6 +107,15 @@ def test_steps_stay_inside_the_clip(navigation: Navigation, view_state: ViewStat
     assert view_state.frame == 1048
 
 
+def test_in_leaves_out_where_it_is_and_out_leaves_in(navigation: Navigation, view_state: ViewState) -> None:
+    for set_end, frame in ((navigation.set_out, 1030), (navigation.set_in, 1010), (navigation.set_out, 1020)):
+        view_state.set_frame(frame)
+        set_end()
+    assert view_state.play_range == (1010, 1021)
+    navigation.set_in()
+    assert view_state.play_range == (1020, 1021)
+
+
 def test_an_end_that_passes_the_other_one_frees_it(navigation: Navigation, view_state: ViewState) -> None:
     view_state.set_frame(1010)
     navigation.set_out()

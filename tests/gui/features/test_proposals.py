@@ -315,6 +315,15 @@ def test_what_was_answered_for_good_is_remembered_by_project(qtbot: QtBot, windo
     window.restore_settings(tmp_path / "window.ini")
 
 
+def test_a_new_project_is_not_answered_by_one_that_was_never_saved(qtbot: QtBot, window: MainWindow) -> None:
+    track(qtbot, window)
+    window.view_state.set_frame(OFFERED[0])
+    window.actions_by_id["proposal.refuse_always"].trigger()
+    assert window.proposals.answer("shape-1") == "never"
+    window.files.new()
+    assert window.proposals.answer("shape-1") is None
+
+
 def test_the_sentence_tells_the_gain_in_three_figures() -> None:
     shape = RotoShape("s", "Wing", (Keyframe(FIRST, WHOLE),))
     offer = Proposal.of(TopologyChange(TopologyKind.DROP, RINGS[:1], 1234.4), shape, FIRST, 1.0)

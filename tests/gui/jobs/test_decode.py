@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.jobs import decode
 from app.jobs.decode import PlateReader
 from app.model.viewing import Viewing
 from roam_core.errors import RoamError
@@ -123,6 +124,20 @@ def test_converted_pictures_are_kept(qtbot: QtBot, reader: PlateReader) -> None:
         pictures.append(picture.args[1])
         qtbot.waitUntil(lambda: reader._runner.is_idle, timeout=WAIT)
     assert pictures[0] is pictures[2]
+
+
+def test_converted_pictures_beyond_their_bound_are_let_go_the_oldest_first(
+    qtbot: QtBot, reader: PlateReader, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reader.open(Plate("linear"))
+    sizes = []
+    for frame in (1, 2, 3, 4):
+        with qtbot.waitSignal(reader.picture, timeout=WAIT) as picture:
+            reader.show(frame)
+        sizes.append(picture.args[1].nbytes)
+        qtbot.waitUntil(lambda: reader._runner.is_idle, timeout=WAIT)
+        monkeypatch.setattr(decode, "DISPLAY_BYTES", 2 * sizes[0])
+    assert list(reader._ready) == [3, 4]
 
 
 def test_what_is_at_hand_is_told_at_once(qtbot: QtBot, reader: PlateReader) -> None:

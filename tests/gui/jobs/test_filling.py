@@ -251,7 +251,7 @@ def test_what_ends_one_fill_does_not_end_those_that_wait(
     assert engine_frames(document) == []
 
 
-@pytest.mark.parametrize("way", ["stop", "drop", "again", "gone", "keyed"])
+@pytest.mark.parametrize("way", ["stop", "drop", "again", "gone", "keyed", "locked"])
 def test_no_fill_begins_that_is_not_wanted_any_more(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, way: str
 ) -> None:
@@ -266,6 +266,8 @@ def test_no_fill_begins_that_is_not_wanted_any_more(
         propagation.fill(["shape-1"], GAPS)
     elif way == "keyed":
         document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 3)))
+    elif way == "locked":
+        document.apply("Lock", edit.set_properties(document.project, "shape-2", locked=True))
     else:
         document.apply("Delete", edit.remove_items(document.project, ["shape-2"]))
     engine.allow(3)

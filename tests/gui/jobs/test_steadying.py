@@ -146,6 +146,21 @@ def test_a_shape_that_is_edited_meanwhile_is_left_as_it_is(
     assert signal.args[1].endswith(" 1 shape edited or locked meanwhile: left as they are.")
 
 
+def test_another_project_that_is_opened_meanwhile_gets_nothing(
+    qtbot: QtBot, document: Document, steadying: Steadying, verb: Steady, runner: Runner, plate: Plate
+) -> None:
+    plate.go.clear()
+    with qtbot.waitSignal(steadying.finished, timeout=WAIT) as signal:
+        accept(verb)
+        assert plate.asked.wait(WAIT / 1000)
+        other = document.project  # with shapes of the same ids, as the first ones of every project have
+        document.open(other, None)
+    plate.go.set()
+    qtbot.waitUntil(lambda: runner.is_idle, timeout=WAIT)
+    assert signal.args[0] is Ending.CANCELLED
+    assert document.project is other
+
+
 def test_stopped_changes_nothing(
     qtbot: QtBot, document: Document, steadying: Steadying, verb: Steady, plate: Plate
 ) -> None:

@@ -12,10 +12,11 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.shell import crash_report
-from app.shell.defects import AT_RISK, KEPT
+from app.shell.defects import AT_RISK, KEPT, MOST_SHOWN
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
@@ -94,10 +95,17 @@ def test_an_error_that_comes_again_is_shown_once(qtbot: QtBot, window: MainWindo
     for _ in range(3):
         in_a_slot()
     text = shown(qtbot, window, "ZeroDivisionError")
-    qtbot.wait(1)
     assert window.defects.dialog is not None
     assert window.defects.dialog.text.toPlainText() == text
     assert text.count("ZeroDivisionError: by zero") == 1
+
+
+def test_of_errors_that_differ_every_time_no_endless_row_is_shown(qtbot: QtBot, window: MainWindow) -> None:
+    for number in range(MOST_SHOWN + 2):
+        window.defects._arrived.emit(f"error {number}.")
+    QApplication.sendPostedEvents(window.defects)  # in order: the last one, too, has been heard then
+    text = shown(qtbot, window, f"error {MOST_SHOWN - 1}.")
+    assert f"error {MOST_SHOWN}." not in text
 
 
 def test_where_the_journal_fails_too_the_artist_is_told_to_save(
@@ -147,6 +155,14 @@ def test_a_native_crash_leaves_where_it_was_and_is_told_once(tmp_path: Path) -> 
     assert 'File "<string>"' in text
     assert crash_report.native_crashes(tmp_path) == []
     assert [path.suffix for path in tmp_path.iterdir()] == [".told"]
+
+
+def test_of_crashes_that_were_told_the_newest_logs_stay(tmp_path: Path) -> None:
+    names = [f"202601{day:02}-000000-0" for day in range(1, crash_report.KEPT + 3)]
+    for name in names:
+        (tmp_path / f"{name}.told").write_text("crash", encoding="utf-8")
+    crash_report.native_crashes(tmp_path)
+    assert sorted(path.stem for path in tmp_path.iterdir()) == names[2:]
 
 
 def test_a_log_that_cannot_be_made_does_not_keep_the_window_shut(tmp_path: Path) -> None:

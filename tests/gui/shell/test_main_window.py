@@ -17,6 +17,7 @@ from app.dialogs import questions
 from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.questions import Unsaved
+from app.features.playback import Repeat
 from app.jobs import export
 from app.jobs.runner import Ending, Report
 from app.model.viewing import BackgroundKind
@@ -446,7 +447,7 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
     window.keep_settings(tmp_path / "window.ini")
     with opened_window(qtbot, None, tmp_path / "other") as other:
         other.restore_settings(tmp_path / "window.ini")
-        assert not other.playback.is_looping
+        assert other.playback.repeat is Repeat.ONCE
         assert other.canvas.viewing.onion == window.canvas.viewing.onion
         assert other.canvas.viewing.background == window.canvas.viewing.background
         assert other.size() == window.size()

@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from app.actions.keymaps import OwnKeymap
 from app.canvas.view import CanvasView
 from app.model.viewing import ViewMode
 from app.shell.main_window import MainWindow
@@ -93,6 +94,15 @@ def test_keys_mean_the_viewer_that_has_the_keyboard(qtbot: QtBot, window: MainWi
     second.setFocus()
     QTest.keyClick(second, Qt.Key.Key_B)
     assert window.view_state.tool == "bezier"
+
+
+def test_other_keys_hold_in_it_too(qtbot: QtBot, window: MainWindow, second: CanvasView) -> None:
+    window.personal.set_keys(OwnKeymap(keys={"view.cutout": ("9",)}))
+    window.activateWindow()
+    second.setFocus()
+    for key, mode in ((Qt.Key.Key_4, ViewMode.MATTE), (Qt.Key.Key_9, ViewMode.CUTOUT)):
+        QTest.keyClick(second, key)
+        assert (window.canvas.mode, second.mode) == (ViewMode.OVERLAY, mode)
 
 
 def test_a_drag_in_one_is_seen_at_once_in_the_other(qtbot: QtBot, window: MainWindow, second: CanvasView) -> None:

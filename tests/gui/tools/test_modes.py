@@ -200,6 +200,14 @@ def test_soft_selection_takes_points_near_the_dragged_one_along(
     assert (moved[0], moved[3]) == (0.0, 0.0)
 
 
+def test_while_soft_selection_is_off_no_other_point_goes_along(
+    hand: Hand, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    view_state.editing.set(soft=False, soft_radius=1000.0)
+    hand.drag((120.0, 40.0), (120.0, 50.0))
+    assert (only().at(1).anchors - SQUARE)[:, 1].tolist() == [0.0, 10.0, 0.0, 0.0]
+
+
 def test_soft_selection_is_the_same_on_every_key_that_ripple_reaches(
     hand: Hand, view_state: ViewState, moving: str, only: OnlyShape
 ) -> None:

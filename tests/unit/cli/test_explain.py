@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roam_core.roto import file
+from roam_core.roto import edit, file
 from tests.unit.cli.conftest import Plate, Roam
 from tests.unit.cli.test_bad_input import require_refusal
 
@@ -120,6 +120,17 @@ def test_a_picture_twice_is_the_same_picture(roam: Roam, tracked: Path) -> None:
     for path in paths:
         roam("explain", tracked, "--frame", 1003, "--picture", path)
     assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+def test_several_shapes_are_asked_for_as_of_every_command(roam: Roam, tracked: Path) -> None:
+    project = file.load(tracked)
+    points = project.shapes[0].at(1003).points
+    for _ in range(2):
+        project, _ = edit.new_shape(project, points + 3.0, 1003)
+    file.save(project, tracked)
+    asked = ("--shape", "Shape 1", "--shape", project.shapes[2].id)
+    done = roam("explain", tracked, "--frame", 1003, "--json", *asked)
+    assert [json.loads(line)["shape"] for line in done.out.splitlines()] == ["Shape 1", "Shape 3"]
 
 
 def test_what_cannot_be_explained_is_one_sentence(roam: Roam, tracked: Path, plate: Plate) -> None:

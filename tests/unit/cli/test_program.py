@@ -119,3 +119,20 @@ def test_a_checkout_finds_its_own_folders() -> None:
     assert installation.resource("icons", "eye.svg").is_file()
     with pytest.raises(AttributeError, match="no attribute 'trailer'"):
         _ = installation.trailer
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["tarck", "shot", "--init", "mask.png"], "there is no command tarck; did you mean track?"),
+        (["zzz", "--json"], "there is no command zzz\n"),
+        ([".", "--init", "mask.png"], "unrecognized arguments: --init mask.png"),
+    ],
+)
+def test_a_misspelt_command_is_named_and_not_what_follows_it(
+    arguments: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        program.main(arguments)
+    assert ended.value.code == program.BAD_USAGE
+    assert sentence in capsys.readouterr().err

@@ -165,6 +165,15 @@ def test_cvat_keeps_keys_lifetimes_names_and_labels(tmp_path: Path) -> None:
         assert np.abs(ours - theirs).mean() < 0.001
 
 
+def test_cvat_counts_frames_from_the_clips_first_and_adds_the_offset(tmp_path: Path) -> None:
+    EXPORTERS["cvat"].export(
+        project(car()), tmp_path / "p.xml", ExportOptions(frames=range(1003, 1006), frame_offset=10)
+    )
+    text = (tmp_path / "p.xml").read_text()
+    for word, number in (("start_frame", 12), ("stop_frame", 14), ("size", 12)):
+        assert f"<{word}>{number}</{word}>" in text
+
+
 def test_cvat_holds_and_smooth_spans_move_as_they_do(tmp_path: Path) -> None:
     for kind in (Interpolation.HOLD, Interpolation.SMOOTH):
         keys = tuple(replace(key, interpolation=kind) for key in car().keys)
@@ -284,6 +293,17 @@ def test_mlts_splines_come_back_with_their_keys(tmp_path: Path) -> None:
     text = json.loads((tmp_path / "p.json").read_text())
     first = text["00"][0]
     np.testing.assert_allclose(np.array(first) * SIZE, car().keys[0].points[0][[1, 0, 2]], atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    "point", [[[0.1, 0.2], [0.3, 0.4]], [[0.1, 0.2], [0.3, 0.4], [0.5]], [[0, 1], [2, "x"], [3, 4]], 7]
+)
+def test_a_spline_of_mlt_with_a_point_that_is_none_is_refused(tmp_path: Path, point: Any) -> None:
+    good = [[0.1, 0.2], [0.3, 0.4], [0.5, 0.6]]
+    path = tmp_path / "a.json"
+    path.write_text(json.dumps({"00": [good, good, point]}))
+    with pytest.raises(RoamError, match="each point must be a handle, a point and a handle of two numbers"):
+        read_shapes(path, CLIP)
 
 
 def test_mlt_writes_a_file_a_shape_and_says_what_its_filter_needs(tmp_path: Path) -> None:

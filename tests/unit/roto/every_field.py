@@ -107,7 +107,7 @@ def third_project(folder: Path) -> Project:
 
 def present_project(folder: Path) -> Project:
     """What a file of this program may hold beyond the stored one of version 3: tangents, the plate's layer, a track's
-    figures, keys of some points, a compound.
+    figures, keys of some points, a compound, fields of a later program in a value that varies.
 
     A field that older files of the version do without stands here, not in the project that is stored.
     """
@@ -128,6 +128,7 @@ def present_project(folder: Path) -> Project:
     assert isinstance(tracked, RotoShape)
     in_part = replace(tracked, keys=tuple(replace(key, set_points=(0, 2)) for key in tracked.keys))
     bent = Animated((ValueKey(1001, 0.5, slopes=(0.0, 1 / 30)), ValueKey(1010, 0.75, slopes=(-1e-17, 0.0))))
+    bent = replace(bent, extra={"later": LATER})
     in_part = replace(in_part, compound="mask-0123456789ab")
     children = (*inner.children[:2], in_part, *inner.children[3:])
     inner = replace(inner, transform=told, opacity=bent, children=children)

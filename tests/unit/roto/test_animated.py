@@ -116,6 +116,12 @@ def test_a_slope_is_how_fast_the_value_moves(frame: float) -> None:
     assert BENT.slope_at(-2) == BENT.slope_at(20) == 0.0
 
 
+def test_one_bent_span_among_straight_ones_is_a_tangent() -> None:
+    straight = ValueKey(0, 0.0), ValueKey(4, 1.0)
+    assert not has_tangents(Animated(straight))
+    assert has_tangents(Animated((*straight, ValueKey(8, 3.0), ValueKey(12, 1.0, slopes=(0.0, 0.0)))))
+
+
 def test_a_hold_holds_whatever_tangents_say() -> None:
     held = Animated((ValueKey(0, 1.0, Interpolation.HOLD, (2.0, 2.0)), ValueKey(4, 5.0, slopes=(9.0, 0.0))))
     assert [held.at(frame) for frame in (0, 2, 3.99, 4)] == [1.0, 1.0, 1.0, 5.0]

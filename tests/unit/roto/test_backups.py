@@ -47,6 +47,18 @@ def test_a_gap_is_filled_before_an_old_one_goes(tmp_path: Path) -> None:
     }  # fmt: skip
 
 
+def test_files_of_others_keep_their_names_and_where_all_are_theirs_it_is_said(tmp_path: Path) -> None:
+    (tmp_path / "a.roam").write_bytes(b"new")
+    (tmp_path / "a.roam.1").write_bytes(b"letter")
+    (tmp_path / "a.roam.2").write_bytes(b"old")
+    rotate(tmp_path / "a.roam", 3, lambda path: path.read_bytes() != b"letter")
+    assert held(tmp_path) == {"a.roam": b"new", "a.roam.1": b"letter", "a.roam.2": b"new", "a.roam.3": b"old"}
+    before = held(tmp_path)
+    with pytest.raises(RoamError, match="files of others have the names of its backups"):
+        rotate(tmp_path / "a.roam", 1, lambda path: path.read_bytes() != b"letter")
+    assert held(tmp_path) == before
+
+
 @posix
 def test_the_same_file_is_not_kept_twice(tmp_path: Path) -> None:
     (tmp_path / "a.roam").write_bytes(b"1")

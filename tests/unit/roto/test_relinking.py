@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -11,7 +12,7 @@ import pytest
 
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Project, file
-from roam_core.roto.relinking import other_content, other_size, relinked
+from roam_core.roto.relinking import is_renumbered, other_content, other_size, relinked
 
 
 def plate(folder: Path, value: int = 10, size: tuple[int, int] = (8, 6), frames: int = 2) -> Path:
@@ -105,3 +106,28 @@ def test_what_differs_is_told(project: Project) -> None:
     assert "is not that of the plate that the project was made on" in other_content(clip, other)
     assert [other_content(clip, each) for each in (larger, replace(clip, content=""))] == ["", ""]
     assert other_content(replace(clip, content=""), clip) == ""
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ({}, True),
+        ({"first": 1001, "last": 1010}, False),  # the same numbers
+        ({"last": 11}, False),  # a shorter cut
+        ({"content": "other"}, False),
+        ({"content": ""}, False),
+        ({"size": (8, 8)}, False),
+        ({"layer": "beauty"}, False),
+        ({"colour_space": "log"}, False),
+    ],
+)
+def test_a_plate_is_renumbered_where_it_has_the_same_pictures_under_other_numbers(
+    change: dict[str, Any], expected: bool
+) -> None:
+    before = Clip(Path("plate"), 1001, 1010, (8, 6), content="same")
+    assert is_renumbered(before, replace(before, **({"first": 1, "last": 10} | change))) is expected
+
+
+def test_a_clip_that_knows_no_content_is_not_told_to_be_renumbered() -> None:
+    before = Clip(Path("plate"), 1001, 1010, (8, 6))
+    assert not is_renumbered(before, replace(before, first=1, last=10))

@@ -34,6 +34,13 @@ def test_what_is_drawn_are_the_artists_keys_or_all_where_there_are_none() -> Non
     assert mixed.drawn_keys == shape.keys[:1]
 
 
+def test_a_key_takes_the_words_of_files_for_what_they_mean() -> None:
+    key = Keyframe(1, TRIANGLE, origin="engine", interpolation="hold")  # type: ignore[arg-type]
+    assert (key.origin, key.interpolation) == (Origin.ENGINE, Interpolation.HOLD)
+    with pytest.raises(ValueError, match="nobody"):
+        Keyframe(1, TRIANGLE, origin="nobody")  # type: ignore[arg-type]
+
+
 def test_keys_are_put_in_order() -> None:
     assert moving().frames == (10, 20, 40)
 

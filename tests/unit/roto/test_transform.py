@@ -24,6 +24,12 @@ def test_weights_decide_how_far_each_point_follows() -> None:
     assert after.points[2:].tobytes() == SQUARE[2:].tobytes()
 
 
+def test_where_all_points_follow_and_some_wholly_the_others_follow_as_far_as_they_weigh() -> None:
+    after = transformed(outline(), np.array([1.0, 0.5, 0.5, 1.0]), affine.translation((4.0, 2.0)))
+    way = np.array([1.0, 0.5, 0.5, 1.0])[:, None, None] * (4.0, 2.0)
+    np.testing.assert_allclose(after.points, SQUARE + way)
+
+
 def test_where_all_points_follow_by_half_none_goes_all_the_way() -> None:
     after = transformed(outline(), 0.5 * ALL, affine.translation((4.0, 2.0)))
     np.testing.assert_allclose(after.points, SQUARE + np.array((2.0, 1.0)))

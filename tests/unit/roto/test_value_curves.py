@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
@@ -9,7 +10,8 @@ from hypothesis import given
 
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Animated, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey
-from roam_core.roto.animated import value_at, values_of
+from roam_core.roto.animated import set_at, value_at, values_of
+from roam_core.roto.shifting import shifted
 from roam_core.roto.value_curves import (
     bend_values,
     bounded,
@@ -57,6 +59,34 @@ def test_a_key_gives_way_to_one_that_arrives() -> None:
     assert [(k.frame, k.value) for k in value(after, "shape-1", "opacity").keys] == [(20, 0.0), (30, 0.25)]
 
 
+@pytest.mark.parametrize(
+    "edit",
+    [
+        lambda project: move_values(project, PLACES, 2, 0.125),
+        lambda project: copy_values(project, PLACES, 3),
+        lambda project: delete_values(project, [("shape-1", "opacity", 10)]),
+        lambda project: paste_values(project, {("shape-1", "opacity"): [ValueKey(15, 0.5)]}),
+        lambda project: bend_values(project, PLACES),
+        lambda project: interpolate_values(project, PLACES, Interpolation.SMOOTH),
+        lambda project: set_slopes(project, ("shape-1", "opacity", 20), (0.01, 0.01)),
+        lambda project: shifted(project, 4),
+        lambda project: with_value(project, lambda value: set_at(value, 12, 0.5)),
+        lambda project: with_value(project, lambda value: value.without_key(20)),
+    ],
+)
+def test_what_a_later_program_wrote_beside_the_keys_outlives_their_edits(edit: Callable[[Project], Project]) -> None:
+    later = {"later": [1, 2]}
+    after = edit(with_value(PROJECT, lambda value: replace(value, extra=later)))
+    assert value(after, "shape-1", "opacity") != FADES
+    assert value(after, "shape-1", "opacity").extra == later
+
+
+def with_value(project: Project, change: Callable[[Animated], Animated | float]) -> Project:
+    shape = project.shape("shape-1")
+    assert isinstance(shape.opacity, Animated)
+    return project.with_shape(replace(shape, opacity=change(shape.opacity)))
+
+
 def test_the_last_key_to_go_leaves_its_value() -> None:
     after = delete_values(PROJECT, [("shape-1", "feather", 5), ("shape-1", "feather", 9), ("shape-1", "opacity", 20)])
     assert value_at(after.shapes[0].feather, 7) == 3.0
@@ -71,6 +101,12 @@ def test_tangents_run_through_and_are_flat_at_turns_and_ends() -> None:
     assert {key.interpolation for key in bent.keys} == {Interpolation.LINEAR}
     seen = [bent.at(frame / 4) for frame in range(49)]
     assert (min(seen), max(seen)) == (0.0, 5.0)
+
+
+def test_a_tangent_is_as_steep_as_the_line_between_its_own_neighbours() -> None:
+    rising = Animated(tuple(map(ValueKey, (0, 2, 4, 8, 10), (0.0, 1.0, 4.0, 5.0, 9.0))))
+    slopes = [key.slopes and key.slopes[0] for key in with_tangents(rising, rising.frames).keys]
+    assert slopes == pytest.approx([0.0, 4.0 / 4, 4.0 / 6, 5.0 / 6, 0.0])
 
 
 def test_another_way_to_move_on_takes_the_tangents_away() -> None:

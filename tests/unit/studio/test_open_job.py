@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 import pytest
@@ -89,11 +90,13 @@ def test_the_runner_of_the_specification_carries_the_job_out(tmp_path: Path) -> 
     pytest.importorskip("openjd.cli", reason="openjd-cli is not installed (pip install 'roam-roto[dev]')")
     project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
     roam = tmp_path / "roam"  # what a farm calls; here this very checkout
-    roam.write_text(f'#!/bin/sh\nPYTHONPATH={ROOT} exec {sys.executable} -m roam_core "$@"\n')
+    roam.write_text(f'#!/bin/sh\nPYTHONPATH={quote(str(ROOT))} exec {quote(sys.executable)} -m roam_core "$@"\n')
     roam.chmod(0o755)
     assert main(["farm", str(project), "--chunk", "6", "--roam", str(roam)]) == 0
     command = [sys.executable, "-c", "from openjd.cli import main; main()", "run", str(tmp_path / "sh010.openjd.json")]
-    done = subprocess.run(command, cwd=tmp_path, env=os.environ, capture_output=True, text=True, check=False)
+    # The runner works in a folder of one name for all users of a machine, which may be another's.
+    environment = os.environ | {"TMPDIR": str(tmp_path)}
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     out = tmp_path / "sh010-farm"
     alone = tmp_path / "alone" / "sh010.roam"

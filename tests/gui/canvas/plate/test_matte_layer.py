@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 
 import numpy as np
+import pytest
 from pytestqt.qtbot import QtBot
 
 from app.canvas.plate.matte_layer import MatteLayer
@@ -77,3 +78,24 @@ def test_the_matte_of_a_project(qtbot: QtBot) -> None:
     expected = np.zeros(SIZE, dtype=np.uint8)
     expected[2:10, 4:12] = 255
     np.testing.assert_array_equal(layer.pixels, expected)
+
+
+def test_after_an_error_the_next_matte_is_rendered_and_the_one_before_is_not_shown_for_it(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[type[BaseException]] = []
+    monkeypatch.setattr(threading, "excepthook", lambda args: told.append(args.exc_type))
+
+    def render(_project: Project, frame: int, size: tuple[int, int]) -> Float32:
+        if frame == 2:
+            raise MemoryError
+        return np.full(size, frame / 255.0, dtype=np.float32)
+
+    layer, project, shown = MatteLayer(render), Project(), []
+    for frame in (1, 2, 3):
+        with qtbot.waitSignal(layer.ready):
+            layer.request(project, frame, SIZE)
+        layer.request(project, frame, SIZE)  # a repaint: what failed is not tried again for it
+        shown.append(None if layer.pixels is None else int(layer.pixels[0, 0]))
+    layer.close()
+    assert (shown, told) == ([1, None, 3], [MemoryError])

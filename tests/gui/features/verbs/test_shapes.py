@@ -118,6 +118,22 @@ def test_a_selected_layer_is_hidden_and_locked_itself(document: Document, view_s
     assert document.project.shape(other).visible
 
 
+def test_of_several_shapes_the_first_says_whether_all_are_locked_or_unlocked(
+    document: Document, view_state: ViewState
+) -> None:
+    free, locked = opened(document, 2)
+    document.open(edit.set_properties(document.project, locked, locked=True), None)
+    view_state.select(frozenset({free, locked}))
+    ShapeVerbs(document, view_state).toggle_lock()
+    assert [shape.locked for shape in document.project.shapes] == [True, True]
+    assert document.undo_stack.undoText() == "Lock"
+    document.open(edit.set_properties(document.project, locked, locked=False), None)
+    view_state.select(frozenset({free, locked}))
+    ShapeVerbs(document, view_state).toggle_lock()
+    assert [shape.locked for shape in document.project.shapes] == [False, False]
+    assert document.undo_stack.undoText() == "Unlock"
+
+
 def test_where_there_is_no_key_to_delete_it_is_said(document: Document, view_state: ViewState) -> None:
     plain, other = opened(document, 2)
     document.open(document.project.with_shape(edit.key_here(document.project.shape(plain), 7)), None)

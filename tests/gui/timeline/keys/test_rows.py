@@ -189,6 +189,17 @@ def test_keys_of_a_locked_shape_stay(timeline: Timeline, document: Document, vie
     assert view_state.message == "The shape is locked; unlock it to move its keys."
 
 
+def test_nothing_is_pasted_into_a_locked_shape(timeline: Timeline, document: Document, view_state: ViewState) -> None:
+    timeline.keys.select(frozenset({("shape-1", 1030)}))
+    timeline.verbs.copy()
+    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+    locked = document.project
+    view_state.set_frame(1015)
+    timeline.verbs.paste()
+    assert document.project is locked
+    assert "shapes may be locked" in view_state.message
+
+
 def test_copy_and_paste_put_keys_on_the_playheads_frame(
     qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:

@@ -143,8 +143,9 @@ def test_selected_points_alone_go_along(
     assert document.project.shape("shape-1").artist_frames == (1,)
 
 
-def test_a_point_that_comes_ends_a_track_of_points_by_their_numbers(
-    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None
+@pytest.mark.parametrize("way", ["grown", "undone"])
+def test_a_point_that_comes_and_undo_end_a_track_of_points_by_their_numbers(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None, way: str
 ) -> None:
     view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 3)}))
     hand.click(MARKS[0])
@@ -157,12 +158,16 @@ def test_a_point_that_comes_ends_a_track_of_points_by_their_numbers(
     track = PlanarTrack(document, view_state, runner, read)
     PlanarTracking(document, view_state, track).forward()
     qtbot.waitUntil(lambda: 2 in document.project.shape("shape-1").frames, timeout=WAIT)
-    grown = edit.insert_point(document.project.shape("shape-1"), 0, 0.5)
-    document.apply("Insert point", document.project.with_shape(grown))
+    if way == "undone":
+        document.undo_stack.undo()
+    else:
+        grown = edit.insert_point(document.project.shape("shape-1"), 0, 0.5)
+        document.apply("Insert point", document.project.with_shape(grown))
+    left = document.project.shape("shape-1")
     assert not track.is_running
     gate.release(LAST)
     qtbot.waitUntil(lambda: runner.is_idle, timeout=WAIT)
-    assert document.project.shape("shape-1") == grown
+    assert document.project.shape("shape-1") == left
 
 
 def test_points_on_one_another_are_refused(
