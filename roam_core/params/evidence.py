@@ -151,7 +151,7 @@ class ExposureParams:
     least : cells that must be known again.
     within : difference of the logarithm of brightness that two patches of one light may show, and of a channel's
         besides. agreed : share of the cells that must agree on a change within that.
-    veiled : share of the cells more that a veil must explain to be asked for.
+    veiled : share of the cells more that a veil must explain to come up.
     """
 
     window: int = 7

@@ -54,9 +54,13 @@ def test_nuke_gives_back_what_varies_with_time(project: Project) -> None:
 @settings(deadline=None, max_examples=12)
 @given(projects_in_time())
 def test_silhouette_gives_back_what_varies_with_time(project: Project) -> None:
-    """Opacities of shapes as far as no layer dims them: what a layer leaves of them is told."""
+    """Opacities of shapes as far as no layer dims them: what a layer leaves of them is told.
+
+    An intersecting shape of a lifetime comes as shapes that subtract; the second takes the rest of its opacity.
+    """
     imported = returned(project, "silhouette", ExportOptions(lossy=True))
-    for item, was in zip(imported.layer.shapes(), project.shapes, strict=True):
+    found = [item for item in imported.layer.shapes() if not item.name.endswith(" rest")]
+    for item, was in zip(found, project.shapes, strict=True):
         assert item.name == xml_text(was.name)
         if all(layer.opacity == 1.0 for layer in project.layers_above(was.id)) and was.lifetime is None:
             check_value(item.opacity, was.opacity)

@@ -128,18 +128,19 @@ class _Line:
 def _veiled(patches: _Patches, last: Light, params: ExposureParams) -> Light | None:
     """The light where it takes a veil to explain the patches: the `last` if that misses too many, None if it does not.
 
-    A veil explains more than a factor where that misses more of them by a share of `params.veiled`. It has a colour;
-    the factor is that of all channels.
+    A veil comes up where a factor misses more of them by a share of `params.veiled`, and stays while it misses more at
+    all. It has a colour; the factor is that of all channels.
     """
+    margin = 0.0 if last.veil.any() else params.veiled
     if len(patches.luma) < params.least:
         return None
     factor = float(np.exp(np.median(np.log(patches.luma.astype(np.float64) / patches.luma_then))))
     by_factor = _missed(_Line(factor, 0.0), patches, params)
-    if by_factor <= params.veiled:
+    if by_factor <= margin:
         return None
     line = _Line.through(patches.luma_then, patches.luma)
     by_line = _missed(line, patches, params)
-    if by_factor - by_line <= params.veiled:
+    if by_factor - by_line <= margin:
         return None
     alike = float(np.corrcoef(patches.luma_then, patches.luma)[0, 1])
     if by_line > 1.0 - params.agreed or line.factor <= 0.0 or alike < params.alike:
