@@ -16,7 +16,7 @@ from tqdm import tqdm
 from roam_core.atomic_write import write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.performing import WORK
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
@@ -35,16 +35,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument(
         "jobs",
-        type=path_of,
+        type=path_word,
         nargs="?",
         metavar="JOBS",
         help="a file of jobs (YAML, JSON), a folder of shots, or an .otio",
     )
     parser.add_argument("--schema", action="store_true", help="print the JSON schema of a file of jobs, and do no more")
     parser.add_argument(
-        "--write", type=path_of, metavar="FILE.json", help="write the jobs that were found, and do no more"
+        "--write", type=path_word, metavar="FILE.json", help="write the jobs that were found, and do no more"
     )
-    parser.add_argument("--out", type=path_of, metavar="DIR", help="folder of the results (default: as the jobs say)")
+    parser.add_argument("--out", type=path_word, metavar="DIR", help="folder of the results (default: as the jobs say)")
     parser.add_argument("--retries", type=int, default=1, metavar="N", help="tries more of what fails (%(default)s)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a step, as it ends")
     found = parser.add_argument_group("a folder of shots, or an edit")
@@ -52,17 +52,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--steps", metavar="LIST", help="such as track,render,export:nuke (default: as what lies there allows)"
     )
     found.add_argument("--handles", type=int, default=0, metavar="N", help=".otio: frames more at both ends of a clip")
-    found.add_argument("--inits", type=path_of, metavar="DIR", help=".otio: masks and projects, named as the clips")
+    found.add_argument("--inits", type=path_word, metavar="DIR", help=".otio: masks and projects, named as the clips")
     found.add_argument(
-        "--timeline", type=path_of, metavar="OUT.otio", help=".otio: write the edit with the mattes above it"
+        "--timeline", type=path_word, metavar="OUT.otio", help=".otio: write the edit with the mattes above it"
     )
     where = parser.add_argument_group("where it runs")
     where.add_argument("--workers", type=int, metavar="N", help="processes on this machine (default: its cores)")
     where.add_argument("--no-dashboard", action="store_true", help="this machine: without Dask's dashboard")
     where.add_argument("--scheduler", metavar="ADDRESS", help="use the workers of this Dask scheduler, host:port")
-    where.add_argument("--tls-ca", type=path_of, metavar="FILE", help="the scheduler's authority, PEM")
-    where.add_argument("--tls-cert", type=path_of, metavar="FILE", help="our certificate, PEM")
-    where.add_argument("--tls-key", type=path_of, metavar="FILE", help="its key, PEM")
+    where.add_argument("--tls-ca", type=path_word, metavar="FILE", help="the scheduler's authority, PEM")
+    where.add_argument("--tls-cert", type=path_word, metavar="FILE", help="our certificate, PEM")
+    where.add_argument("--tls-key", type=path_word, metavar="FILE", help="its key, PEM")
     add_overwrite(parser)
 
 

@@ -13,7 +13,7 @@ from tqdm import tqdm
 
 from roam_core.cli.configuring import configured
 from roam_core.cli.overwriting import add_overwrite, project_writer
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import Report, frame_range, print_line, require_target, require_writable, track_project
 from roam_core.errors import RoamError
@@ -30,8 +30,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("--headless", action="store_true", help="track without opening a window")
     parser.add_argument("--config", default=DEFAULT_CONFIG)
-    parser.add_argument("--frames", type=path_of, metavar="DIR", help="folder for the shot (default: the user's cache)")
-    parser.add_argument("--save", type=path_of, metavar="P.roam", help="write the tracked project")
+    parser.add_argument(
+        "--frames", type=path_word, metavar="DIR", help="folder for the shot (default: the user's cache)"
+    )
+    parser.add_argument("--save", type=path_word, metavar="P.roam", help="write the tracked project")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
     add_overwrite(parser)
 

@@ -15,7 +15,7 @@ from roam_core.atomic_write import write_atomically
 from roam_core.cli.explain_picture import TOTAL, choices, drawn
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, picked
 from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
@@ -35,11 +35,11 @@ Row = Mapping[str, object]
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     parser.add_argument("--frame", type=int, required=True, metavar="F", help="frame to explain")
     add_shapes(parser, "only this shape, or these; default: all that hold a key there")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a shape")
-    parser.add_argument("--picture", type=path_of, metavar="OUT.png", help="draw the terms over the frame")
+    parser.add_argument("--picture", type=path_word, metavar="OUT.png", help="draw the terms over the frame")
     parser.add_argument(
         "--term",
         default=TOTAL,

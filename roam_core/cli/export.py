@@ -9,7 +9,7 @@ from pathlib import Path
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded
 from roam_core.errors import RoamError
@@ -22,10 +22,10 @@ from roam_core.interchange.targets import Sources, exported, require_free
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam", help="the project")
+    parser.add_argument("project", type=path_word, metavar="P.roam", help="the project")
     parser.add_argument(
         "out",
-        type=path_of,
+        type=path_word,
         metavar="OUT",
         help="a file; for mattes, and svg of every frame, a pattern such as m.####.exr",
     )

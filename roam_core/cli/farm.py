@@ -8,7 +8,7 @@ from pathlib import Path
 
 from roam_core.atomic_write import write_atomically
 from roam_core.cli.lines import print_json
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.plate import loaded
 from roam_core.cli.spans import asked_frames, gaps_of
 from roam_core.errors import RoamError
@@ -19,11 +19,11 @@ from roam_core.studio.open_job import Shares, checked, template_of, to_be_given,
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     parser.add_argument(
-        "--job", type=path_of, metavar="JOB.json", help="the file to write, .json or .yaml (P.openjd.json)"
+        "--job", type=path_word, metavar="JOB.json", help="the file to write, .json or .yaml (P.openjd.json)"
     )
-    parser.add_argument("--out", type=path_of, metavar="DIR", help="folder of the results (P-farm); it is made")
+    parser.add_argument("--out", type=path_word, metavar="DIR", help="folder of the results (P-farm); it is made")
     parser.add_argument(
         "--steps",
         metavar="LIST",

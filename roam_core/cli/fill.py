@@ -19,7 +19,7 @@ from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, loaded, opened
@@ -44,7 +44,7 @@ FAILED = 1
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     parser.add_argument("--config", default=DEFAULT_CONFIG, help=f"{' | '.join(CONFIGS)} (default {DEFAULT_CONFIG})")
     add_picking(parser, "fill")
     parser.add_argument(
@@ -52,7 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--take",
-        type=path_of,
+        type=path_word,
         action="append",
         metavar="PART",
         help="take keys that are what filling would make from this copy of P.roam, or from those of a folder",
@@ -60,8 +60,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--workers", type=int, default=1, metavar="N", help="spread gaps and objects over processes of this machine (1)"
     )
-    parser.add_argument("--matte", type=path_of, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
-    parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--matte", type=path_word, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
+    parser.add_argument("--save", type=path_word, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
     add_overwrite(parser)
 

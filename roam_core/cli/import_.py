@@ -8,7 +8,7 @@ from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
@@ -21,14 +21,14 @@ from roam_core.roto import Clip, Project, edit
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("source", type=path_of, metavar="FILE")
+    parser.add_argument("source", type=path_word, metavar="FILE")
     parser.add_argument(
-        "--into", type=path_of, required=True, metavar="P.roam", help="the project that gets the shapes"
+        "--into", type=path_word, required=True, metavar="P.roam", help="the project that gets the shapes"
     )
     parser.add_argument(
         "--clip", metavar="CLIP", help="the plate of the shapes, where P.roam is not there yet and is to be made for it"
     )
-    parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="where to write it (default: P.roam itself)")
+    parser.add_argument("--save", type=path_word, metavar="OUT.roam", help="where to write it (default: P.roam itself)")
     parser.add_argument(
         "--frame-offset", type=int, default=0, metavar="N", help="what was added to the frame numbers on export"
     )

@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.plate import add_layer, opened, tell
 from roam_core.cli.spans import Gap
 from roam_core.errors import RoamError
@@ -32,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--json", action="store_true", help="print a line of JSON: of a clip, or of a project and its shapes"
     )
-    parser.add_argument("project", type=path_of, metavar="P.roam", help="a project, or a clip")
+    parser.add_argument("project", type=path_word, metavar="P.roam", help="a project, or a clip")
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -13,7 +13,7 @@ from roam_core.cli.bar import bar
 from roam_core.cli.keeping import Keeper, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import Picking, add_shapes, picked, trackable
 from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
@@ -34,7 +34,7 @@ WAYS = tuple(way.value for way in LeaveOut if way is not LeaveOut.CHOSEN)
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     add_shapes(parser, "a shape on the surface; default: all")
     parser.add_argument(
         "--motion",
@@ -52,7 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--start", type=int, metavar="F", help="frame to begin on (default: the shapes' first key)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame to track (default: the last)")
     parser.add_argument("--backward", action="store_true", help="track to earlier frames")
-    parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--save", type=path_word, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
     add_overwrite(parser)
 

@@ -9,7 +9,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.errors import RoamError
 from roam_core.installation import BUNDLE, resource
 
@@ -25,7 +25,7 @@ BRIDGE, NAMED = "roam_bridge.py", "program.txt"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("program", choices=sorted(NEXT))
-    parser.add_argument("folder", type=path_of, metavar="FOLDER", help="gets a folder roam with the scripts")
+    parser.add_argument("folder", type=path_word, metavar="FOLDER", help="gets a folder roam with the scripts")
     parser.add_argument("--json", action="store_true", help="print a line of JSON: the files, and what to do next")
     parser.add_argument("--overwrite", action="store_true", help="write over a folder roam that is there")
 

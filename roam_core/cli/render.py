@@ -13,7 +13,7 @@ from tqdm import tqdm
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style, require_no_picture
 from roam_core.cli.overwriting import add_overwrite
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, tell
 from roam_core.cli.spans import asked_frames
@@ -34,8 +34,8 @@ MOST_NAMED = 12
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
-    parser.add_argument("--out", type=path_of, required=True, metavar="DIR")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
+    parser.add_argument("--out", type=path_word, required=True, metavar="DIR")
     parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the clip's first)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the clip's last)")
     parser.add_argument(

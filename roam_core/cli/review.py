@@ -12,7 +12,7 @@ from roam_core.cancel import Progress
 from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
@@ -31,10 +31,10 @@ NOTHING_BURNT = "none"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     parser.add_argument(
         "out",
-        type=path_of,
+        type=path_word,
         nargs="?",
         metavar="OUT",
         help="a movie (.mp4, .mov, .avi), a folder for PNGs, a sheet's .png",

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, require_plate
 from roam_core.cli.track import require_target
@@ -26,12 +26,12 @@ from roam_core.roto.shifting import frames_held, shifted
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     parser.add_argument(
         "--by", type=int, metavar="N", help="frames later, or below zero earlier (default: as the plate was renumbered)"
     )
     add_shapes(parser, "shift only this shape, or these, with --by")
-    parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--save", type=path_word, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument(
         "--json", action="store_true", help="print a line of JSON: by how much, which frames, and what is out of date"
     )

@@ -7,7 +7,7 @@ import sys
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes
 from roam_core.cli.plate_task import PlateTask
 from roam_core.matte.softening import matched, told
@@ -21,7 +21,7 @@ WAYS = {"both": (True, True), "motion-blur": (True, False), "feather": (False, T
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     parser.add_argument(
         "--by",
         choices=WAYS,
@@ -30,7 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "or one of the two",
     )
     add_shapes(parser, "soften only this shape, or these")
-    parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--save", type=path_word, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a key: how wide its edge is")
     add_overwrite(parser)
 

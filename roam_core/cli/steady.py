@@ -9,7 +9,7 @@ from pathlib import Path
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes
 from roam_core.cli.plate_task import PlateTask
 from roam_core.errors import RoamError
@@ -20,7 +20,7 @@ from roam_core.roto import Origin, RotoShape
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=path_of, metavar="P.roam")
+    parser.add_argument("project", type=path_word, metavar="P.roam")
     parser.add_argument(
         "--strength",
         type=float,
@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_shapes(parser, "steady only this shape, or these")
     parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the first with a tracked key)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the last with a tracked key)")
-    parser.add_argument("--save", type=path_of, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--save", type=path_word, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON for each key that moved")
     add_overwrite(parser)
 

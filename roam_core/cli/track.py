@@ -20,7 +20,7 @@ from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import require_no_picture
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.paths import path_of
+from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, add_reading, opened
@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("clip", metavar="CLIP", help="folder of images, pattern (plate.%%04d.exr) or movie")
     parser.add_argument(
         "--init",
-        type=path_of,
+        type=path_word,
         required=True,
         metavar="FILE",
         help="mask of the start frame, a .roam project, or a file of shapes that `roam import` reads",
@@ -65,10 +65,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--backward", action="store_true", help="track to earlier frames, by default from the last")
     add_reading(parser)
     add_picking(parser, "track")
-    parser.add_argument("--matte", type=path_of, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
-    parser.add_argument("--save", type=path_of, metavar="P.roam", help="write a project")
+    parser.add_argument("--matte", type=path_word, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
+    parser.add_argument("--save", type=path_word, metavar="P.roam", help="write a project")
     parser.add_argument(
-        "--landmarks", type=path_of, metavar="OUT.nk", help="write the landmarks as Nuke Tracker4 nodes"
+        "--landmarks", type=path_word, metavar="OUT.nk", help="write the landmarks as Nuke Tracker4 nodes"
     )
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
     add_overwrite(parser)
