@@ -151,7 +151,7 @@ class ExposureParams:
     least : cells that must be known again.
     within : difference of the logarithm of brightness that two patches of one light may show, and of a channel's
         besides. agreed : share of the cells that must agree on a change within that.
-    veiled : share of the cells more that a veil must explain to come up.
+    veiled : share of the cells by which a veil must explain more than a factor to come up.
     """
 
     window: int = 7

@@ -126,25 +126,27 @@ class _Line:
 
 
 def _veiled(patches: _Patches, last: Light, params: ExposureParams) -> Light | None:
-    """The light where it takes a veil to explain the patches: the `last` if that misses too many, None if it does not.
+    """The light where it takes a veil to explain the patches, None where it does not.
 
-    A veil comes up where a factor misses more of them by a share of `params.veiled`, and stays while it misses more at
-    all. It has a colour; the factor is that of all channels.
+    A veil comes up where it explains half of the patches that a factor misses, and of all a share of `params.veiled`.
+    It stays while it explains more than a factor; where that is too few, it is the `last` one. It has a colour; the
+    factor is that of all channels.
     """
-    margin = 0.0 if last.veil.any() else params.veiled
     if len(patches.luma) < params.least:
         return None
+    is_there = bool(last.veil.any())
     factor = float(np.exp(np.median(np.log(patches.luma.astype(np.float64) / patches.luma_then))))
     by_factor = _missed(_Line(factor, 0.0), patches, params)
-    if by_factor <= margin:
+    asked = 0.0 if is_there else max(params.veiled, 0.5 * by_factor)
+    if by_factor <= asked:
         return None
     line = _Line.through(patches.luma_then, patches.luma)
     by_line = _missed(line, patches, params)
-    if by_factor - by_line <= margin:
+    if by_factor - by_line <= asked:
         return None
     alike = float(np.corrcoef(patches.luma_then, patches.luma)[0, 1])
     if by_line > 1.0 - params.agreed or line.factor <= 0.0 or alike < params.alike:
-        return last
+        return last if is_there else None
     middles = (np.median(each, axis=0) for each in (patches.colours_then, patches.colours))
     then, now = (each.astype(np.float64) for each in middles)
     return Light(line.factor, veil=now - line.factor * then)
