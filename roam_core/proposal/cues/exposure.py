@@ -144,8 +144,9 @@ def _veiled(patches: _Patches, last: Light, params: ExposureParams) -> Light | N
     by_line = _missed(line, patches, params)
     if by_factor - by_line <= asked:
         return None
-    alike = float(np.corrcoef(patches.luma_then, patches.luma)[0, 1])
-    if by_line > 1.0 - params.agreed or line.factor <= 0.0 or alike < params.alike:
+    with np.errstate(invalid="ignore", divide="ignore"):  # what has one brightness correlates with nothing
+        alike = float(np.corrcoef(patches.luma_then, patches.luma)[0, 1])
+    if by_line > 1.0 - params.agreed or line.factor <= 0.0 or not alike >= params.alike:
         return last if is_there else None
     middles = (np.median(each, axis=0) for each in (patches.colours_then, patches.colours))
     then, now = (each.astype(np.float64) for each in middles)
