@@ -92,7 +92,7 @@ class FigureState:
     Attributes
     ----------
     frame : its picture. limbs : bottom first. joints : where they hang together. union : the parts as one object.
-    light : what had become of the first key's light when the `union` began; the looks of all limbs are in the former.
+    light : what had become of the first key's light when the `union` began; all limbs are known in that of the key.
     """
 
     frame: PreparedFrame
@@ -213,7 +213,7 @@ def _learned(
 ) -> Limb:
     """A limb as drawn, with what it looks like where no other covers it; `lit` is the frame in the first key's light.
 
-    What is no part knows of its own light.
+    A whole object is learned from the frame as it is: it follows its light by itself.
     """
     assert params.part is not None
     limb, covers = limbs[k], [line for nearer in _nearer(limbs, k, order) for line in nearer.lines]

@@ -39,7 +39,7 @@ class Light:
         return self.exposure * self.tint
 
     def after(self, first: Light) -> Light:
-        """The light since a key, if this is that since another picture, which `first` has come on since the key."""
+        """The light since a key, where this is that since another picture and `first` that picture's since the key."""
         return Light(self.exposure * first.exposure, self.tint * first.tint, self.gains * first.veil + self.veil)
 
     def cast(self, key: PreparedFrame) -> PreparedFrame:
