@@ -1,4 +1,4 @@
-"""Which edges of a polyline cross: the plain double loop, compiled."""
+"""Which edges of a polyline cross: a sweep along x, compiled."""
 
 from __future__ import annotations
 
@@ -11,13 +11,20 @@ from roam_core.arrays import Array, Int64
 def crossing_edges(line: Array, closed: bool) -> Int64:
     """Pairs `(C, 2)` of indices of edges, not neighbours, that properly cross each other (touching does not count).
 
-    `line (K, 2)`; edge k runs from vertex k to the next, the last one of a closed polyline back to the first.
+    `line (K, 2)`; edge k runs from vertex k to the next, the last one of a closed polyline back to the first. Both
+    indices of a pair, and the pairs, are in order.
     """
-    points = np.ascontiguousarray(line, dtype=np.float64)
-    pairs = np.empty((max(_crossing_edges(points, closed, np.empty((0, 2), dtype=np.int64)), 0), 2), dtype=np.int64)
-    if len(pairs):
-        _crossing_edges(points, closed, pairs)
-    return pairs
+    starts = np.ascontiguousarray(line, dtype=np.float64)
+    ends = np.concatenate([starts[1:], starts[:1]])
+    if not closed:
+        starts, ends = starts[:-1], ends[:-1]
+    order = np.argsort(np.minimum(starts[:, 0], ends[:, 0]))
+    none = np.empty((0, 2), np.int64)
+    pairs = np.empty((_crossing_edges(starts, ends, order, closed, none), 2), np.int64)
+    if len(pairs) == 0:
+        return pairs
+    _crossing_edges(starts, ends, order, closed, pairs)
+    return np.asarray(pairs[np.lexsort(pairs.T[::-1])])
 
 
 @njit(nogil=True, cache=True)
@@ -26,22 +33,24 @@ def _side(ax, ay, bx, by, px, py):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def _crossing_edges(line, closed, pairs):  # type: ignore[no-untyped-def]
-    """Fill `pairs` as far as it reaches; the number of crossings."""
-    vertices = len(line)
-    edges = vertices if closed else vertices - 1
-    found = 0
-    for i in range(edges - 2):
-        ax, ay = line[i, 0], line[i, 1]
-        bx, by = line[i + 1, 0], line[i + 1, 1]
-        left, right, top, bottom = min(ax, bx), max(ax, bx), min(ay, by), max(ay, by)
-        for j in range(i + 2, edges):
-            if closed and i == 0 and j == edges - 1:
+def _crossing_edges(starts, ends, order, closed, pairs):  # type: ignore[no-untyped-def]
+    """Fill `pairs` as far as it reaches; the number of crossings. `order`: of the edges, by their least x."""
+    edges, found = len(starts), 0
+    for first in range(edges):
+        a = order[first]
+        right = max(starts[a, 0], ends[a, 0])
+        top, bottom = min(starts[a, 1], ends[a, 1]), max(starts[a, 1], ends[a, 1])
+        for later in range(first + 1, edges):
+            b = order[later]
+            if min(starts[b, 0], ends[b, 0]) > right:
+                break
+            if max(starts[b, 1], ends[b, 1]) < top or min(starts[b, 1], ends[b, 1]) > bottom:
                 continue
-            k = j + 1 if j + 1 < vertices else 0
-            cx, cy, dx, dy = line[j, 0], line[j, 1], line[k, 0], line[k, 1]
-            if max(cx, dx) < left or min(cx, dx) > right or max(cy, dy) < top or min(cy, dy) > bottom:
+            i, j = min(a, b), max(a, b)
+            if j < i + 2 or (closed and i == 0 and j == edges - 1):
                 continue
+            ax, ay, bx, by = starts[i, 0], starts[i, 1], ends[i, 0], ends[i, 1]
+            cx, cy, dx, dy = starts[j, 0], starts[j, 1], ends[j, 0], ends[j, 1]
             if _side(ax, ay, bx, by, cx, cy) * _side(ax, ay, bx, by, dx, dy) >= 0:
                 continue
             if _side(cx, cy, dx, dy, ax, ay) * _side(cx, cy, dx, dy, bx, by) >= 0:

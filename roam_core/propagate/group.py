@@ -152,8 +152,9 @@ class GroupTracker:
         # Curves find no edge there, and say so; they see faint pictures as they are, in which there may be some.
         is_unseen = shows_nothing and self.params.region is not None
         solved = tuple(result.unseen for result in step.results) if is_unseen else step.results
+        stamped = self._stamp(frame, forward=frame > standing.frame)
         shapes = tuple(
-            shape if key or not shape.exists_at(frame) else self._keyed(shape, standing.frame, frame, each)
+            shape if key or not shape.exists_at(frame) else _keyed(shape, standing.frame, frame, each, stamped)
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
         )
         by_hand = [key or part for key, part in zip(given, set_in_part, strict=True)]
@@ -208,19 +209,6 @@ class GroupTracker:
             for pool in standing.engine.landmarks
         )
 
-    def _keyed(self, shape: RotoShape, before: int, frame: int, solved: StepResult) -> RotoShape:
-        """The shape with an ENGINE key for what was solved; feather goes on as it was."""
-        key = Keyframe(
-            frame,
-            solved.points,
-            feather=shape.at(before).feather,
-            origin=Origin.ENGINE,
-            confidence=solved.confidence,
-            vertex_confidence=solved.vertex_confidence,
-            inputs=self._stamp(frame, forward=frame > before),
-        )
-        return set_engine_keys(shape, [key])
-
     def _stamp(self, frame: int, *, forward: bool) -> str:
         """What the shapes' keys on a frame bear when they are solved in this direction."""
         standing = self.standing
@@ -242,6 +230,20 @@ def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -
         Part(outline, is_hole, shape.attached)
         for shape, outline, is_hole in zip(shapes, outlines, cuts(shapes), strict=True)
     )
+
+
+def _keyed(shape: RotoShape, before: int, frame: int, solved: StepResult, stamped: str) -> RotoShape:
+    """The shape with an ENGINE key, so `stamped`, for what was solved; feather goes on as it was."""
+    key = Keyframe(
+        frame,
+        solved.points,
+        feather=shape.at(before).feather,
+        origin=Origin.ENGINE,
+        confidence=solved.confidence,
+        vertex_confidence=solved.vertex_confidence,
+        inputs=stamped,
+    )
+    return set_engine_keys(shape, [key])
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

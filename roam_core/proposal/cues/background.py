@@ -8,17 +8,16 @@ around it is as it was, shows something else: the object.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features.grid import Grid
 from roam_core.geometry import similarity
+from roam_core.kernels.background_match import best_matches
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.local_match import OUTSIDE
 from roam_core.motion.flow import cell_flow, flow_similarity
@@ -92,7 +91,7 @@ class Background:
         may have been left out of that by mistake. `now (rows, columns, 3)` is the picture in Lab, `outside` the cells
         that are surely not of the object.
         """
-        likeness, difference = self._compared(now.astype(np.float32), params)
+        likeness, difference = self._compared(now, params)
         same = np.clip((likeness - params.alike) / (1.0 - params.alike), 0.0, 1.0)
         within_reach = np.ones((2 * params.reach + 1, 2 * params.reach + 1), np.uint8)
         is_known = np.isfinite(difference) & (cv2.dilate(self.on_key.astype(np.uint8), within_reach) > 0)
@@ -104,33 +103,19 @@ class Background:
 
     def unchanged(self, now: UInt8, params: BackgroundParams) -> Bools:
         """The cells `(rows, columns)` that are known, and have the colours of the background there, as `now` in Lab."""
-        _, difference = self._compared(now.astype(np.float32), params)
+        _, difference = self._compared(now, params)
         return np.asarray(difference < 0.5 * params.unlike)
 
-    def _compared(self, now: Float32, params: BackgroundParams) -> tuple[Float32, Float32]:
+    def _compared(self, now: UInt8, params: BackgroundParams) -> tuple[Float32, Float32]:
         """How like the background each cell is, `(rows, columns)` each, at the best place within reach.
 
         The correlation of the patches around both, which means little where there is little texture; and the difference
         of the colours, infinite where nothing is known. A shadow may have fallen on what is darker than it was.
         """
-        window, reach = (params.window, params.window), params.reach
-        then = _padded(self.colours, reach).astype(np.float32)
-        known = _padded(self.known.astype(np.uint8), reach)
-        whole = cv2.erode(known, np.ones(window, np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
-        mean, mean_then = _planes(cv2.blur(now, window)), _planes(cv2.blur(then, window))
-        now, then = _planes(now), _planes(then)
-        variance, variance_then = cv2.blur(_dot(now, now), window), cv2.blur(_dot(then, then), window)
-        variance, variance_then = variance - _dot(mean, mean), variance_then - _dot(mean_then, mean_then)
-        likeness = np.zeros(self.known.shape, np.float32)
-        difference = np.full(self.known.shape, np.inf, np.float32)
-        for there in _places(self.known.shape, reach):
-            covariance = cv2.blur(_dot(now, then[:, *there]), window) - _dot(mean, mean_then[:, *there])
-            spread = np.sqrt(np.maximum(variance * variance_then[there], np.float32(params.texture**4)))
-            likeness = np.maximum(likeness, np.where(whole[there], covariance / spread, 0.0))
-            step = now - then[:, *there]
-            step[0] = np.maximum(step[0], np.float32(params.shade) * step[0])
-            difference = np.where(known[there], np.minimum(difference, _dot(step, step)), difference)
-        return likeness, np.sqrt(difference)
+        likeness, squared = best_matches(
+            now, self.colours, self.known, params.window, params.reach, params.texture, params.shade
+        )
+        return likeness, np.sqrt(squared)
 
 
 def correction(
@@ -159,24 +144,3 @@ def correction(
 def _sums(values: Float32, side: int) -> Float32:
     """Over a window around each cell of `(rows, columns)`; exact of whole numbers."""
     return np.asarray(cv2.boxFilter(values, cv2.CV_32F, (side, side), normalize=False))
-
-
-def _planes(colours: Float32) -> Float32:
-    """The channels `(3, rows, columns)` of `(rows, columns, 3)`, each in one piece."""
-    return np.ascontiguousarray(colours.transpose(2, 0, 1))
-
-
-def _dot(a: Float32, b: Float32) -> Float32:
-    """The products of `(3, rows, columns)` each, summed over the channels."""
-    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
-
-
-def _padded(values: NDArray[np.uint8], reach: int) -> NDArray[np.uint8]:
-    """With `reach` cells of zeros all around."""
-    return np.asarray(cv2.copyMakeBorder(values, reach, reach, reach, reach, cv2.BORDER_CONSTANT, value=0))
-
-
-def _places(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:
-    """Where cells of `shape` lie in what was padded by `reach`, moved by up to that."""
-    for y, x in product(range(2 * reach + 1), repeat=2):
-        yield slice(y, y + shape[0]), slice(x, x + shape[1])

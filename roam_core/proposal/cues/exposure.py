@@ -7,6 +7,7 @@ glare, a fade to white. On a plate that is seen in its log encoding another expo
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -98,6 +99,11 @@ class _Patches:
     colours: Float32
     contrast: float
 
+    @cached_property
+    def brighter(self) -> Array:
+        """The logarithms of the factors `(N,)` by which their luma has grown."""
+        return np.asarray(np.log(self.luma.astype(np.float64) / self.luma_then))
+
 
 @dataclass(frozen=True)
 class _Line:
@@ -135,7 +141,7 @@ def _veiled(patches: _Patches, last: Light, params: ExposureParams) -> Light | N
     if len(patches.luma) < params.least:
         return None
     is_there = bool(last.veil.any())
-    factor = float(np.exp(np.median(np.log(patches.luma.astype(np.float64) / patches.luma_then))))
+    factor = float(np.exp(np.median(patches.brighter)))
     by_factor = _missed(_Line(factor, 0.0), patches, params)
     asked = 0.0 if is_there else max(params.veiled, 0.5 * by_factor)
     if by_factor <= asked:
@@ -165,13 +171,12 @@ def _missed(line: _Line, patches: _Patches, params: ExposureParams) -> float:
 
 def _multiplied(patches: _Patches, last: Light, params: ExposureParams) -> Light:
     """The light by factors, of luma and of each channel besides; the `last` one's where patches agree on none."""
-    brighter = np.log(patches.luma.astype(np.float64) / patches.luma_then)
-    exposure = _agreed(brighter, patches.contrast, params)
+    exposure = _agreed(patches.brighter, patches.contrast, params)
     if exposure is None and last.veil.any():
         return last
     coloured = np.all(_is_exposed(patches.colours_then, patches.colours, params), axis=1)
     shifts = np.log(patches.colours[coloured].astype(np.float64) / patches.colours_then[coloured])
-    tint = _agreed(shifts - brighter[coloured, None], patches.contrast, params)
+    tint = _agreed(shifts - patches.brighter[coloured, None], patches.contrast, params)
     return Light(last.exposure if exposure is None else float(exposure), last.tint if tint is None else tint)
 
 

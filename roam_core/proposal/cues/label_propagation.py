@@ -92,8 +92,9 @@ def label_propagation(
 
 def _came_from_beyond(back: Float32, grid: Grid, size: tuple[int, int]) -> Bools:
     """The cells `(rows, columns)` that the flow takes beyond those of `grid`, but not out of the picture of `size`."""
-    cells = np.stack(np.meshgrid(np.arange(grid.columns), np.arange(grid.rows)), axis=-1)
-    x, y = np.moveaxis(grid.to_image(np.asarray(cells + 0.5 + back, dtype=np.float64)), -1, 0)
+    (fx, fy), (left, top) = grid.factor, grid.region.origin
+    x = (np.arange(grid.columns) + 0.5 + back[..., 0]) / fx + left
+    y = (np.arange(grid.rows)[:, None] + 0.5 + back[..., 1]) / fy + top
     region, (height, width) = grid.region, size
     within = (x >= region.x0) & (x < region.x1) & (y >= region.y0) & (y < region.y1)
     return np.asarray(~within & (x >= 0) & (x < width) & (y >= 0) & (y < height))
