@@ -26,11 +26,10 @@ class _Picture(NamedTuple):
     @classmethod
     def of(cls, colours: UInt8, window: int) -> _Picture:
         """Of `colours (h, w, 3)`, in windows of so many cells a side."""
-        size, values = (window, window), colours.astype(np.float32)
-        means = np.ascontiguousarray(cv2.blur(values, size).transpose(2, 0, 1))
-        squares = cv2.blur(_dot(*2 * (values.transpose(2, 0, 1),)), size)
-        planes = np.ascontiguousarray(colours.transpose(2, 0, 1), dtype=np.int32)
-        return cls(planes, means, squares - _dot(means, means))
+        planes = np.ascontiguousarray(colours.transpose(2, 0, 1), dtype=np.float32)
+        means = np.stack([cv2.blur(plane, (window, window)) for plane in planes])
+        squares = cv2.blur(_dot(planes, planes), (window, window))
+        return cls(planes.astype(np.int32), means, squares - _dot(means, means))
 
 
 def best_matches(

@@ -15,6 +15,8 @@ import numpy as np
 from numba import njit
 
 from roam_core.arrays import Array, Bools, Float32, Int32, UInt8
+from roam_core.kernels.small_systems import solve_positive
+from roam_core.threads import in_halves
 
 
 class Templates(NamedTuple):
@@ -67,7 +69,6 @@ class Alignment(NamedTuple):
     beyond: float
 
 
-@njit(nogil=True, cache=True)
 def aligned(
     templates: Templates, coarse: Picture, fine: Picture, carried: Array, last: Array, likeness: Array, how: Alignment
 ) -> tuple[Array, Array, Array]:
@@ -79,39 +80,54 @@ def aligned(
     carried : (M, 6) where the flow takes the patches. last : (M, 6) where they lay on the frame before, and with what
         `likeness (M,)`: those that matched there are heard by their neighbours.
     """
-    count, places = templates.places.shape[:2]
-    found, matched, open_by = carried.copy(), likeness.copy(), np.empty(count)
+    result = carried.copy(), likeness.copy(), np.empty(len(carried))
+    known, places = (carried, last, likeness), np.ones(templates.places.shape[:2], np.bool_)
+
+    def swept(before: Array, is_first: bool) -> None:
+        def some(first: int, stop: int) -> None:
+            _sweep(templates, coarse, fine, before, *known, is_first, how, first, stop, *result)
+
+        in_halves(some, places)
+
+    swept(carried, True)
+    swept(result[0].copy(), False)
+    return result
+
+
+@njit(nogil=True, cache=True, error_model="numpy")
+def _sweep(  # type: ignore[no-untyped-def]
+    templates, coarse, fine, before, carried, last, likeness, is_first, how, first, stop, found, matched, open_by
+):  # fmt: skip
+    """The patches from `first` to `stop` drawn to where those around them lay `before` expect them."""
+    places = templates.places.shape[1]
     residuals, seen = np.empty((places, 3)), np.empty(places, np.bool_)
     expected, start = np.empty(6), np.empty(6)
-    for sweep in range(2):
-        before = found.copy()
-        for k in range(count):
-            _expected(templates, before, likeness, k, how, expected)
-            least = 2.0
-            for choice in range(3 if sweep == 0 else 2):
-                start[:] = before[k] if choice == 0 else expected if choice == 1 else last[k]
-                _compare(templates, 0, k, coarse, start, how, residuals, seen)
-                price = _price(residuals, seen, how)
-                if price < least:
-                    least = price
-                    found[k] = start
-            if sweep == 0:
-                _refine(templates, 0, k, coarse, found[k], expected, 2.0, how, residuals, seen)
-            open_by[k] = _refine(templates, 1, k, fine, found[k], expected, 1.0, how, residuals, seen)
-            if not is_sound(found[k]):
-                found[k] = carried[k]
-            _compare(templates, 1, k, fine, found[k], how, residuals, seen)
-            matched[k] = 1.0 - _price(residuals, seen, how)
-    return found, matched, open_by
+    for k in range(first, stop):
+        _expected(templates, before, likeness, k, how, expected)
+        least = 2.0
+        for choice in range(3 if is_first else 2):
+            start[:] = before[k] if choice == 0 else expected if choice == 1 else last[k]
+            _compare(templates, 0, k, coarse, start, how, residuals, seen)
+            price = _price(residuals, seen, how)
+            if price < least:
+                least = price
+                found[k] = start
+        if is_first:
+            _refine(templates, 0, k, coarse, found[k], expected, 2.0, how, residuals, seen)
+        open_by[k] = _refine(templates, 1, k, fine, found[k], expected, 1.0, how, residuals, seen)
+        if not is_sound(found[k]):
+            found[k] = carried[k]
+        _compare(templates, 1, k, fine, found[k], how, residuals, seen)
+        matched[k] = 1.0 - _price(residuals, seen, how)
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def is_sound(motion: Array) -> bool:
     """Whether a motion leaves a patch an area: between a tenth of the key's and ten times that."""
     return bool(0.1 < motion[2] * motion[5] - motion[3] * motion[4] < 10.0)
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def _expected(templates: Templates, found: Array, likeness: Array, k: int, how: Alignment, expected: Array) -> None:
     """Where its neighbours, each as far as it matched and agrees, and the patch itself expect it."""
     centres, total = templates.centres, how.own
@@ -132,32 +148,35 @@ def _expected(templates: Templates, found: Array, likeness: Array, k: int, how: 
     expected /= total
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def _compare(
     templates: Templates, level: int, k: int, picture: Picture, motion: Array, how: Alignment, residuals: Array,
     seen: Bools,
 ) -> None:  # fmt: skip
     """The differences of colour `(N, 3)` between picture and patch, less their common shift; which are `seen (N,)`."""
-    image = picture.image
+    image, places, colours = picture.image, templates.places[k], templates.colours[level, k]
     height, width = image.shape[:2]
     centre_x, centre_y = templates.centres[k, 0], templates.centres[k, 1]
+    q_x, q_y, xx, xy, yx, yy = motion[0], motion[1], motion[2], motion[3], motion[4], motion[5]
+    soft = 1.5 * how.shift
     total, weights = np.zeros(3), np.zeros(3)
     for n in range(len(seen)):
-        x, y = templates.places[k, n, 0] - centre_x, templates.places[k, n, 1] - centre_y
-        u = (motion[0] + motion[2] * x + motion[3] * y - picture.left) * picture.factor_x - 0.5
-        v = (motion[1] + motion[4] * x + motion[5] * y - picture.top) * picture.factor_y - 0.5
+        x, y = places[n, 0] - centre_x, places[n, 1] - centre_y
+        u = (q_x + xx * x + xy * y - picture.left) * picture.factor_x - 0.5
+        v = (q_y + yx * x + yy * y - picture.top) * picture.factor_y - 0.5
         seen[n] = 0.0 <= u < width - 1 and 0.0 <= v < height - 1
         if not seen[n]:
             continue
-        column, row = int(u), int(v)
+        column, row = np.uintp(u), np.uintp(v)  # unsigned: no index counts from the end
+        right, below = column + np.uintp(1), row + np.uintp(1)
         u -= column
         v -= row
         for c in range(3):
-            colour = (1.0 - v) * ((1.0 - u) * image[row, column, c] + u * image[row, column + 1, c])
-            colour += v * ((1.0 - u) * image[row + 1, column, c] + u * image[row + 1, column + 1, c])
-            off = colour - templates.colours[level, k, n, c]
+            colour = (1.0 - v) * ((1.0 - u) * image[row, column, c] + u * image[row, right, c])
+            colour += v * ((1.0 - u) * image[below, column, c] + u * image[below, right, c])
+            off = colour - colours[n, c]
             residuals[n, c] = off
-            weight = 1.0 / (1.0 + (off / (1.5 * how.shift)) ** 2)
+            weight = 1.0 / (1.0 + (off / soft) ** 2)
             total[c] += weight * off
             weights[c] += weight
     for c in range(3):
@@ -167,7 +186,7 @@ def _compare(
                 residuals[n, c] -= shift
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def _price(residuals: Array, seen: Bools, how: Alignment) -> float:
     """The mean cost of the places, in [0, 1]."""
     total = 0.0
@@ -180,7 +199,7 @@ def _price(residuals: Array, seen: Bools, how: Alignment) -> float:
     return total / len(seen)
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def _like(residuals: Array, seen: Bools, how: Alignment) -> float:
     """T of the residuals at hand: twice the median of their size, within bounds."""
     sizes, count = np.empty(len(seen)), 0
@@ -191,7 +210,7 @@ def _like(residuals: Array, seen: Bools, how: Alignment) -> float:
     return min(max(2.0 * np.median(sizes[:count]), how.like_least), how.like_most) if count > 0 else how.like_most
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def _refine(
     templates: Templates, level: int, k: int, picture: Picture, motion: Array, expected: Array, loose: float,
     how: Alignment, residuals: Array, seen: Bools,
@@ -201,7 +220,7 @@ def _refine(
     The prior on place and L is `loose` times as wide as it is told.
     """
     centre_x, centre_y = templates.centres[k, 0], templates.centres[k, 1]
-    hessian, slope, along = np.empty((6, 6)), np.empty(6), np.empty(3)
+    hessian, slope, step, along = np.empty((6, 6)), np.empty(6), np.empty(6), np.empty(3)
     firm_place, firm_strain = 1.0 / (loose * how.move) ** 2, 1.0 / (loose * how.strain) ** 2
     open_by = 0.0
     for _ in range(how.rounds):
@@ -241,7 +260,6 @@ def _refine(
                 hessian[b, a] = hessian[a, b]
         for a in range(2, 6):
             hessian[a, a] += firm_strain
-        open_by = _open_by(hessian)
         # The prior, as the template has it: what the motion lacks to the one that is expected.
         det = motion[2] * motion[5] - motion[3] * motion[4]
         xx, xy, yx, yy = motion[5] / det, -motion[3] / det, -motion[4] / det, motion[2] / det
@@ -252,23 +270,43 @@ def _refine(
         slope[3] -= firm_strain * (yx * expected[2] + yy * expected[4])
         slope[4] -= firm_strain * (xx * expected[3] + xy * expected[5])
         slope[5] -= firm_strain * (yx * expected[3] + yy * expected[5] - 1.0)
-        hessian[0, 0] += firm_place
-        hessian[1, 1] += firm_place
-        if _composed(motion, np.linalg.solve(hessian, slope).astype(np.float64), how):
+        open_by = _solved(hessian, slope, firm_place, step)
+        if _composed(motion, step, how):
             break
     return open_by
 
 
-@njit(nogil=True, cache=True)
-def _open_by(hessian: Array) -> float:
-    """The standard deviation of a patch's place along the direction that its texture tells least of, pixels."""
-    linear = np.linalg.solve(np.ascontiguousarray(hessian[2:, 2:]), np.ascontiguousarray(hessian[2:, :2]))
-    place = hessian[:2, :2] - np.ascontiguousarray(hessian[:2, 2:]) @ linear
-    half, det = 0.5 * (place[0, 0] + place[1, 1]), place[0, 0] * place[1, 1] - place[0, 1] * place[1, 0]
-    return float(1.0 / np.sqrt(max(half - np.sqrt(max(half * half - det, 0.0)), 1e-6)))
+@njit(nogil=True, cache=True, error_model="numpy")
+def _solved(hessian: Array, slope: Array, firm_place: float, step: Array) -> float:
+    """The `step (6,)` of Gauss and Newton, where the prior on the place is still to be added to the hessian.
+
+    Returns the standard deviation of the place without that prior along the direction that the texture tells least of,
+    pixels. For it the strains are eliminated first, which is half of the way to the step.
+    """
+    strains, right = np.empty((4, 4)), np.empty((4, 3))
+    for a in range(4):
+        strains[a] = hessian[2 + a, 2:]
+        right[a, 0], right[a, 1], right[a, 2] = hessian[2 + a, 0], hessian[2 + a, 1], slope[2 + a]
+    solve_positive(strains, right)
+    xx, xy, yy, x, y = hessian[0, 0], hessian[0, 1], hessian[1, 1], slope[0], slope[1]
+    for a in range(4):
+        xx -= hessian[0, 2 + a] * right[a, 0]
+        xy -= hessian[0, 2 + a] * right[a, 1]
+        yy -= hessian[1, 2 + a] * right[a, 1]
+        x -= hessian[0, 2 + a] * right[a, 2]
+        y -= hessian[1, 2 + a] * right[a, 2]
+    half, det = 0.5 * (xx + yy), xx * yy - xy * xy
+    open_by = 1.0 / np.sqrt(max(half - np.sqrt(max(half * half - det, 0.0)), 1e-6))
+    xx += firm_place
+    yy += firm_place
+    det = xx * yy - xy * xy
+    step[0], step[1] = (yy * x - xy * y) / det, (xx * y - xy * x) / det
+    for a in range(4):
+        step[2 + a] = right[a, 2] - right[a, 0] * step[0] - right[a, 1] * step[1]
+    return float(open_by)
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def _composed(motion: Array, step: Array, how: Alignment) -> bool:
     """Compose `motion (6,)` with the inverse of a step `(move x, y, columns of a strain)`; whether that is done."""
     place, strain = max(abs(step[0]), abs(step[1])), np.abs(step[2:]).max()
@@ -286,7 +324,7 @@ def _composed(motion: Array, step: Array, how: Alignment) -> bool:
     return bool(place < 0.05 and strain < 0.005)
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True, cache=True, error_model="numpy")
 def sides(
     centres: Array, motions: Array, weights: Array, reach: float, key: Picture, depth: Float32, now: Picture,
     like: float, ramp: float,
