@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import segments
 from roam_core.geometry.polyline import outward_normals
 from roam_core.kernels.alignment import align, prices
 from roam_core.kernels.anchoring import anchored
+from roam_core.kernels.background_match import best_matches
 from roam_core.kernels.colour_bins import bin_counts, looked_up
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
 from roam_core.kernels.crossing import crossing_edges
@@ -26,12 +30,15 @@ from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, o
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, log_ratio, nearest_colours
 from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.kernels.oblivious_trees import grown, mean_of_leaves, shares
+from roam_core.kernels.patch_alignment import aligned
 from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, affines, energies, refined
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
 from roam_core.kernels.settling import settled
 from roam_core.kernels.spline_fit import nearest_places, normal_band
+from roam_core.motion.patches import Levels, Patches
 from roam_core.params import ANCHORS, TextureParams
+from roam_core.params.patches import PatchParams
 from roam_core.proposal.outline.invariants import surroundings
 
 Case = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
@@ -134,6 +141,22 @@ def _diffusion() -> Case:
 
 def _colours() -> Case:
     return _call(nearest_colours, *_matched(), 5, 0.3)
+
+
+def _background() -> Case:
+    return _call(best_matches, _picture(), _picture(), np.ones(GRID, dtype=bool), 5, 1, 2.0, 0.5)
+
+
+def _patches() -> Case:
+    grid, params = Grid.over(Region(0, 0, GRID[1], GRID[0]), 1.0), PatchParams()
+    frame, inside = PreparedFrame(cv2.GaussianBlur(_picture(), (0, 0), 2.0)), np.zeros(GRID, dtype=bool)
+    inside[20:-20, 20:-20] = True
+    patches = Patches.learned(frame, inside, np.ones(GRID, dtype=bool), grid, 1.0, params)
+    assert patches is not None
+    start, now = patches.on_key, Levels.of(frame, grid, params)
+    beside = start.affines + np.array([1.0, -1.0, 0.0, 0.0, 0.0, 0.0])
+    how = patches.alignment
+    return _call(aligned, patches.templates, now.coarse, now.fine, beside, start.affines, start.likeness, how)
 
 
 def _log_ratio() -> Case:
@@ -268,7 +291,9 @@ def _leaves() -> Case:
 CASES: dict[str, Callable[[], Case]] = {
     "affines": _affines,
     "align": _alignment,
+    "aligned": _patches,
     "anchored": _anchoring,
+    "best_matches": _background,
     "best_hypothesis": _hypotheses,
     "bin_counts": lambda: _call(bin_counts, _picture(), np.ones(GRID, dtype=bool)),
     "coverage": lambda: _call(coverage, _outline(), SIZE),

@@ -22,6 +22,7 @@ import numpy as np
 from numba import njit
 
 from roam_core.arrays import Array, Float32, UInt8
+from roam_core.kernels.small_systems import solve_positive
 
 PIVOT_X, PIVOT_Y, PARENT, ANGLE = 0, 1, 2, 3
 """Columns of the bones `(K, 4)`, parents first: a pivot, the parent's row or -1, the direction of the axis."""
@@ -421,7 +422,8 @@ def _refined(  # type: ignore[no-untyped-def]
         for a in range(size):
             normal[a, :] = best_normal[a, :]
             normal[a, a] = best_normal[a, a] * (1.0 + damping) + 1e-12
-        step = np.linalg.solve(normal, best_right)
+        step = best_right.copy()
+        solve_positive(normal, step.reshape(size, 1))
         longest = max(abs(step[0]), abs(step[1])) * scale_x / 2.5
         for a in range(2, size):
             longest = max(longest, abs(step[a]) / (0.12 if a < 2 + count else 0.06))

@@ -114,13 +114,11 @@ class Patches:
         affines = np.hstack([similarity.apply(transform[:2], self.templates.centres), linear])
         return PatchMotion(affines, np.full(count, likeness), np.zeros(count), np.ones(count))
 
-    def step(self, motion: PatchMotion, now: Levels, grid: Grid, flow: Float32) -> PatchMotion:
-        """Their motion on the next frame, `now`, from that on the last one.
-
-        `flow (rows, columns, 2)` leads there from the last frame, in the cells of `grid`.
-        """
+    @property
+    def alignment(self) -> Alignment:
+        """How they are aligned, in pixels of the image."""
         params, scale = self.params, self.scale
-        how = Alignment(
+        return Alignment(
             rounds=params.rounds,
             like_least=params.like_least,
             like_most=params.like_most,
@@ -135,11 +133,17 @@ class Patches:
             own=params.own,
             beyond=params.beyond,
         )
+
+    def step(self, motion: PatchMotion, now: Levels, grid: Grid, flow: Float32) -> PatchMotion:
+        """Their motion on the next frame, `now`, from that on the last one.
+
+        `flow (rows, columns, 2)` leads there from the last frame, in the cells of `grid`.
+        """
         carried = self._by_flow(motion, grid, flow)
         affines, likeness, open_by = aligned(
-            self.templates, now.coarse, now.fine, carried, motion.affines, motion.likeness, how
+            self.templates, now.coarse, now.fine, carried, motion.affines, motion.likeness, self.alignment
         )
-        return PatchMotion(affines, likeness, open_by / scale, motion.agreed)
+        return PatchMotion(affines, likeness, open_by / self.scale, motion.agreed)
 
     def sides(self, motion: PatchMotion, now: Levels) -> tuple[Float32, Float32]:
         """How surely the cells of a frame lie inside the outline, and outside, `(rows, columns)` each, in [0, 1]."""

@@ -81,7 +81,7 @@ def _compared(
     picture = grid.colours_of(colours.picture)
     now = lab(picture)
     views = [
-        (KeyView(_in_this_light(directional_pass.picture, stop), stop.carried, coverage), away)
+        (KeyView(_in_this_light(directional_pass.picture, stop), stop.carried, grid, coverage), away)
         for directional_pass, stop, coverage, away in zip(
             (span.onwards, span.back), (moment.onwards, moment.back), coverages, (moment.u, 1.0 - moment.u), strict=True
         )
@@ -94,7 +94,7 @@ def _compared(
         wanted &= ~hidden
     carried_here = np.where(sides[0] ^ sides[1], np.float32(params.span.disputed) * found.values, found.values)
     values = carried_here + np.float32(params.keys_weight) * key_colours(
-        picture, grid, views, wanted, params.span.key_colours
+        picture, views, wanted, params.span.key_colours
     )
     values += _backgrounds(moment, grid, colours.picture, ~(sides[0] | sides[1]), params)
     rough = np.where(wanted, values, found.values)

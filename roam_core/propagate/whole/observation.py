@@ -24,7 +24,7 @@ from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.background import correction
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
 from roam_core.proposal.cues.exposure import light_since
-from roam_core.proposal.cues.key_view import lab
+from roam_core.proposal.cues.key_view import KeyView, lab
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import MotionMisfit
 
@@ -95,7 +95,7 @@ def observed(
         key.region.on(grid, key.to_now),
         misfit.left_behind(agreement, params),
     )
-    key = _drawn_to(frame, key, expected.possible, grid, params)
+    key, view = _drawn_to(frame, key, expected.possible, grid, params)
     frame = key.in_its_light(frame)
     pictures = grid.colours_of(state.frame), grid.colours_of(frame)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
@@ -109,7 +109,7 @@ def observed(
         unreliable = grid.warped(np.float32(1.0) - state.flow_reliability, state.region.grid.map_to_image)
         reliable = np.float32(1.0) - unreliable
         lines = label_propagation(pictures, before, (forth, back), reliable, grid, frame.size, params.label_propagation)
-    background = key.background(grid) if params.background is not None else None
+    background = key.behind_it(view) if params.background is not None else None
     sources = Sources(
         *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,
         sides, background, state.texture,
@@ -117,17 +117,20 @@ def observed(
     return Observation(frame, sources, moved, agreement, rigidity, pose, patch_motion)
 
 
-def _drawn_to(frame: PreparedFrame, key: KeyMemory, possible: Bools, grid: Grid, params: RegionParams) -> KeyMemory:
+def _drawn_to(
+    frame: PreparedFrame, key: KeyMemory, possible: Bools, grid: Grid, params: RegionParams
+) -> tuple[KeyMemory, KeyView]:
     """A key that was carried to `frame`, with the motion of its surroundings and its light as they are seen there.
 
-    `possible (rows, columns)`: where the object may be.
+    And it as it looks there, carried by that motion. `possible (rows, columns)`: where the object may be.
     """
     if params.background is not None:
-        seen = key.behind(grid), key.later, grid.grey_of(frame), possible
-        key = key.with_surroundings_moved(correction(*seen, grid, params.background.agreed))
-    if params.exposure is None:
-        return key
-    return replace(key, light=light_since(key.behind(grid), frame, possible, grid, key.light, params.exposure))
+        drawn = correction(key.behind(grid), key.later, grid.grey_of(frame), possible, params.background.agreed)
+        key = key.with_surroundings_moved(drawn)
+    view = key.behind(grid)
+    if params.exposure is not None:
+        key = replace(key, light=light_since(view, frame, possible, key.light, params.exposure))
+    return key, view
 
 
 def _displacement(state: RegionState, frame: PreparedFrame, spots: Array, params: FastMotionParams) -> Array | None:

@@ -63,14 +63,12 @@ class Background:
     new: Bools
 
     @classmethod
-    def of(
-        cls, view: KeyView, grid: Grid, neither: Sequence[Array] = (), later: Sequence[LaterView] = ()
-    ) -> Background:
-        """What a key, carried by the motion of its surroundings, shows in the cells of `grid`; beyond it `later` views.
+    def of(cls, view: KeyView, neither: Sequence[Array] = (), later: Sequence[LaterView] = ()) -> Background:
+        """What a key, carried by the motion of its surroundings, shows in its cells; beyond it `later` views.
 
         `neither`: closed polylines `(K, 2)` on the key, beyond the object, of what need not be background.
         """
-        colours, in_sight = view.seen(grid)
+        grid, colours, in_sight = view.grid, view.seen, view.in_sight
         on_key = in_sight.copy()
         covers = (coverage(grid.to_grid(similarity.apply(view.carried[:2], line)), grid.shape) for line in neither)
         for cover in (view.coverage, *covers):
@@ -79,9 +77,9 @@ class Background:
         for each in later:
             theirs, new = each.seen(grid)
             new &= ~in_sight
-            colours[new] = theirs[new]
+            colours = np.where(new[..., None], theirs, colours)
             known |= new
-            in_sight |= new
+            in_sight = in_sight | new
         return cls(lab(colours), known, on_key, ~in_sight)
 
     def log_ratio(self, now: UInt8, outside: Bools, params: BackgroundParams) -> Float32:
@@ -118,17 +116,15 @@ class Background:
         return likeness, np.sqrt(squared)
 
 
-def correction(
-    view: KeyView, later: Sequence[LaterView], picture: UInt8, inside: Bools, grid: Grid, least: float
-) -> Array:
+def correction(view: KeyView, later: Sequence[LaterView], picture: UInt8, inside: Bools, least: float) -> Array:
     """The motion `(3, 3)` that draws to the picture what the motion of the surroundings has carried there.
 
     That adds up from frame to frame. `view` is the key, so carried; where nothing of its background is in sight, the
     `later` views are asked. `picture (rows, columns)` is the luma and `inside (rows, columns)` the object on the frame.
     The identity where less than `least` of the background agree.
     """
-    seen, known = view.seen(grid)
-    known &= ~inside & (view.coverage < 0.5)
+    grid, seen = view.grid, view.seen
+    known = view.in_sight & ~inside & (view.coverage < 0.5)
     for each in later:
         if known.any():
             break

@@ -93,11 +93,15 @@ class KeyMemory:
 
     def behind(self, grid: Grid) -> KeyView:
         """The key in the cells of `grid`, carried by the motion of its surroundings."""
-        return KeyView(self.frame, self.surroundings, self.region.on(grid, self.surroundings))
+        return KeyView(self.frame, self.surroundings, grid, self.region.on(grid, self.surroundings))
 
     def background(self, grid: Grid) -> Background:
         """What it knows to lie behind the object in the cells of `grid`."""
-        return Background.of(self.behind(grid), grid, self.neither, self.later)
+        return self.behind_it(self.behind(grid))
+
+    def behind_it(self, view: KeyView) -> Background:
+        """The same in the cells of a `view` of it, carried by the motion of its surroundings."""
+        return Background.of(view, self.neither, self.later)
 
     def with_surroundings_moved(self, by: Array) -> KeyMemory:
         """It with all that lay around the object moved on by `by (3, 3)`."""
@@ -223,9 +227,9 @@ def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Fl
     )  # fmt: skip
     is_key_asked = params.key_weight > 0 or params.key_aged > 0
     if is_key_asked:
-        view = KeyView(sources.key.frame, sources.key.to_now, expected.remembered)
+        view = KeyView(sources.key.frame, sources.key.to_now, sources.grid, expected.remembered)
         flow: KeyFlow = "fast" if params.key_aged > 0 else "none"
-        there = view.nearest(sources.after, sources.grid, band, params.key_radius, params.key_spread, flow)
+        there = view.nearest(sources.after, band, params.key_radius, params.key_spread, flow)
     if params.key_aged > 0:
         aged = np.float32(params.key_aged)
         inside, outside = np.minimum(inside, aged * there[0]), np.minimum(outside, aged * there[1])

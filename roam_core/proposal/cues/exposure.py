@@ -6,7 +6,7 @@ glare, a fade to white. On a plate that is seen in its log encoding another expo
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import cv2
@@ -14,7 +14,6 @@ import numpy as np
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
-from roam_core.features.grid import Grid
 from roam_core.params.evidence import ExposureParams
 from roam_core.proposal.cues.key_view import KeyView
 
@@ -55,9 +54,7 @@ class Light:
 UNCHANGED = Light()
 
 
-def light_since(
-    view: KeyView, frame: PreparedFrame, inside: Bools, grid: Grid, last: Light, params: ExposureParams
-) -> Light:
+def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light, params: ExposureParams) -> Light:
     """The light of `frame` against that of the key: of what is not to be seen, as it was `last`.
 
     A patch of the background is known again by its correlation with the key's, which light does not change. Exposure
@@ -74,9 +71,9 @@ def light_since(
     inside : (rows, columns) where the object may be.
     """
     plate, contrast = frame.plate, frame.contrast
-    picture, luma = grid.colours_of(plate), grid.grey_of(plate)
-    seen, known = replace(view, picture=view.picture.plate).seen(grid)
-    known &= ~inside & (view.coverage < params.beside)
+    picture, luma = view.grid.colours_of(plate), view.grid.grey_of(plate)
+    seen = view.plate.seen
+    known = view.in_sight & ~inside & (view.coverage < params.beside)
     seen_luma = np.asarray(cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), np.uint8)
     usable = _known_again(seen_luma, luma, known, params.flat / contrast, params)
     before, now = _means(seen_luma, params.window), _means(luma, params.window)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from typing import Literal
 
 import cv2
@@ -47,31 +47,41 @@ class KeyView:
     Attributes
     ----------
     picture : the key's. carried : (3, 3) similarity by which its object came to the frame.
-    coverage : (rows, columns) of the key's outlines in the cells that are looked at, carried.
+    grid : the cells that are looked at. coverage : (rows, columns) of the key's outlines in them, carried.
     """
 
     picture: PreparedFrame
     carried: Array
+    grid: Grid
     coverage: Float32
 
-    def seen(self, grid: Grid) -> tuple[UInt8, Bools]:
-        """Its picture `(rows, columns, 3)`, RGB in the cells of `grid`, and which of these it reaches."""
-        key = self.picture.image
-        in_sight = grid.warped(_everywhere(key.shape[:2]), self.carried) == 255
-        return grid.warped(key, self.carried), in_sight
+    @cached_property
+    def seen(self) -> UInt8:
+        """Its picture `(rows, columns, 3)`, RGB in the cells of the grid."""
+        return np.asarray(self.grid.warped(self.picture.image, self.carried), dtype=np.uint8)
+
+    @cached_property
+    def in_sight(self) -> Bools:
+        """Which cells `(rows, columns)` its picture reaches."""
+        return np.asarray(self.grid.warped(_everywhere(self.picture.size), self.carried) == 255)
+
+    @property
+    def plate(self) -> KeyView:
+        """The same of the plate's own values (`PreparedFrame.plate`)."""
+        plate = self.picture.plate
+        return self if plate is self.picture else replace(self, picture=plate)
 
     def nearest(
-        self, picture: UInt8, grid: Grid, wanted: Bools, radius: int, spread: float, flow: KeyFlow
+        self, picture: UInt8, wanted: Bools, radius: int, spread: float, flow: KeyFlow
     ) -> tuple[Float32, Float32]:
-        """`nearest_colours` of `picture (rows, columns, 3)`, RGB in the cells of `grid`, inside and outside of the key.
+        """`nearest_colours` of `picture (rows, columns, 3)`, RGB in these cells, inside and outside of the key.
 
         Each wanted cell looks around its own place in the carried key, or around the one that the `flow` between the
         two leads it to. What lies beyond the key's picture is like nothing.
         """
-        seen, is_in_sight = self.seen(grid)
-        labels = np.where(is_in_sight, trimap(self.coverage), np.uint8(UNKNOWN))
-        backward = np.zeros((*grid.shape, 2), dtype=np.float32)
+        labels = np.where(self.in_sight, trimap(self.coverage), np.uint8(UNKNOWN))
+        backward = np.zeros((*self.grid.shape, 2), dtype=np.float32)
         if flow != "none":
-            grey, grey_there = (cv2.cvtColor(each, cv2.COLOR_RGB2GRAY) for each in (picture, seen))
+            grey, grey_there = (cv2.cvtColor(each, cv2.COLOR_RGB2GRAY) for each in (picture, self.seen))
             backward = cell_flow(np.asarray(grey, np.uint8), np.asarray(grey_there, np.uint8), flow == "exact")
-        return nearest_colours(lab(picture), lab(seen), labels, wanted, backward, radius, spread)
+        return nearest_colours(lab(picture), lab(self.seen), labels, wanted, backward, radius, spread)

@@ -42,12 +42,12 @@ def shifted(x: float, y: float) -> Array:
 
 
 def view_of(picture: UInt8, inside: Bools, carried: Array) -> KeyView:
-    return KeyView(PreparedFrame(picture), carried, GRID.warped(inside.astype(np.float32), carried))
+    return KeyView(PreparedFrame(picture), carried, GRID, GRID.warped(inside.astype(np.float32), carried))
 
 
 def told(ground: UInt8, key: Bools, now: UInt8, outside: Bools, carried: Array | None = None) -> Float32:
     view = view_of(painted(ground, key), key, np.eye(3) if carried is None else carried)
-    return Background.of(view, GRID).log_ratio(lab(now), outside, PARAMS)
+    return Background.of(view).log_ratio(lab(now), outside, PARAMS)
 
 
 def middle(inside: Bools) -> Bools:
@@ -100,10 +100,10 @@ def test_without_texture_nothing_is_recognised() -> None:
 def test_what_covered_the_object_is_not_its_background() -> None:
     ground, key = meadow(), square(10, 40)
     post = np.array([[60.0, 0.0], [70.0, 0.0], [70.0, 120.0], [60.0, 120.0]])
-    known = Background.of(view_of(ground, key, np.eye(3)), GRID, [post]).known
+    known = Background.of(view_of(ground, key, np.eye(3)), [post]).known
     assert not known[:, 60:70].any()
     assert known[:, 72:].all()
-    moved = Background.of(view_of(ground, key, shifted(10.0, 0.0)), GRID, [post]).known
+    moved = Background.of(view_of(ground, key, shifted(10.0, 0.0)), [post]).known
     assert not moved[:, 70:80].any()
     assert moved[:, 60:70][square(0, 0, SIDE)[:, 60:70] & ~square(20, 40)[:, 60:70]].all()
 
@@ -114,7 +114,7 @@ def test_the_key_is_drawn_to_the_picture() -> None:
     now = painted(GRID.warped(ground, pan), square(60, 50))
     grey = GRID.grey_of(PreparedFrame(now))
     view = view_of(painted(ground, key), key, guess)
-    found = correction(view, (), grey, square(55, 45, 30), GRID, PARAMS.agreed) @ guess
+    found = correction(view, (), grey, square(55, 45, 30), PARAMS.agreed) @ guess
     npt.assert_allclose(found[:2] @ (60.0, 60.0, 1.0), pan[:2] @ (60.0, 60.0, 1.0), atol=0.75)  # cells; it was 1.8 off
 
 
@@ -122,8 +122,8 @@ def test_it_stays_where_nothing_agrees_or_nothing_is_known() -> None:
     guess = shifted(2.0, 0.0)
     grey = GRID.grey_of(PreparedFrame(meadow(11)))
     nowhere, everywhere = square(0, 0, 1), square(0, 0, SIDE)
-    npt.assert_array_equal(correction(view_of(meadow(), nowhere, guess), (), grey, nowhere, GRID, 0.9), np.eye(3))
-    npt.assert_array_equal(correction(view_of(meadow(), everywhere, guess), (), grey, nowhere, GRID, 0.1), np.eye(3))
+    npt.assert_array_equal(correction(view_of(meadow(), nowhere, guess), (), grey, nowhere, 0.9), np.eye(3))
+    npt.assert_array_equal(correction(view_of(meadow(), everywhere, guess), (), grey, nowhere, 0.1), np.eye(3))
 
 
 PAN = shifted(-60.0, 0.0)
@@ -138,11 +138,11 @@ def later_view(picture: UInt8, clear: Bools, carried: Array | None = None) -> La
 def test_what_came_into_sight_later_is_known_where_the_key_shows_nothing() -> None:
     ground, now = meadow(), meadow(5)
     key = view_of(ground, square(10, 40), PAN)
-    known = Background.of(key, GRID, (), [later_view(now, RIGHT)])
-    npt.assert_array_equal(known.on_key, Background.of(key, GRID).known)
+    known = Background.of(key, (), [later_view(now, RIGHT)])
+    npt.assert_array_equal(known.on_key, Background.of(key).known)
     npt.assert_array_equal(known.known, known.on_key | RIGHT)
     npt.assert_array_equal(known.colours[known.known & ~known.on_key], lab(now)[known.known & ~known.on_key])
-    npt.assert_array_equal(known.colours[known.on_key], Background.of(key, GRID).colours[known.on_key])
+    npt.assert_array_equal(known.colours[known.on_key], Background.of(key).colours[known.on_key])
 
 
 def test_a_later_view_goes_with_the_surroundings() -> None:
@@ -150,7 +150,7 @@ def test_a_later_view_goes_with_the_surroundings() -> None:
     key = view_of(meadow(), square(10, 40), pan @ PAN)
     clear = ~square(80, 50, 12)
     later = [later_view(now, clear, pan)]
-    ratio = Background.of(key, GRID, (), later).log_ratio(lab(GRID.warped(now, pan)), ~square(0, 0, 1), PARAMS)
+    ratio = Background.of(key, (), later).log_ratio(lab(GRID.warped(now, pan)), ~square(0, 0, 1), PARAMS)
     assert np.median(ratio[30:100, 65:108]) < -0.9 * PARAMS.same
     npt.assert_array_equal(ratio[60:62, 77:81], 0.0)  # not clear of the object there
 
@@ -158,7 +158,7 @@ def test_a_later_view_goes_with_the_surroundings() -> None:
 def test_what_hides_a_later_view_may_have_been_left_out_of_the_object() -> None:
     now, thing = meadow(5), square(80, 40)
     key = view_of(meadow(), square(10, 40), PAN)
-    ratio = Background.of(key, GRID, (), [later_view(now, RIGHT)]).log_ratio(lab(painted(now, thing)), ~thing, PARAMS)
+    ratio = Background.of(key, (), [later_view(now, RIGHT)]).log_ratio(lab(painted(now, thing)), ~thing, PARAMS)
     npt.assert_array_equal(ratio[middle(thing)], 0.0)
 
 
@@ -166,6 +166,6 @@ def test_later_views_are_drawn_to_the_picture_once_the_key_is_out_of_sight() -> 
     ground, gone, pan = meadow(5), shifted(-3.0 * SIDE, 0.0), shifted(3.0, 2.0)
     now, nowhere = GRID.grey_of(PreparedFrame(GRID.warped(ground, pan))), square(0, 0, 1)
     key = view_of(meadow(), square(10, 40), gone)
-    found = correction(key, [later_view(ground, ~nowhere, shifted(1.5, 2.5))], now, nowhere, GRID, PARAMS.agreed)
+    found = correction(key, [later_view(ground, ~nowhere, shifted(1.5, 2.5))], now, nowhere, PARAMS.agreed)
     npt.assert_allclose((found @ shifted(1.5, 2.5))[:2] @ (60.0, 60.0, 1.0), pan[:2] @ (60.0, 60.0, 1.0), atol=0.75)
-    npt.assert_array_equal(correction(key, (), now, nowhere, GRID, PARAMS.agreed), np.eye(3))
+    npt.assert_array_equal(correction(key, (), now, nowhere, PARAMS.agreed), np.eye(3))

@@ -40,8 +40,10 @@ def shaded(by: Array) -> Array:
 
 def told(now: UInt8, inside: Bools = NOWHERE, key: UInt8 | None = None, carried: Array | None = None) -> Light:
     by = np.eye(3) if carried is None else carried
-    view = KeyView(PreparedFrame(ground() if key is None else key), by, GRID.warped(inside.astype(np.float32), by))
-    return light_since(view, PreparedFrame(now), inside, GRID, LAST, PARAMS)
+    view = KeyView(
+        PreparedFrame(ground() if key is None else key), by, GRID, GRID.warped(inside.astype(np.float32), by)
+    )
+    return light_since(view, PreparedFrame(now), inside, LAST, PARAMS)
 
 
 def nearer(gains: Array | float, within: float) -> Array:
@@ -93,7 +95,7 @@ def test_so_it_does_where_levels_stretch_it() -> None:
     levels = Levels.of(PreparedFrame(key), LevelsParams())
     assert levels is not None
     then, now = (PreparedFrame(each).levelled(levels.table) for each in (key, under(key, 1.0, 30.0)))
-    light = light_since(KeyView(then, np.eye(3), np.zeros((SIDE, SIDE), np.float32)), now, NOWHERE, GRID, LAST, PARAMS)
+    light = light_since(KeyView(then, np.eye(3), GRID, np.zeros((SIDE, SIDE), np.float32)), now, NOWHERE, LAST, PARAMS)
     np.testing.assert_allclose(light.gains, 1.0, rtol=0.04)
     np.testing.assert_allclose(light.veil, 30.0, atol=4.0)
     np.testing.assert_allclose(light.removed(now).image.mean(), then.image.mean(), atol=1.5)
@@ -115,9 +117,9 @@ def test_haze_over_some_of_it_is_none_over_all() -> None:
 def test_where_neither_a_factor_nor_a_veil_tells_enough_the_light_stays() -> None:
     hazes = np.kron(np.random.default_rng(6).uniform(0.0, 0.6, (SIDE // 20, SIDE // 20)), np.ones((20, 20)))[..., None]
     veiled = Light(0.8, np.ones(3), np.full(3, 30.0))
-    view = KeyView(PreparedFrame(land()), np.eye(3), np.zeros((SIDE, SIDE), np.float32))
+    view = KeyView(PreparedFrame(land()), np.eye(3), GRID, np.zeros((SIDE, SIDE), np.float32))
     now = PreparedFrame(np.uint8((1.0 - hazes) * land() + hazes * 200.0))
-    assert light_since(view, now, NOWHERE, GRID, veiled, PARAMS) is veiled
+    assert light_since(view, now, NOWHERE, veiled, PARAMS) is veiled
 
 
 def test_the_key_in_a_light_and_a_frame_out_of_it_are_the_other_one() -> None:
@@ -154,7 +156,7 @@ def test_of_a_picture_of_little_contrast_less_of_a_change_is_told_apart() -> Non
     levels = Levels.of(PreparedFrame(key), LevelsParams())
     assert levels is not None
     then, now = (PreparedFrame(each).levelled(levels.table) for each in (key, lit(key, 0.95)))
-    light = light_since(KeyView(then, np.eye(3), np.zeros((SIDE, SIDE), np.float32)), now, NOWHERE, GRID, LAST, PARAMS)
+    light = light_since(KeyView(then, np.eye(3), GRID, np.zeros((SIDE, SIDE), np.float32)), now, NOWHERE, LAST, PARAMS)
     assert light.exposure == pytest.approx(0.95 * WITHIN ** (1.0 / levels.contrast), abs=0.01)
     assert told(lit(key, 0.95), key=key).exposure == 1.0
 

@@ -34,7 +34,7 @@ def picture(post: bool, shift: int = 0) -> PreparedFrame:
 
 
 def said_of(frame: PreparedFrame, keys: list[tuple[KeyView, float]], wanted: Bools = ALL) -> Float32:
-    return key_colours(GRID.of(frame.image), GRID, keys, wanted, KeyColoursParams())
+    return key_colours(GRID.of(frame.image), keys, wanted, KeyColoursParams())
 
 
 def view(post: bool, shift: int = 0) -> KeyView:
@@ -45,7 +45,7 @@ def view(post: bool, shift: int = 0) -> KeyView:
     carried = np.eye(3)
     carried[0, 2] = shift
     coverage = np.roll(GRID.of(inside), shift // 2, axis=1)
-    return KeyView(picture(post), carried, coverage)
+    return KeyView(picture(post), carried, GRID, coverage)
 
 
 def cells(rows: slice, columns: slice) -> tuple[slice, slice]:
@@ -88,7 +88,7 @@ def test_only_wanted_cells_are_rated() -> None:
 def test_the_nearer_key_counts_more() -> None:
     # Alike on both keys but for the label: the cell goes with the key that is nearer.
     card = view(False)
-    empty = KeyView(card.picture, card.carried, np.zeros_like(card.coverage))
+    empty = KeyView(card.picture, card.carried, GRID, np.zeros_like(card.coverage))
     frame = PreparedFrame(cv2.convertScaleAbs(picture(post=False).image, alpha=1.0, beta=3))
     middle = cells(*CARD)
     assert np.median(said_of(frame, [(card, 0.1), (empty, 0.9)])[middle]) > 0
