@@ -25,8 +25,7 @@ class RedetectionParams:
     almost : resemblance from which they are.
     least, distinct : root of its area on the key in pixels, and nats by which it differs there from its
         surroundings, from which it can be known again by its colours.
-    indistinct : share of `RegionParams.doubted` under which an object is looked for that cannot, or that is held to
-        its pose.
+    posed : share of `RegionParams.doubted` under which an object is looked for that is held to its pose.
     long_gone, sometimes : frames unseen after which an object is looked for on every fourth frame only.
     near, pace : roots of its area around its last place within which an object is looked for, and by how many more
         a frame unseen.
@@ -43,7 +42,7 @@ class RedetectionParams:
     almost: float = 0.8
     least: float = 12.0
     distinct: float = 2.0
-    indistinct: float = later(0.85)
+    posed: float = later(0.85)
     long_gone: int = 8
     sometimes: int = 4
     near: float = 2.0

@@ -118,12 +118,14 @@ def _is_gone(state: RegionState, observation: Observation, params: RegionParams)
 def _is_doubted(state: RegionState, params: RegionParams) -> bool:
     """Whether so little is to be expected of a frame that the object is looked for on it.
 
-    What its colours do not tell from its surroundings, and a limb that is held to its pose, soon have lookalikes: only
-    where less is to be expected of them.
+    A limb that is held to its pose soon has lookalikes: only where less is to be expected of it. What its colours do
+    not tell from its surroundings has them everywhere: only where nothing is left of it.
     """
     bound = params.doubted
-    if state.trust < bound and (state.is_posed or not state.appearance.is_distinct):
-        bound *= params.redetection.indistinct
+    if state.trust < bound and not state.appearance.is_distinct:
+        bound = min(bound, params.hopeless)
+    elif state.trust < bound and state.is_posed:
+        bound *= params.redetection.posed
     return state.trust < bound
 
 

@@ -201,16 +201,14 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
     assert not last_seen_at(1.0)
 
 
-@pytest.mark.parametrize(
-    ("distinct", "indistinct", "is_found"), [(2.0, 0.8, True), (2.0, 0.0, False), (9.0, 0.8, False)]
-)
+@pytest.mark.parametrize(("distinct", "posed", "is_found"), [(2.0, 0.8, True), (2.0, 0.0, False), (9.0, 0.8, False)])
 def test_what_lost_its_pose_is_found_without_it_where_its_colours_are_its_own(
-    distinct: float, indistinct: float, is_found: bool
+    distinct: float, posed: float, is_found: bool
 ) -> None:
     """As a limb it would be held to where it was: something may hide it."""
     region = CONFIGS["best"].region
     assert region is not None
-    params = replace(region, redetection=replace(region.redetection, distinct=distinct, indistinct=indistinct))
+    params = replace(region, redetection=replace(region.redetection, distinct=distinct, posed=posed))
     parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
     state = begin(PreparedFrame(picture(60.0)), parts, params)
     assert state.pose is not None
@@ -223,11 +221,11 @@ def test_what_lost_its_pose_is_found_without_it_where_its_colours_are_its_own(
     assert np.hypot(*(stepped.results[0].points[:, 0].mean(axis=0) - (110.0 if is_found else 60.0, ROW))) < 20.0
 
 
-@pytest.mark.parametrize(
-    ("distinct", "indistinct", "is_found"), [(2.0, 0.0, True), (9.0, 0.0, False), (9.0, 0.8, True)]
-)
-def test_what_its_colours_do_not_tell_is_looked_for_later(distinct: float, indistinct: float, is_found: bool) -> None:
-    params = replace(REGION, redetection=replace(PARAMS, distinct=distinct, indistinct=indistinct))
+@pytest.mark.parametrize(("distinct", "hopeless", "is_found"), [(2.0, 0.0, True), (9.0, 0.0, False), (9.0, 0.8, True)])
+def test_what_its_colours_do_not_tell_is_looked_for_where_nothing_is_left(
+    distinct: float, hopeless: float, is_found: bool
+) -> None:
+    params = replace(REGION, hopeless=hopeless, redetection=replace(PARAMS, distinct=distinct))
     parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
     stepped = step(begin(PreparedFrame(picture(60.0)), parts, params), PreparedFrame(picture(112.0)), params)
     assert stepped.redetected is is_found
