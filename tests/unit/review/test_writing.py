@@ -70,6 +70,14 @@ def test_a_movie_takes_the_speed_of_the_clip(tmp_path: Path) -> None:
     assert cv2.VideoCapture(str(tmp_path / "a.mov")).get(cv2.CAP_PROP_FPS) == pytest.approx(24.0)
 
 
+def test_a_movie_of_a_lapse_of_time_is_as_slow(tmp_path: Path) -> None:
+    project = moving()
+    slow = replace(project, clip=replace(project.require_clip(), fps=0.5))
+    sentence = write_review(ReviewRequest(slow, ALL[:2], Output.MOVIE, tmp_path / "a.mp4"), read)
+    assert sentence == f"Wrote 2 frame(s) at 0.5 fps to {tmp_path / 'a.mp4'}."
+    assert cv2.VideoCapture(str(tmp_path / "a.mp4")).get(cv2.CAP_PROP_FPS) == pytest.approx(0.5)
+
+
 def test_where_no_encoder_works_one_sentence_names_the_way_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(movie, "ENCODERS", {".mp4": ("none",)})
     with pytest.raises(RoamError, match=r"No encoder for \.mp4 movies works here; name a folder"):
