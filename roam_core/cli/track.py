@@ -31,7 +31,14 @@ from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
 from roam_core.interchange.registry import SHAPE_SUFFIXES, read_shapes
 from roam_core.interchange.targets import PROJECT, Sources, require_free
-from roam_core.matte.vectorise import LEAST_AREA, coverage_of, read_mask, shapes_from_mask, specks_left_out
+from roam_core.matte.vectorise import (
+    LEAST_AREA,
+    coverage_of,
+    may_be_picture,
+    read_mask,
+    shapes_from_mask,
+    specks_left_out,
+)
 from roam_core.media.numbering import split_number
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
@@ -350,6 +357,11 @@ def tell_of_number(mask: Path, frames: tuple[int, ...], start: int) -> None:
 
 def _odd_about(mask: NDArray[Any], init: Path, count: int) -> Iterator[str]:
     """What an artist should know of a mask that became `count` shapes."""
+    if may_be_picture(coverage_of(mask)):
+        yield (
+            f"Most of the mask {init} is neither black nor white. If it is a picture, stop (Ctrl+C) and give a mask, "
+            "white inside."
+        )
     left_out = specks_left_out(mask)
     if left_out:
         yield (

@@ -44,7 +44,9 @@ def write_movie(path: Path, pictures: Iterable[UInt8], size: tuple[int, int], fp
         written.
     """
     if not SPEEDS[0] <= fps <= SPEEDS[1]:
-        raise RoamError(f"A movie runs at {SPEEDS[0]:g} to {SPEEDS[1]:g} frames a second, not at {fps:g}; choose another speed.")
+        raise RoamError(
+            f"A movie runs at {SPEEDS[0]:g} to {SPEEDS[1]:g} frames a second, not at {fps:g}; choose another speed."
+        )
     with tempfile.TemporaryDirectory(prefix="roam-") as folder:
         whole = Path(folder) / f"movie{path.suffix.lower()}"
         encoder = _encoder(whole, size, fps)

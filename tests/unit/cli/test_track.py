@@ -243,6 +243,13 @@ def test_what_is_left_out_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
     assert "Tracked 1 shape(s)" in done.err
 
 
+def test_a_picture_in_place_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
+    picture = next(iter(sorted(plate.folder.iterdir())))
+    done = roam("track", plate.folder, "--init", picture, "--end", 1001)
+    assert f"Most of the mask {picture} is neither black nor white. If it is a picture" in done.err
+    assert "If it is a picture" not in roam("track", plate.folder, "--init", plate.mask, "--end", 1001).err
+
+
 def test_a_mask_of_very_many_shapes_is_told(roam: Roam, plate: Plate) -> None:
     mask = np.zeros((110, 130), np.uint8)
     for row, column in np.ndindex(10, 12):
