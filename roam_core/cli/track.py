@@ -23,7 +23,8 @@ from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_hol
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
-from roam_core.cli.plate import Plate, add_reading, opened
+from roam_core.cli.plain_start import plain_start
+from roam_core.cli.plate import Plate, add_reading, opened, tell
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -102,8 +103,8 @@ def run(arguments: argparse.Namespace) -> int:
         project = initial_project(init, given, plate, frames[0])
         if given is None and arguments.start is None:
             tell_of_number(init, plate.source.frames, frames[0])
-        trackable(project, picking)  # refuses a name that no shape of the mask has
-        plate.read(frames[0])
+        wanted = trackable(project, picking)  # refuses a name that no shape of the mask has
+        tell(plain_start(plate.read(frames[0]), wanted, frames[0]))
         if arguments.save is not None:
             require_target(arguments.save)
         rewritten = init if init.suffix.lower() == PROJECT else None
