@@ -114,6 +114,7 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=rewritten,
         )
+        tell(kept_nowhere(arguments))
         if arguments.save is not None:
             tell_of_holder(arguments.save)
         if arguments.matte is not None:
@@ -140,6 +141,13 @@ def run(arguments: argparse.Namespace) -> int:
         count = len(trackable(project, picking))
         print(f"Tracked {count} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
     return 0
+
+
+def kept_nowhere(arguments: argparse.Namespace) -> str:
+    """That nothing of a run would be written or printed, in a sentence; "" where something is."""
+    if arguments.json or any(each is not None for each in (arguments.save, arguments.matte, arguments.landmarks)):
+        return ""
+    return "Nothing of this run is kept: to keep it, name a project with --save, or a folder for mattes with --matte."
 
 
 def results(arguments: argparse.Namespace, plate: Plate, frames: range) -> list[tuple[Path, Kind]]:
