@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from roam_core.arguments import path_of, shown
 from roam_core.errors import RoamError
@@ -105,7 +106,7 @@ def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) ->
     Raises
     ------
     ValueError
-        when the path or the clip is none.
+        when the path, the clip or the options are none.
     RoamError
         when the suffix is not known, the file cannot be read, is none of its format, or is too large.
     """
@@ -114,6 +115,7 @@ def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) ->
         raise ValueError(
             f"shapes are read into the pixels of a Clip, such as Clip.of(open_clip(path)), not {shown(clip)}"
         )
+    _require_options(options, ImportOptions)
     return importer_for(path).read(path, clip, options)
 
 
@@ -135,7 +137,7 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     Raises
     ------
     ValueError
-        when the project or the path is none.
+        when the project, the path or the options are none.
     LossyExport
         when the mattes would differ in the other program, and the options are not `lossy`.
     RoamError
@@ -143,4 +145,10 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     """
     if not isinstance(project, Project):
         raise ValueError(f"shapes are written of a Project, as edit.add_shape makes it, not of {shown(project)}")
+    _require_options(options, ExportOptions)
     return exporter_for(name).export(project, path_of(path), options)
+
+
+def _require_options(options: Any, kind: type) -> None:
+    if not isinstance(options, kind):
+        raise ValueError(f"options are {kind.__name__}(...), not {shown(options)}")

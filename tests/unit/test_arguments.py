@@ -23,6 +23,7 @@ from roam_core import (
     Project,
     RotoShape,
     Tracker,
+    edit,
     fill_span,
     keys_from_mask,
     load_project,
@@ -345,7 +346,22 @@ def test_files_are_made_of_projects_and_read_for_clips(tmp_path: Path) -> None:
             call([SHAPE], tmp_path / "p.nk")
     with pytest.raises(ValueError, match=r"such as Clip\.of"):
         read_shapes(tmp_path / "p.nk", "plates")  # type: ignore[arg-type]
+    for options in ({"lossy": True}, None, "lossy"):
+        with pytest.raises(ValueError, match=r"options are ExportOptions\(\.\.\.\), not "):
+            write_shapes(Project(CLIP), tmp_path / "p.nk", "nuke", options)  # type: ignore[arg-type]
+        with pytest.raises(ValueError, match=r"options are ImportOptions\(\.\.\.\), not "):
+            read_shapes(tmp_path / "p.nk", CLIP, options)  # type: ignore[arg-type]
     assert list(tmp_path.iterdir()) == []
+
+
+def test_shapes_of_two_masks_come_into_one_project() -> None:
+    """Their ids are the same; what is refused says what takes them."""
+    project = edit.add_shape(Project(CLIP), SHAPE)
+    with pytest.raises(ValueError, match=r"is taken; edit\.add_items gives shapes ids that are free"):
+        edit.add_shape(project, SHAPE)
+    project, (added,) = edit.add_items(project, [SHAPE])
+    assert len(project.shapes) == 2
+    assert project.shape(added).keys == SHAPE.keys
 
 
 @pytest.mark.parametrize("path", [None, 5, ["shot"]])
