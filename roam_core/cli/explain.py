@@ -90,7 +90,10 @@ def keyed_shapes(project: Project, path: Path, frame: int, names: Sequence[str] 
         raise RoamError(f"--frame {frame} lies outside the clip's frames {clip.first}-{clip.last}.")
     keyed = [shape for shape in picked(project, names) if shape.closed and shape.key_at(frame) is not None]
     if not keyed:
-        raise RoamError(f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first.")
+        raise RoamError(
+            f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first. Frames whose "
+            "picture is missing or damaged get none."
+        )
     return keyed
 
 
