@@ -31,6 +31,7 @@ from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptio
 from roam_core.interchange.silhouette.exporter import SilhouetteExporter
 from roam_core.interchange.silhouette.reading import SilhouetteImporter
 from roam_core.interchange.svg.format import SvgFormat
+from roam_core.interchange.targets import PROJECT
 from roam_core.roto import Clip, Project
 
 
@@ -93,6 +94,10 @@ def importer_for(path: Path) -> Importer:
             return importer
     if not os.path.lexists(path):
         raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
+    if suffix == PROJECT:
+        raise RoamError(
+            f"{path} is a project; export its shapes (--to json) and import those, or copy them from window to window."
+        )
     known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes if suffix)
     raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
 
