@@ -15,7 +15,7 @@ from roam_core.cli.matte_options import add_matte_arguments, matte_style, requir
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
-from roam_core.cli.plate import loaded, tell
+from roam_core.cli.plate import loaded, other_frames, tell
 from roam_core.cli.spans import asked_frames
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
@@ -67,7 +67,7 @@ def run(arguments: argparse.Namespace) -> int:
     names = frame_names(project)
     width, height = clip.size
     frames = [frame for frame in asked if frame in names]
-    tell(left_out([frame for frame in asked if frame not in names]))
+    tell(other_frames(clip, sorted(names)) or left_out([frame for frame in asked if frame not in names]))
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__
     require_free(
