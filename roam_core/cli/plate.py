@@ -111,8 +111,8 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     The layer is the one asked for, else that of the project's `clip`, else the one that is found; so is the space of
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so, and that a studio's colour
-    configuration, which would tell the space, cannot be read; of a movie without a project, that it may be cut short; of
-    a project's plate, that it has none of the project's frames.
+    configuration, which would tell the space, cannot be read; of a movie without a project, that it may be cut short;
+    of a project's plate, that it has none of the project's frames.
     """
     if clip is not None and path == str(clip.path):
         require_plate(clip)
