@@ -108,7 +108,8 @@ def size_of(size: Any) -> tuple[int, int]:
 def pixels_of(image: Any) -> NDArray[Any]:
     """The array of an image or a mask: itself, or what nested lists and other libraries' arrays hold.
 
-    Whole numbers in lists that 8 bits hold are 8-bit values; what a masked array hides is black.
+    Whole numbers in lists that 8 bits hold are 8-bit values; what a masked array hides is black. The order of the bytes
+    is the machine's.
 
     Raises
     ------
@@ -132,7 +133,7 @@ def pixels_of(image: Any) -> NDArray[Any]:
             array = array.astype(np.uint8)
     if array.dtype.kind not in "biuf":
         raise ValueError(f"an image holds numbers, not values of the type {array.dtype}")
-    return array
+    return array if array.dtype.isnative else array.astype(array.dtype.newbyteorder("="))
 
 
 def names_of(only: Iterable[str] | None, known: Iterable[str]) -> frozenset[str] | None:

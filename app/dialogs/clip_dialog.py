@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from roam_core.media.colour import to_display
 from roam_core.media.curves import LINEAR, LOG, SRGB
+from roam_core.media.source import SPEEDS
 
 from .. import style
 from ..jobs.found_clip import FoundClip
@@ -103,7 +104,7 @@ class ClipDialog(QDialog):
         self.layers.setCurrentText(source.layer)
         self.layers.currentTextChanged.connect(self.layer_wanted)
         self.depth_told = QLabel(source.depth)
-        self.rate, self.aspect = _number(1.0, 1000.0, source.fps), _number(0.1, 10.0, source.pixel_aspect)
+        self.rate, self.aspect = _number(*SPEEDS, source.fps), _number(0.1, 10.0, source.pixel_aspect)
         self.aspect.valueChanged.connect(lambda _: self._pull_picture())
         self.asks_no_more = QCheckBox(tr("Open clips without asking from now on"))
         button = QDialogButtonBox.StandardButton

@@ -42,7 +42,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--picture", type=path_word, metavar="OUT.png", help="draw the terms over the frame")
     parser.add_argument(
         "--term",
-        default=TOTAL,
         metavar="TERM",
         help="what the picture shows: local, gradient, l2, global, joint, landmark, star, region, a cue by its name, "
         "or total (default total)",
@@ -52,7 +51,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    project = loaded(arguments.project)
+    if arguments.term is not None and arguments.picture is None:
+        raise RoamError("--term says what the picture shows; name that with --picture OUT.png, too.")
+    project, term = loaded(arguments.project), arguments.term or TOTAL
     wanted = keyed_shapes(project, arguments.project, arguments.frame, arguments.shape)
     if arguments.picture is not None:
         require_target(arguments.picture)
@@ -69,16 +70,16 @@ def run(arguments: argparse.Namespace) -> int:
             raise RoamError(f"Frame {arguments.frame} is missing from the clip {plate.source.path}; choose another.")
         explanations = explained(plate, project, arguments.frame, wanted)
         if arguments.picture is not None:
-            require_term(explanations, arguments.term)
+            require_term(explanations, term)
             image = PreparedFrame(plate.read(arguments.frame)).image
-            write_atomically(arguments.picture, encoded(drawn(image, explanations, arguments.term)))
+            write_atomically(arguments.picture, encoded(drawn(image, explanations, term)))
     for each in explanations:
         if arguments.json:
             print_json(line_of(each))
         else:
             print("\n".join(text_of(each)), flush=True)
     if arguments.picture is not None:
-        print(f"Drew {arguments.term} of {len(explanations)} shape(s) to {arguments.picture}.", file=sys.stderr)
+        print(f"Drew {term} of {len(explanations)} shape(s) to {arguments.picture}.", file=sys.stderr)
     return 0
 
 
@@ -89,7 +90,10 @@ def keyed_shapes(project: Project, path: Path, frame: int, names: Sequence[str] 
         raise RoamError(f"--frame {frame} lies outside the clip's frames {clip.first}-{clip.last}.")
     keyed = [shape for shape in picked(project, names) if shape.closed and shape.key_at(frame) is not None]
     if not keyed:
-        raise RoamError(f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first.")
+        raise RoamError(
+            f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first. Frames whose "
+            "picture is missing or damaged get none."
+        )
     return keyed
 
 

@@ -7,16 +7,17 @@ import sys
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
-from roam_core.cli.matte_options import add_matte_arguments, matte_style
+from roam_core.cli.matte_options import add_matte_arguments, given_matte_options, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
-from roam_core.cli.plate import loaded
+from roam_core.cli.plate import loaded, tell
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.matte_style import SUFFIXES
 from roam_core.interchange.mattes.exporter import MatteExporter
 from roam_core.interchange.protocol import Exporter, LossyExport
+from roam_core.interchange.svg.format import SvgFormat
 from roam_core.interchange.targets import Sources, exported, require_free
 
 
@@ -37,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="every key, the artist's only, or as few as keep the outline within the tolerance",
     )
     parser.add_argument(
-        "--tolerance", type=float, default=0.5, metavar="E", help="pixels, for reduced keys (%(default)s)"
+        "--tolerance", type=float, metavar="E", help=f"pixels, for reduced keys ({ExportOptions.tolerance:g})"
     )
     parser.add_argument(
         "--smooth",
@@ -68,7 +69,7 @@ def run(arguments: argparse.Namespace) -> int:
     options = ExportOptions(
         frame_offset=arguments.frame_offset,
         keys=KeyChoice(arguments.keys),
-        tolerance=arguments.tolerance,
+        tolerance=ExportOptions.tolerance if arguments.tolerance is None else arguments.tolerance,
         smoothing=arguments.smooth,
         frames=None if arguments.frames is None else range(arguments.frames[0], arguments.frames[1] + 1),
         frame=arguments.frame,
@@ -81,6 +82,7 @@ def run(arguments: argparse.Namespace) -> int:
         Sources.of_clip(project.clip, arguments.project),
         overwrite=arguments.overwrite,
     )
+    tell(without_effect(arguments))
     try:
         notes = exporter.export(project, arguments.out, options)
     except LossyExport as refusal:
@@ -97,6 +99,18 @@ def run(arguments: argparse.Namespace) -> int:
     for note in notes:
         print(note, file=sys.stderr)
     return 0
+
+
+def without_effect(arguments: argparse.Namespace) -> str:
+    """That options were given which are for something else than what is written, in a sentence; "" for none."""
+    idle = []
+    if arguments.tolerance is not None and arguments.keys != KeyChoice.REDUCED:
+        idle.append("--tolerance is for --keys reduced")
+    if arguments.frame is not None and arguments.to != SvgFormat.name:
+        idle.append(f"--frame is for {SvgFormat.name}")
+    if arguments.to != MatteExporter.name and (given := given_matte_options(arguments)):
+        idle.append(f"{', '.join(given)} {'is' if len(given) == 1 else 'are'} for {MatteExporter.name}")
+    return f"Without effect here: {'; '.join(idle)}." if idle else ""
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:

@@ -55,6 +55,13 @@ def matte_style(arguments: argparse.Namespace) -> MatteStyle:
     )
 
 
+def given_matte_options(arguments: argparse.Namespace) -> list[str]:
+    """Those of the options of pictures that were given."""
+    values = {"per": Parts.ALL, "channels": False, "tight": False, "resume": False}
+    names = ("file", "depth", "compression", *values)
+    return [f"--{name}" for name in names if getattr(arguments, name) != values.get(name)]
+
+
 def require_no_picture(folder: Path, advice: str) -> None:
     """Refuse a name of pictures, such as `m.%04d.png`, where a folder is asked for and nothing is there yet."""
     if folder.suffix.lower() in SUFFIXES.keys() | OTHER_SUFFIXES and not folder.exists():

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+from roam_core.errors import RoamError
 from roam_core.interchange.targets import kept_aside
 from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint
@@ -26,13 +27,17 @@ def project_writer(target: Path, read: Path | None = None) -> Callable[[Project]
     """A function that writes projects to `target`. Ask for it before `read`, the project to work on, is read.
 
     A project that is there is kept aside first, and the user is told, unless it is what was read or written last:
-    another one, and what somebody else saved there meanwhile.
+    another one, and what somebody else saved there meanwhile. What was read is kept aside, too, without a word, as by
+    the window: once, when something else takes its place.
     """
-    is_own = read is not None and target.exists() and read.exists() and target.samefile(read)
-    known = Fingerprint.of(target) if is_own else None
+    is_as_read = read is not None and target.exists() and read.exists() and target.samefile(read)
+    known = Fingerprint.of(target) if is_as_read else None
 
     def write(project: Project) -> None:
-        nonlocal known
+        nonlocal known, is_as_read
+        if is_as_read and known is not None and known.is_of(target) and not file.is_saved(project, target):
+            is_as_read = False
+            _keep_read(target)
         if (known is None or not known.is_of(target)) and (kept := kept_aside(target)) is not None:
             if known is None:
                 said = f"The project that was {target} is kept as {kept.name}."
@@ -43,6 +48,14 @@ def project_writer(target: Path, read: Path | None = None) -> Callable[[Project]
         known = Fingerprint.of(target)
 
     return write
+
+
+def _keep_read(target: Path) -> None:
+    """Keep what was read as the newest backup. Where that cannot be it is told, and stands in the way of nothing."""
+    try:
+        kept_aside(target)
+    except RoamError as error:
+        print(f"roam: {error}", file=sys.stderr)
 
 
 def tell_of_holder(target: Path) -> None:

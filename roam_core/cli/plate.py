@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -111,7 +111,8 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     The layer is the one asked for, else that of the project's `clip`, else the one that is found; so is the space of
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so, and that a studio's colour
-    configuration, which would tell the space, cannot be read; of a movie without a project, that it may be cut short.
+    configuration, which would tell the space, cannot be read; of a movie without a project, that it may be cut short;
+    of a project's plate, that it has none of the project's frames.
     """
     if clip is not None and path == str(clip.path):
         require_plate(clip)
@@ -119,6 +120,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
+        tell(other_frames(clip, source.frames))
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     if clip is None:
         tell(shortfall(source))
@@ -157,6 +159,16 @@ def _compare(clip: Clip, found: Clip) -> None:
     if refusal := other_size(clip, found):
         raise RoamError(refusal)
     tell(other_content(clip, found))
+
+
+def other_frames(clip: Clip, frames: Sequence[int]) -> str:
+    """That a project's plate, which has these `frames`, has none of the project's, in a sentence; "" where it has."""
+    if any(clip.first <= frame <= clip.last for frame in frames):
+        return ""
+    return (
+        f"The plate {clip.path} has none of the project's frames {clip.first} to {clip.last}, but {frames[0]} to "
+        f"{frames[-1]}; where it was numbered anew, roam shift follows it."
+    )
 
 
 def tell(warning: str) -> None:

@@ -19,6 +19,8 @@ from roam_core.errors import RoamError
 from roam_core.installation import WINDOW_MISSING, window_module
 
 FAILED, BAD_USAGE, SIGNALLED = 1, 2, 128
+NEARLY = 0.8
+"""How much of a word alone is a command's before it is taken for that, misspelt."""
 EPILOG = """commands that need no window:
 {commands}
 roam COMMAND --help describes each of them.
@@ -84,9 +86,14 @@ def _path_in(arguments: list[str]) -> str | None:
     parser = _parser()
     given, rest = parser.parse_known_args(arguments)
     path: str | None = given.path
-    if rest and path is not None and not os.path.lexists(path):
-        near = get_close_matches(path, COMMANDS, n=1)
-        parser.error(f"there is no command {path}{f'; did you mean {near[0]}?' if near else ''}")
+    if path is not None and path not in COMMANDS and not os.path.lexists(path):
+        if path == "help":
+            parser.print_help()
+            parser.exit()
+        # A word alone may be a folder that is elsewhere: it has to be nearer to a command.
+        near = get_close_matches(path, COMMANDS, n=1, cutoff=0.6 if rest else NEARLY)
+        if rest or near:
+            parser.error(f"there is no command {path}{f'; did you mean {near[0]}?' if near else ''}")
     if rest:
         parser.error(f"unrecognized arguments: {' '.join(rest)}")
     return path

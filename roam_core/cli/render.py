@@ -15,19 +15,20 @@ from roam_core.cli.matte_options import add_matte_arguments, matte_style, requir
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
-from roam_core.cli.plate import loaded, tell
+from roam_core.cli.plate import loaded, other_frames, tell
 from roam_core.cli.spans import asked_frames
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
-from roam_core.interchange.matte_style import SUFFIXES
+from roam_core.interchange.matte_style import SUFFIXES, MatteStyle, Parts
 from roam_core.interchange.mattes.exporter import planned, require_places, style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
-from roam_core.roto import Project
+from roam_core.roto import BlendMode, Project
 from roam_core.roto.relinking import other_content_now
 
+TAKING = (BlendMode.SUBTRACT, BlendMode.INTERSECT)
 MOST_NAMED = 12
 """Frames that a message names."""
 
@@ -62,11 +63,11 @@ def run(arguments: argparse.Namespace) -> int:
     if pattern:
         require_places(pattern, style)
     tell(other_content_now(clip))
-    tell("" if project.shapes else f"{arguments.project} holds no shape: its mattes are black.")
+    tell(black_because(project, arguments.project, style))
     names = frame_names(project)
     width, height = clip.size
     frames = [frame for frame in asked if frame in names]
-    tell(left_out([frame for frame in asked if frame not in names]))
+    tell(other_frames(clip, sorted(names)) or left_out([frame for frame in asked if frame not in names]))
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__
     require_free(
@@ -95,6 +96,16 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         print(written.report(f" to {arguments.out}"), file=sys.stderr)
     return 0
+
+
+def black_because(project: Project, path: Path, style: MatteStyle) -> str:
+    """Why mattes are black whatever the frame, in a sentence; "" where they need not be."""
+    if not project.shapes:
+        return f"{path} holds no shape: its mattes are black."
+    turns = any(item.invert for item in (project.root, *project.root.items()))
+    if turns or style.parts is Parts.SHAPE or not all(shape.blend in TAKING for shape in project.shapes):
+        return ""
+    return "Shapes that subtract or intersect show nothing by themselves: the mattes are black. --per shape shows each."
 
 
 def left_out(frames: list[int]) -> str:

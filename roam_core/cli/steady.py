@@ -65,7 +65,7 @@ def _frames(shapes: Sequence[RotoShape], start: int | None, end: int | None, pat
         raise RoamError(f"--start {first} lies after --end {last}; give an earlier first frame.")
     if not any(first <= frame <= last for frame in tracked):
         raise RoamError(f"Frames {first} to {last} hold no tracked key; there are some from {min(tracked)} on.")
-    return range(first, last + 1)
+    return range(max(first, min(tracked)), min(last, max(tracked)) + 1)
 
 
 def _print_lines(found: Steadied) -> None:

@@ -23,7 +23,8 @@ from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_hol
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
-from roam_core.cli.plate import Plate, add_reading, opened
+from roam_core.cli.plain_start import plain_start
+from roam_core.cli.plate import Plate, add_reading, opened, tell
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -31,7 +32,14 @@ from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
 from roam_core.interchange.registry import SHAPE_SUFFIXES, read_shapes
 from roam_core.interchange.targets import PROJECT, Sources, require_free
-from roam_core.matte.vectorise import LEAST_AREA, coverage_of, read_mask, shapes_from_mask, specks_left_out
+from roam_core.matte.vectorise import (
+    LEAST_AREA,
+    coverage_of,
+    may_be_picture,
+    read_mask,
+    shapes_from_mask,
+    specks_left_out,
+)
 from roam_core.media.numbering import split_number
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
@@ -95,8 +103,8 @@ def run(arguments: argparse.Namespace) -> int:
         project = initial_project(init, given, plate, frames[0])
         if given is None and arguments.start is None:
             tell_of_number(init, plate.source.frames, frames[0])
-        trackable(project, picking)  # refuses a name that no shape of the mask has
-        plate.read(frames[0])
+        wanted = trackable(project, picking)  # refuses a name that no shape of the mask has
+        tell(plain_start(plate.read(frames[0]), wanted, frames[0]))
         if arguments.save is not None:
             require_target(arguments.save)
         rewritten = init if init.suffix.lower() == PROJECT else None
@@ -106,6 +114,7 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=rewritten,
         )
+        tell(kept_nowhere(arguments))
         if arguments.save is not None:
             tell_of_holder(arguments.save)
         if arguments.matte is not None:
@@ -132,6 +141,13 @@ def run(arguments: argparse.Namespace) -> int:
         count = len(trackable(project, picking))
         print(f"Tracked {count} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
     return 0
+
+
+def kept_nowhere(arguments: argparse.Namespace) -> str:
+    """That nothing of a run would be written or printed, in a sentence; "" where something is."""
+    if arguments.json or any(each is not None for each in (arguments.save, arguments.matte, arguments.landmarks)):
+        return ""
+    return "Nothing of this run is kept: to keep it, name a project with --save, or a folder for mattes with --matte."
 
 
 def results(arguments: argparse.Namespace, plate: Plate, frames: range) -> list[tuple[Path, Kind]]:
@@ -350,6 +366,11 @@ def tell_of_number(mask: Path, frames: tuple[int, ...], start: int) -> None:
 
 def _odd_about(mask: NDArray[Any], init: Path, count: int) -> Iterator[str]:
     """What an artist should know of a mask that became `count` shapes."""
+    if may_be_picture(coverage_of(mask)):
+        yield (
+            f"Most of the mask {init} is neither black nor white. If it is a picture, stop (Ctrl+C) and give a mask, "
+            "white inside."
+        )
     left_out = specks_left_out(mask)
     if left_out:
         yield (

@@ -35,6 +35,7 @@ from roam_core.roto import (
     control_points,
 )
 from roam_core.roto.animated import Animatable, Slopes
+from roam_core.roto.imported import IMPORT
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.roto.value_curves import bounded
 from roam_core.translatable import N_
@@ -243,12 +244,14 @@ class JsonReader(ShapeReader):
             if feather.shape != points.shape:
                 raise self._refusal(place, "the feather has other points than the outline")
         interpolation = self._choice(Interpolation, values, "interpolation", Interpolation.LINEAR, place)
+        origin = self._choice(Origin, values, "origin", Origin.ARTIST, place)
         return Keyframe(
             frame,
             points,
             feather,
-            origin=self._choice(Origin, values, "origin", Origin.ARTIST, place),
+            origin=origin,
             interpolation=interpolation,
+            inputs=IMPORT if origin is Origin.ENGINE else "",
         )
 
     def _points(self, rows: list[Any], place: str) -> Array:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from roam_core.arguments import path_of, shown
 from roam_core.errors import RoamError
@@ -30,6 +31,7 @@ from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptio
 from roam_core.interchange.silhouette.exporter import SilhouetteExporter
 from roam_core.interchange.silhouette.reading import SilhouetteImporter
 from roam_core.interchange.svg.format import SvgFormat
+from roam_core.interchange.targets import PROJECT
 from roam_core.roto import Clip, Project
 
 
@@ -92,6 +94,10 @@ def importer_for(path: Path) -> Importer:
             return importer
     if not os.path.lexists(path):
         raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
+    if suffix == PROJECT:
+        raise RoamError(
+            f"{path} is a project; export its shapes (--to json) and import those, or copy them from window to window."
+        )
     known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes if suffix)
     raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
 
@@ -105,7 +111,7 @@ def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) ->
     Raises
     ------
     ValueError
-        when the path or the clip is none.
+        when the path, the clip or the options are none.
     RoamError
         when the suffix is not known, the file cannot be read, is none of its format, or is too large.
     """
@@ -114,6 +120,7 @@ def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) ->
         raise ValueError(
             f"shapes are read into the pixels of a Clip, such as Clip.of(open_clip(path)), not {shown(clip)}"
         )
+    _require_options(options, ImportOptions)
     return importer_for(path).read(path, clip, options)
 
 
@@ -135,7 +142,7 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     Raises
     ------
     ValueError
-        when the project or the path is none.
+        when the project, the path or the options are none.
     LossyExport
         when the mattes would differ in the other program, and the options are not `lossy`.
     RoamError
@@ -143,4 +150,10 @@ def write_shapes(project: Project, path: str | Path, name: str, options: ExportO
     """
     if not isinstance(project, Project):
         raise ValueError(f"shapes are written of a Project, as edit.add_shape makes it, not of {shown(project)}")
+    _require_options(options, ExportOptions)
     return exporter_for(name).export(project, path_of(path), options)
+
+
+def _require_options(options: Any, kind: type) -> None:
+    if not isinstance(options, kind):
+        raise ValueError(f"options are {kind.__name__}(...), not {shown(options)}")

@@ -15,7 +15,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.arguments import pixels_of
+from roam_core.arguments import pixels_of, shown
 from roam_core.arrays import Float32, Image, UInt8
 from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear
 
@@ -55,12 +55,21 @@ def to_engine(image: Image, colour_space: str) -> Image:
     An 8-bit sRGB `image` is passed on untouched; all else becomes float32 in [0, 1]. Values outside the range are
     clipped; NaN is black.
 
+    Parameters
+    ----------
+    image : (h, w, 3) RGB, or (h, w) of greys: bool, uint8, uint16, or floating point.
+    colour_space : the name of what its values mean, such as `PlateSource.colour_space`.
+
     Raises
     ------
+    ValueError
+        when the image has another shape or type, or the colour space is no name.
     RoamError
         when the colour space is not known.
     """
-    image = pixels_of(image)
+    image = _as_picture(image)
+    if not isinstance(colour_space, str):
+        raise ValueError(f"a colour space is a name, such as 'sRGB', not {shown(colour_space)}")
     if colour_space not in COLOUR_SPACES:
         return _converted(image, colour_space, _engine_table(LINEAR))
     if colour_space == SRGB:
@@ -68,9 +77,23 @@ def to_engine(image: Image, colour_space: str) -> Image:
     return _looked_up(image, _engine_table(colour_space))
 
 
+def _as_picture(image: Any) -> Image:
+    """An image that was given as a picture `(h, w, 3)`; greys are three times the same."""
+    pixels = pixels_of(image)
+    if pixels.ndim == 2:
+        pixels = np.repeat(pixels[:, :, None], 3, axis=2)
+    if pixels.ndim != 3 or pixels.shape[2] != 3:
+        raise ValueError(f"an image has shape {pixels.shape}, not (h, w, 3)")
+    if pixels.dtype.kind in "iu" and pixels.dtype not in (np.uint8, np.uint16):
+        raise ValueError(
+            f"an image of whole numbers is uint8 or uint16, not {pixels.dtype}; make it the one whose white it has"
+        )
+    return pixels
+
+
 def unit_floats(image: Image) -> Float32:
     """A copy of a picture's values as float32: integers as [0, 1], floating point as it is."""
-    values = np.array(image, dtype=np.float32)
+    values = np.array(image, dtype=np.float32, order="C")
     if np.issubdtype(image.dtype, np.integer):
         values *= np.float32(1.0 / np.iinfo(image.dtype).max)  # as OpenImageIO does
     return values

@@ -12,7 +12,7 @@ from roam_core.media.curves import COLOUR_SPACES
 
 
 def known_space(name: str) -> str:
-    """The colour space that a name, alias or role means.
+    """The colour space that a name, alias or role means, in capitals or not, as OpenColorIO takes its own.
 
     Raises
     ------
@@ -24,6 +24,8 @@ def known_space(name: str) -> str:
     from roam_core.media import colour_config
 
     found = colour_config.named(name)
+    if found is None:
+        found = next((space for space in COLOUR_SPACES if space.casefold() == name.casefold()), None)
     if found is None:
         raise RoamError(
             f"The colour space {name!r} is not known; choose one of {', '.join(COLOUR_SPACES)}, "

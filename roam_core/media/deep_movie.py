@@ -22,6 +22,7 @@ from roam_core.media.interlacing import PROBED, interlaced, is_combed, thinned
 from roam_core.media.measure import plain_name, require_size
 from roam_core.media.movie import LONGEST_STEP, Movie
 from roam_core.media.movie_plate import MoviePlate
+from roam_core.media.source import likely_speed
 
 LIBRARY = "av"
 USUAL_DEPTH = 8
@@ -58,8 +59,7 @@ class DeepMovie(MoviePlate):
         self._lock = threading.Lock()
         self._container, self._stream = _opened(path)
         self.depth = f"{_bits(self._stream)} bits"
-        rate = float(self._stream.average_rate or self._stream.guessed_rate or 0.0)
-        self.fps = rate if 1.0 <= rate <= 1000.0 else 24.0
+        self.fps = likely_speed(float(self._stream.average_rate or self._stream.guessed_rate or 0.0))
         aspect = float(self._stream.sample_aspect_ratio or 1.0)
         self.pixel_aspect = aspect if 0.1 <= aspect <= 10.0 else 1.0
         self._times = self._times_of_packets()

@@ -18,7 +18,7 @@ from roam_core.media.colour_spaces import space_by_rule, space_called, space_wit
 from roam_core.media.curves import LINEAR, LOG, SRGB
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of, listed, mask_channels
 from roam_core.media.measure import plain_name, require_size, require_told_size
-from roam_core.media.source import ImageHeader
+from roam_core.media.source import SPEEDS, USUAL_SPEED, ImageHeader
 
 if TYPE_CHECKING:
     from roam_core.media.scanlines import ScanlineReader
@@ -359,9 +359,9 @@ def _frame_rate(spec: Any) -> float:
         value = spec.getattribute(name)
         if isinstance(value, tuple) and len(value) == 2 and value[1]:
             value = value[0] / value[1]
-        if rate := _number(value, 1.0, 1000.0, 0.0):
+        if rate := _number(value, *SPEEDS, 0.0):
             return rate
-    return 24.0
+    return USUAL_SPEED
 
 
 def _number(value: object, low: float, high: float, default: float) -> float:

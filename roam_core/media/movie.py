@@ -17,6 +17,7 @@ from roam_core.errors import RoamError
 from roam_core.media.interlacing import PROBED, require_progressive, thinned
 from roam_core.media.measure import plain_name, require_size
 from roam_core.media.movie_plate import MoviePlate
+from roam_core.media.source import likely_speed
 
 LONGEST_STEP = 24
 """Frames that are decoded one by one rather than sought: about the distance between key frames."""
@@ -44,8 +45,7 @@ class Movie(MoviePlate):
         self._capture = self._opened()
         self._next = 0  # index of the frame that the next grab gives
         self._times: list[float] = []  # stamps in ms of the frames 0, 1, ... reached by counting
-        rate = float(self._capture.get(cv2.CAP_PROP_FPS))
-        self.fps = rate if math.isfinite(rate) and 1.0 <= rate <= 1000.0 else 24.0
+        self.fps = likely_speed(float(self._capture.get(cv2.CAP_PROP_FPS)))
         self._period = 1000.0 / self.fps  # ms
         self.size = self._first_size()
         require_progressive(path, self._first_pictures())

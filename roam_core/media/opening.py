@@ -116,12 +116,18 @@ def _chosen(folder: Path, found: list[FileSequence], content: str) -> FileSequen
         return known
     if len(found[0].names) > len(found[1].names):
         return found[0]
+    advised = _advised(found)
+    if not content and advised == found[0].path.name and all(sequence.pattern is None for sequence in found):
+        raise RoamError(
+            f"{folder} holds {len(found)} images whose names do not count frames: {_listed(found)}. "
+            "Number them, with nine digits at most, such as shot.0001.png, or give one of them."
+        )
     raise RoamError(
         f"{folder} holds several sequences, none longer than the others, and none begins as the project's plate: "
         f"{_listed(found)}. Leave the plate alone in its folder, or relink the clip."
         if content
         else f"{folder} holds several sequences, none longer than the others: {_listed(found)}. "
-        f"Give a pattern, such as {_advised(found)}."
+        f"Give a pattern, such as {advised}."
     )
 
 

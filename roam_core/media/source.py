@@ -11,8 +11,18 @@ from roam_core.arrays import Image
 from roam_core.errors import RoamError
 from roam_core.media.area import Area
 
+SPEEDS = (0.01, 1000.0)
+"""Frames a second that a plate may run at: lapses of time are slow. Another number in a header is taken for none."""
+USUAL_SPEED = 24.0
+"""Frames a second of a plate whose files do not say."""
+
 ReadImage = Callable[[int], Image]
 """Gives the picture `(h, w, 3)` of a frame by its number; raises `MissingFrame` in a gap."""
+
+
+def likely_speed(told: float) -> float:
+    """The frames a second that a header tells; the usual ones where that is no speed."""
+    return told if SPEEDS[0] <= told <= SPEEDS[1] else USUAL_SPEED
 
 
 class Areas(Protocol):
@@ -70,7 +80,7 @@ class PlateSource(Protocol):
 
     @property
     def fps(self) -> float:
-        """Frames per second; 24 where the files do not say."""
+        """Frames per second; `USUAL_SPEED` where the files do not say."""
 
     @property
     def pixel_aspect(self) -> float:

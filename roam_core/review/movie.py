@@ -21,7 +21,7 @@ from roam_core.interchange.authorship import MARK
 
 ENCODERS: dict[str, tuple[str, ...]] = {".mp4": ("mp4v",), ".mov": ("mp4v", "jpeg"), ".avi": ("MJPG", "XVID")}
 """By the suffix of a movie the codecs that are tried, best first."""
-SPEEDS = (1.0, 240.0)
+SPEEDS = (0.01, 240.0)
 """Frames a second."""
 PIECE = 1 << 20
 """Bytes that are copied at once."""
@@ -44,7 +44,9 @@ def write_movie(path: Path, pictures: Iterable[UInt8], size: tuple[int, int], fp
         written.
     """
     if not SPEEDS[0] <= fps <= SPEEDS[1]:
-        raise RoamError(f"A movie runs at {SPEEDS[0]:g} to {SPEEDS[1]:g} frames a second, not at {fps:g}.")
+        raise RoamError(
+            f"A movie runs at {SPEEDS[0]:g} to {SPEEDS[1]:g} frames a second, not at {fps:g}; choose another speed."
+        )
     with tempfile.TemporaryDirectory(prefix="roam-") as folder:
         whole = Path(folder) / f"movie{path.suffix.lower()}"
         encoder = _encoder(whole, size, fps)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -11,7 +12,7 @@ from typing import Any
 import cv2
 
 from roam_core.arrays import UInt8
-from roam_core.atomic_write import write_atomically
+from roam_core.atomic_write import writable_target, write_atomically
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -153,6 +154,7 @@ def _write_movie(request: ReviewRequest, shown: _Frames) -> str:
     require_encoder(request.path, request.size)
     fps = request.project.require_clip().fps if request.fps is None else request.fps
     _make(request.path.parent)
+    writable_target(request.path)  # before an hour's pictures are made for it
     count = write_movie(request.path, (picture for _, picture in shown.pictures()), request.size, fps)
     return f"Wrote {count} frame(s) at {fps:g} fps to {request.path}."
 
@@ -168,6 +170,8 @@ def _write_sheet(request: ReviewRequest, shown: _Frames) -> str:
     pages = request.layout.pages(request.frames)
     paths = page_paths(request.path, len(pages))
     _make(request.path.parent)
+    for path in paths:
+        writable_target(path)
     clip = request.project.require_clip()
     for number, (path, frames) in enumerate(zip(paths, pages, strict=True), 1):
         title = f"{clip.name}   frames {request.frames[0]}-{request.frames[-1]}   page {number} of {len(pages)}"
@@ -197,3 +201,5 @@ def _make(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")

@@ -34,10 +34,10 @@ MIN_POINTS_OPEN = 2
 def add_shape(project: Project, shape: RotoShape, layer_id: str = "root") -> Project:
     """The project with `shape`, in plate space, put on top of a layer; without a colour it takes the next in turn.
 
-    An id that is taken is refused.
+    An id that is taken is refused; shapes of several masks, whose ids are the same, come in by `add_items`.
     """
     if project.has(shape.id):
-        raise ValueError(f"the id {shape.id!r} is taken")
+        raise ValueError(f"the id {shape.id!r} is taken; edit.add_items gives shapes ids that are free")
     stored = project.stored(_coloured(project, shape), layer_id)
     return project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, stored)))
 

@@ -21,7 +21,18 @@ from roam_core.roto.migrate import VERSION, migrate
 from roam_core.roto.project import Project
 from roam_core.roto.to_json import pieces
 
-__all__ = ["MAX_BYTES", "DamagedProject", "digest", "dumps", "load", "load_versioned", "loads", "save", "save_checked"]
+__all__ = [
+    "MAX_BYTES",
+    "DamagedProject",
+    "digest",
+    "dumps",
+    "is_saved",
+    "load",
+    "load_versioned",
+    "loads",
+    "save",
+    "save_checked",
+]
 
 MAX_BYTES = 448 << 20
 """Larger files are neither read nor written: with what is made of it, it fits into a gigabyte of memory."""
@@ -55,6 +66,16 @@ def save(project: Project, path: str | Path) -> None:
     """
     path = path_of(path)
     write_atomically(path, _limited(_encoded(pieces(project, path.parent))))
+
+
+def is_saved(project: Project, path: Path) -> bool:
+    """Whether the file at `path` is, byte for byte, what saving the project there would write."""
+    try:
+        with path.open("rb") as file:
+            contents = _encoded(pieces(project, path.parent))
+            return all(file.read(len(content)) == content for content in contents) and not file.read(1)
+    except OSError:
+        return False
 
 
 def save_checked(project: Project, path: str | Path) -> None:

@@ -23,6 +23,7 @@ from roam_core import (
     Project,
     RotoShape,
     Tracker,
+    edit,
     fill_span,
     keys_from_mask,
     load_project,
@@ -140,6 +141,32 @@ def test_what_is_no_picture_is_refused(image: Any, reason: str) -> None:
             call(image)
     with pytest.raises(ValueError, match=reason):
         carried(read=lambda _: image)
+
+
+@pytest.mark.parametrize("space", ["sRGB", "linear", "log", "ACEScg"])
+def test_pictures_of_other_types_and_shapes_are_converted_or_refused(space: str) -> None:
+    """Numbers of 64 bits came out white or black, greys and slices ended in an error of OpenColorIO."""
+    wanted = to_engine(SHOT.read(FIRST), space)
+    picture = np.asarray(SHOT.read(FIRST))
+    for kind in (np.int8, np.int16, np.uint32, np.int64):
+        with pytest.raises(ValueError, match=f"uint8 or uint16, not {np.dtype(kind)}"):
+            to_engine(picture.astype(kind), space)
+    for shape in (picture[None], picture[..., :1], picture[..., [0, 1, 2, 0]], picture[0, 0]):
+        with pytest.raises(ValueError, match=r"not \(h, w, 3\)"):
+            to_engine(shape, space)
+    words = picture.astype(np.uint16) * 257
+    np.testing.assert_array_equal(to_engine(words.astype(">u2"), space), to_engine(words, space))
+    np.testing.assert_array_equal(to_engine(picture[:, ::-1], space), wanted[:, ::-1])
+    np.testing.assert_array_equal(to_engine(np.asfortranarray(picture), space), wanted)
+    grey = to_engine(picture[..., 0], space)
+    np.testing.assert_array_equal(grey, to_engine(picture[..., [0, 0, 0]], space))
+    assert grey.shape == picture.shape
+
+
+@pytest.mark.parametrize("space", [None, 3, b"sRGB"])
+def test_a_colour_space_is_a_name(space: Any) -> None:
+    with pytest.raises(ValueError, match="a colour space is a name, such as 'sRGB', not "):
+        to_engine(IMAGES[0], space)
 
 
 def test_a_shape_alone_is_a_list_of_one() -> None:
@@ -319,7 +346,22 @@ def test_files_are_made_of_projects_and_read_for_clips(tmp_path: Path) -> None:
             call([SHAPE], tmp_path / "p.nk")
     with pytest.raises(ValueError, match=r"such as Clip\.of"):
         read_shapes(tmp_path / "p.nk", "plates")  # type: ignore[arg-type]
+    for options in ({"lossy": True}, None, "lossy"):
+        with pytest.raises(ValueError, match=r"options are ExportOptions\(\.\.\.\), not "):
+            write_shapes(Project(CLIP), tmp_path / "p.nk", "nuke", options)  # type: ignore[arg-type]
+        with pytest.raises(ValueError, match=r"options are ImportOptions\(\.\.\.\), not "):
+            read_shapes(tmp_path / "p.nk", CLIP, options)  # type: ignore[arg-type]
     assert list(tmp_path.iterdir()) == []
+
+
+def test_shapes_of_two_masks_come_into_one_project() -> None:
+    """Their ids are the same; what is refused says what takes them."""
+    project = edit.add_shape(Project(CLIP), SHAPE)
+    with pytest.raises(ValueError, match=r"is taken; edit\.add_items gives shapes ids that are free"):
+        edit.add_shape(project, SHAPE)
+    project, (added,) = edit.add_items(project, [SHAPE])
+    assert len(project.shapes) == 2
+    assert project.shape(added).keys == SHAPE.keys
 
 
 @pytest.mark.parametrize("path", [None, 5, ["shot"]])

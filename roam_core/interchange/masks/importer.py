@@ -13,7 +13,7 @@ from roam_core.interchange.masks.sequence import Fitted, Wanted, as_shapes, in_o
 from roam_core.interchange.masks.tracks import Track, Tracker
 from roam_core.interchange.protocol import KeyChoice
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, MaskOptions, ShapeReader
-from roam_core.matte.vectorise import coverage_of
+from roam_core.matte.vectorise import coverage_of, may_be_picture
 from roam_core.media import open_clip
 from roam_core.media.decoding import read_channels
 from roam_core.media.sequence import ImageSequence
@@ -91,7 +91,7 @@ def _speck(asked: MaskOptions, source: PlateSource) -> float:
 def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Tracker:
     """The parts of all masks that can be read."""
     tracker = Tracker(max(FOLLOWED * 2.0 * wanted.scrap, 1.0))
-    frames = source.frames
+    frames, grey = source.frames, 0
     for done, number in enumerate(frames):
         reader.options.advance(READING * done / len(frames), f"Mask of frame {number}")
         try:
@@ -99,7 +99,13 @@ def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Track
         except DamagedFrame as damage:
             reader.note(f"{damage} The shapes pass over frame {number}.")
             continue
+        grey += may_be_picture(field)
         tracker.take(field, reader.frame(number) + reader.options.frame_offset)
+    if grey:
+        reader.note(
+            f"{grey} of the {len(frames)} masks are grey for the most part, neither black nor white; if they are "
+            "pictures, give the masks of them, white inside."
+        )
     return tracker
 
 

@@ -137,10 +137,11 @@ def test_what_cannot_be_explained_is_one_sentence(roam: Roam, tracked: Path, pla
     why = tracked.parent / "why.png"
     ask = ("explain", tracked, "--picture", why)
     require_refusal(roam(*ask, "--frame", 900), "--frame 900", "1001-1006")
-    require_refusal(roam(*ask, "--frame", 1005), "holds a key on frame 1005")
+    require_refusal(roam(*ask, "--frame", 1005), "holds a key on frame 1005", "missing or damaged get none")
     require_refusal(roam(*ask, "--frame", 1003, "--shape", "hat"), "'hat'", "'Shape 1'")
     require_refusal(roam(*ask, "--frame", 1003, "--term", "region"), "'region'", "gradient, l2, local, joint")
     require_refusal(roam("explain", tracked, "--frame", 1003, "--picture", plate.folder), "is a folder")
+    require_refusal(roam("explain", tracked, "--frame", 1003, "--term", "local"), "--picture OUT.png, too")
     require_refusal(roam("explain", tracked.parent / "none.roam", "--frame", 1003), "does not exist")
     (plate.folder / "plate.1003.png").unlink()
     require_refusal(roam(*ask, "--frame", 1003), "1003 is missing")

@@ -10,7 +10,7 @@ import numpy as np
 import OpenImageIO as oiio  # noqa: N813
 import pytest
 
-from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
 from tests.judges.exr_header import header, rate, time_code
 from tests.unit.cli.conftest import Roam, read_matte, write_picture
 from tests.unit.matte.conftest import rectangle
@@ -168,6 +168,18 @@ def test_a_project_without_shapes_says_so(roam: Roam, project: Path, tmp_path: P
     assert f"{empty} holds no shape: its mattes are black." in roam("render", empty, "--out", tmp_path / "out").err
     done = roam("export", empty, tmp_path / "p.nk", "--to", "nuke", "--json")
     assert json.loads(done.out)["notes"] == [f"{empty} holds no shape: what was written is empty."]
+
+
+@pytest.mark.parametrize("blend", [BlendMode.SUBTRACT, BlendMode.INTERSECT])
+def test_a_hole_by_itself_is_told_to_be_black(roam: Roam, project: Path, tmp_path: Path, blend: BlendMode) -> None:
+    loaded, out = file.load(project), tmp_path / "out"
+    file.save(loaded.with_shape(replace(loaded.shape("shape-2"), blend=blend)), project)
+    told = "Shapes that subtract or intersect show nothing by themselves"
+    assert told in roam("render", project, "--out", out, "--shape", "Right").err
+    assert read_matte(out / "0008.png").max() == 0
+    for words in (("--per", "shape", "--shape", "Right"), ("--shape", "Left arm"), ()):
+        assert told not in roam("render", project, "--out", tmp_path / f"out-{len(words)}", *words).err
+    assert read_matte(tmp_path / "out-4" / "Right" / "0008.png").max() == 255
 
 
 def test_frames_without_a_picture_are_named_where_they_get_no_matte(roam: Roam, project: Path, tmp_path: Path) -> None:

@@ -114,6 +114,24 @@ def test_tracked_keys_may_be_smoothed_and_reduced(roam: Roam, project: Path) -> 
     assert "2 keys for 3 frames" in reduced[0]
 
 
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("--to json --tolerance 2", "--tolerance is for --keys reduced"),
+        ("--to json --keys reduced --tolerance 2", ""),
+        ("--to json --frame 7 --per all", "--frame is for svg"),
+        ("--to svg --frame 7", ""),
+        ("--to json --depth 16", "--depth is for mattes"),
+        ("--to json --tolerance 0.5 --file exr --channels --resume",
+         "--tolerance is for --keys reduced; --file, --channels, --resume are for mattes"),
+    ],
+)  # fmt: skip
+def test_options_without_effect_are_told(roam: Roam, project: Path, words: str, told: str) -> None:
+    done = roam("export", project, project.parent / f"out.{words.split()[1]}", *words.split())
+    assert done.status == 0
+    assert done.err.startswith(f"roam: Without effect here: {told}.\n" if told else "Wrote 1 shape(s)")
+
+
 @pytest.mark.parametrize("value", ["-1", "nan", "inf"])
 def test_a_senseless_reach_of_smoothing_is_refused(roam: Roam, project: Path, value: str) -> None:
     done = roam("export", project, "--to", "json", project.parent / "p.json", "--smooth", value)

@@ -13,6 +13,7 @@ import pytest
 
 from roam_core.cli import fill
 from roam_core.cli.overwriting import project_writer
+from roam_core.interchange.targets import BACKUPS
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Layer, Project, edit, file
 from roam_core.roto.project_lock import lock_path
@@ -140,8 +141,57 @@ def test_what_roam_wrote_is_written_again_without_a_word(roam: Roam, plate: Plat
         ("track", plate.folder, "--init", project, *CONFIG, "--start", 1001, "--save", project),
     ):
         for _ in range(2):
-            assert roam(*words).status == 0
-    assert not list(folder.glob("*.roam.*"))
+            done = roam(*words)
+            assert done.status == 0
+            assert "is kept as" not in done.err
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["fill {project} --config baseline", "shift {project} --by 3", "import {mask} --into {project}", "plane {project}"],
+)
+def test_a_project_that_is_rewritten_stays_beside_it_as_it_was(
+    roam: Roam, plate: Plate, project: Path, words: str
+) -> None:
+    """As when the window saves: what a command did to it could not be taken back."""
+    before = project.read_bytes()
+    done = roam(*words.format(project=project, mask=plate.mask).split())
+    assert done.status == 0, done.err
+    assert "kept" not in done.err
+    assert project.read_bytes() != before
+    assert [path.name for path in project.parent.glob("p.roam.*")] == ["p.roam.1"]
+    assert project.with_name("p.roam.1").read_bytes() == before
+
+
+def test_what_is_written_as_it_was_takes_no_backup_away(roam: Roam, project: Path) -> None:
+    assert roam("fill", project, *CONFIG).status == 0
+    filled = project.read_bytes()
+    for _ in range(2):
+        assert "already filled" in roam("fill", project, *CONFIG).err
+    assert project.read_bytes() == filled
+    assert [path.name for path in project.parent.glob("p.roam.*")] == ["p.roam.1"]
+
+
+def test_a_run_that_writes_often_keeps_what_it_read_once(project: Path) -> None:
+    ours, before = file.load(project), project.read_bytes()
+    write = project_writer(project, project)
+    write(ours)
+    assert not list(project.parent.glob("p.roam.*"))
+    for name in ("A", "B", "C"):
+        write(replace(ours, root=Layer("root", name)))
+    assert [path.name for path in project.parent.glob("p.roam.*")] == ["p.roam.1"]
+    assert project.with_name("p.roam.1").read_bytes() == before
+
+
+def test_where_no_backup_can_be_kept_it_is_told_and_the_project_written(
+    project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for number in range(1, BACKUPS + 1):
+        project.with_name(f"p.roam.{number}").write_text("a file of somebody else")
+    write = project_writer(project, project)
+    write(Project())
+    assert "No backup of" in capsys.readouterr().err
+    assert file.load(project).clip is None
 
 
 def test_an_empty_file_is_free_and_a_device_is_not(roam: Roam, plate: Plate, project: Path) -> None:

@@ -103,6 +103,22 @@ def test_help_and_version_need_no_window(
         assert "--versio" in said.err
 
 
+def test_help_is_given_for_the_word_unless_a_clip_is_called_so(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    handed: list[str | None] = []
+    window = SimpleNamespace(open_window=lambda path: handed.append(path) or 0)
+    monkeypatch.setattr(program, "window_module", lambda name: window)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as left:
+        program.main(["help"])
+    assert left.value.code == 0
+    assert "\n  track " in capsys.readouterr().out
+    (tmp_path / "help").mkdir()
+    assert (program.main(["help"]), program.main(["shot"])) == (0, 0)  # which is not far from shift
+    assert handed == ["help", "shot"]
+
+
 def test_the_window_is_handed_what_to_open_and_its_answer_is_the_programs(monkeypatch: pytest.MonkeyPatch) -> None:
     handed: list[str | None] = []
     window = SimpleNamespace(
@@ -126,6 +142,7 @@ def test_a_checkout_finds_its_own_folders() -> None:
     [
         (["tarck", "shot", "--init", "mask.png"], "there is no command tarck; did you mean track?"),
         (["zzz", "--json"], "there is no command zzz\n"),
+        (["prepar"], "there is no command prepar; did you mean prepare?"),
         ([".", "--init", "mask.png"], "unrecognized arguments: --init mask.png"),
     ],
 )

@@ -28,6 +28,24 @@ def tracked(plate: Plate) -> Path:
     return path
 
 
+@pytest.mark.parametrize(
+    "words",
+    ["render {project} --out {out}", "review {project} {out}", "soften {project} --save {out}.roam",
+     "plane {project} --save {out}.roam", "track {plate} --init {project} --save {out}.roam"],
+)  # fmt: skip
+def test_commands_on_a_plate_that_was_numbered_anew_lead_here(
+    roam: Roam, tracked: Path, plate: Plate, words: str
+) -> None:
+    """Each told of what it lacked, frames or edges or a --start that nobody gave, none of why."""
+    for path in sorted(plate.folder.iterdir()):
+        path.rename(path.with_name(path.name.replace(".1", ".2")))
+    done = roam(*words.format(project=tracked, plate=plate.folder, out=tracked.parent / "out").split())
+    told = f"The plate {plate.folder} has none of the project's frames 1001 to 1006, but 2001 to 2006; where it was"
+    assert done.err.startswith(f"roam: {told} numbered anew, roam shift follows it.\n")
+    assert roam("shift", tracked).status == 0
+    assert told not in roam("render", tracked, "--out", tracked.parent / "out").err
+
+
 def frames(path: Path) -> list[tuple[int, ...]]:
     project = file.load(path)
     return [*(shape.frames for shape in project.shapes), tuple(mark.frame for mark in project.marks)]

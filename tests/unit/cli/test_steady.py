@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
+from roam_core.cli import steady
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Origin, Project, edit, file
 from tests.golden.shots import blob, gliding
@@ -56,6 +57,19 @@ def test_a_part_is_saved_elsewhere_and_told_in_json(roam: Roam, trembling: Path,
     before, after = file.load(trembling).shapes[0], file.load(target).shapes[0]
     assert [key.frame for key in after.keys if key != before.key_at(key.frame)] == [1003, 1004, 1005]
     assert trembling.read_bytes() == as_it_was
+
+
+def test_frames_that_hold_no_tracked_key_cost_nothing(
+    roam: Roam, trembling: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every frame up to the one that was named was gone through: a minute for a number of nine digits."""
+    given: list[range] = []
+    whole = steady.steadying
+    monkeypatch.setattr(steady, "steadying", lambda *words: (given.append(words[2]), whole(*words))[1])
+    for k, words in enumerate([(), ("--start", -999_999_999, "--end", 999_999_999)]):
+        assert roam("steady", trembling, *words, "--save", tmp_path / f"{k}.roam").status == 0
+    assert given[0] == given[1]
+    assert file.load(tmp_path / "0.roam") == file.load(tmp_path / "1.roam")
 
 
 def test_a_strength_of_nothing_changes_nothing(roam: Roam, trembling: Path) -> None:

@@ -80,8 +80,8 @@ def test_frames_outside_of_lifetimes_say_so_and_their_mattes_stay_black(roam: Ro
     assert [read_matte(out / f"plate.{frame}.png").any() for frame in FRAMES] == [frame < 1004 for frame in FRAMES]
 
 
-def test_in_a_pipe_there_is_one_sentence_and_no_bar(roam: Roam, plate: Plate) -> None:
-    done = roam("track", plate.folder, "--init", plate.mask)
+def test_in_a_pipe_there_is_one_sentence_and_no_bar(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    done = roam("track", plate.folder, "--init", plate.mask, "--save", tmp_path / "a.roam")
     assert (done.out, done.err) == ("", "Tracked 1 shape(s) from frame 1001 to 1006.\n")
 
 
@@ -241,6 +241,23 @@ def test_what_is_left_out_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
     done = roam("track", plate.folder, "--init", plate.mask, "--end", 1001)
     assert done.err.startswith("1 speck(s) or pinhole(s) of the mask")
     assert "Tracked 1 shape(s)" in done.err
+
+
+@pytest.mark.parametrize("kept", [("--save", "a.roam"), ("--matte", "mattes"), ("--json",), ()])
+def test_a_run_of_which_nothing_is_kept_says_so(
+    roam: Roam, plate: Plate, tmp_path: Path, kept: tuple[str, ...]
+) -> None:
+    words = [tmp_path / word if not word.startswith("--") else word for word in kept]
+    done = roam("track", plate.folder, "--init", plate.mask, "--end", 1001, *words)
+    assert done.status == 0
+    assert ("Nothing of this run is kept: to keep it, name a project with --save" in done.err) == (not kept)
+
+
+def test_a_picture_in_place_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
+    picture = next(iter(sorted(plate.folder.iterdir())))
+    done = roam("track", plate.folder, "--init", picture, "--end", 1001)
+    assert f"Most of the mask {picture} is neither black nor white. If it is a picture" in done.err
+    assert "If it is a picture" not in roam("track", plate.folder, "--init", plate.mask, "--end", 1001).err
 
 
 def test_a_mask_of_very_many_shapes_is_told(roam: Roam, plate: Plate) -> None:

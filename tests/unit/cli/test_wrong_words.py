@@ -78,7 +78,7 @@ RENDERS = [
 ]
 IMPORTS = [
     ("{f}/none.nk", "does not exist"),
-    ("{f}/p.roam", "no suffix that ROAM reads shapes from"),
+    ("{f}/p.roam", "is a project; export its shapes (--to json) and import those"),
     ("{f}/empty", "holds no image"),
     ("{f}/void.nk", "no Roto or RotoPaint node"),
     ("{f}/noise.nk", "no Roto or RotoPaint node"),

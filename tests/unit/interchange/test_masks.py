@@ -87,6 +87,18 @@ def test_ids_in_exr_files_are_masks_as_those_of_one_frame_are(tmp_path: Path) ->
     assert overlap(render_matte(shapes, 1003, (120, 160)) > 0.5, ids > 0) > 0.97
 
 
+def test_pictures_in_place_of_masks_are_told(tmp_path: Path) -> None:
+    grey = np.random.default_rng(5).integers(40, 210, (120, 160), np.uint8)
+    folder = write(tmp_path / "plate", cv2.GaussianBlur(grey, (0, 0), 9) + 3, discs((60, 50)))
+    told = "1 of the 2 masks are grey for the most part, neither black nor white; if they are pictures"
+    assert any(note.startswith(told) for note in read_shapes(folder, CLIP).notes)
+
+
+def test_soft_masks_are_no_pictures(tmp_path: Path) -> None:
+    soft = cv2.GaussianBlur(discs((60, 50), (110, 60)), (0, 0), 12)
+    assert not any("pictures" in note for note in read_shapes(write(tmp_path / "masks", soft), CLIP).notes)
+
+
 def test_black_masks_are_one_sentence(tmp_path: Path) -> None:
     with pytest.raises(RoamError, match="Nothing is white"):
         read_shapes(write(tmp_path / "masks", discs()), CLIP)

@@ -16,7 +16,8 @@ from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, ImportOptions, read_shapes
 from roam_core.interchange import reading as limits
 from roam_core.interchange.plain_json import json_document
-from roam_core.roto import Clip, Interpolation, Layer, Origin, Project, RotoShape
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.roto import Clip, Interpolation, Layer, Origin, Project, RotoShape, edit
 from tests.unit.interchange.test_other_programs import NAMES
 
 CLIP = Clip(Path("plate"), 1001, 1040, (1920, 1080))
@@ -76,6 +77,24 @@ def test_frames_are_shifted_out_and_in(project: Project, tmp_path: Path) -> None
     assert document["items"][0]["keys"][0]["frame"] == 1
     back = read(text, tmp_path, options=ImportOptions(frame_offset=-1000))
     assert [plain(item) for item in back.layer.children] == [plain(item) for item in project.root.children]
+
+
+def test_keys_of_the_engine_are_out_of_date_when_a_key_around_them_changes(tmp_path: Path) -> None:
+    """They came in out of date: all of a tracked shape was marked so, where nothing had changed."""
+    keys = [{"frame": 1001 + k, "origin": origin, "points": [[k, 0], [480, k], [480, 270]]}
+            for k, origin in enumerate(["artist", "engine", "engine", "artist", "engine"])]  # fmt: skip
+    text = json.dumps({"format": "roam-shapes", "version": 2, "width": 1920, "height": 1080,
+                       "items": [{"kind": "shape", "keys": keys}]})  # fmt: skip
+    project, _ = edit.add_items(Project(CLIP), read(text, tmp_path).layer.children)
+    (shape,) = project.shapes
+    assert [key.origin.value for key in shape.keys] == ["artist", "engine", "engine", "artist", "engine"]
+
+    def stale(shape: RotoShape) -> list[int]:
+        stamps = Stamps.of([shape], CLIP)
+        return [key.frame for key in shape.keys if stamps.is_stale(shape, key)]
+
+    assert stale(shape) == []
+    assert stale(edit.set_key(shape, 1004, shape.at(1004).points + 5.0)) == [1002, 1003, 1005]
 
 
 def test_names_come_back_whatever_they_hold(project: Project, tmp_path: Path) -> None:

@@ -105,7 +105,7 @@ def test_a_space_that_is_not_known_is_told() -> None:
 @pytest.mark.parametrize(
     ("name", "space"),
     [("acescg", "ACEScg"), ("lin_ap0", "ACES2065-1"), ("lin_rec709_scene", "linear"), ("sRGB - Texture", "sRGB"),
-     ("log", "log"), ("arri_logc4", "ARRI LogC4")],
+     ("log", "log"), ("arri_logc4", "ARRI LogC4"), ("srgb", "sRGB"), ("LINEAR", "linear"), ("Log", "log")],
 )  # fmt: skip
 def test_spaces_are_known_by_their_aliases(name: str, space: str) -> None:
     assert known_space(name) == space

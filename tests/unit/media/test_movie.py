@@ -17,6 +17,7 @@ from roam_core.errors import RoamError
 from roam_core.media import MissingFrame, decoding, open_clip
 from roam_core.media.movie import LONGEST_STEP
 from roam_core.media.movie_plate import shortfall
+from roam_core.media.source import USUAL_SPEED, likely_speed
 from tests.unit.media.conftest import movie_pictures, write_movie
 
 COUNT = 40
@@ -45,6 +46,16 @@ def test_any_order_gives_the_pictures_of_decoding_in_order(tmp_path: Path, exten
     random.Random(7).shuffle(shuffled)
     for frame in [*plate.frames, *reversed(plate.frames), *shuffled, 1, COUNT, 1, COUNT - 1]:
         np.testing.assert_array_equal(plate.read(frame), expected[frame - 1], err_msg=f"frame {frame}")
+
+
+@pytest.mark.parametrize("fps", [0.01, 0.5, 1000.0])
+def test_slow_and_fast_movies_keep_their_speed(tmp_path: Path, fps: float) -> None:
+    assert open_clip(write_movie(tmp_path / "lapse.mp4", "mp4v", 3, fps)).fps == pytest.approx(fps)
+
+
+@pytest.mark.parametrize("told", [0.0, -24.0, 0.009, 1000.5, float("nan"), float("inf")])
+def test_what_is_no_speed_is_taken_for_the_usual_one(told: float) -> None:
+    assert likely_speed(told) == USUAL_SPEED
 
 
 def test_the_first_picture_read_may_be_any(tmp_path: Path) -> None:

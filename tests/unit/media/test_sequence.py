@@ -55,14 +55,15 @@ def test_half_exr_is_linear_and_not_clipped(tmp_path: Path) -> None:
     np.testing.assert_array_equal(image, pixels.astype(np.float16))
 
 
-def test_a_rational_frame_rate(tmp_path: Path) -> None:
+@pytest.mark.parametrize("rate", [(24000, 1001), (1, 2)])
+def test_a_rational_frame_rate(tmp_path: Path, rate: tuple[int, int]) -> None:
     spec = oiio.ImageSpec(4, 4, 3, "half")
-    spec.attribute("FramesPerSecond", oiio.TypeRational, (24000, 1001))
+    spec.attribute("FramesPerSecond", oiio.TypeRational, rate)
     output = oiio.ImageOutput.create(str(tmp_path / "p.exr"))
     assert output.open(str(tmp_path / "p.exr"), spec)
     output.write_image(np.zeros((4, 4, 3), np.float32))
     output.close()
-    assert open_clip(tmp_path / "p.exr").fps == float(Fraction(24000, 1001))
+    assert open_clip(tmp_path / "p.exr").fps == float(Fraction(*rate))
 
 
 @pytest.mark.parametrize(

@@ -108,6 +108,18 @@ def test_the_pattern_that_is_advised_varies_what_differs(write_frames: WriteFram
     assert open_clip(folder / "shot_%04d_v002.png").frames == (1, 2, 3)
 
 
+@pytest.mark.parametrize(
+    "names", [["a.png", "b.png"], ["1403636579763555584.png", "1403636579813555456.png", "1403636579863555584.png"]]
+)
+def test_images_whose_names_count_no_frames_are_to_be_numbered(write_frames: WriteFrames, names: list[str]) -> None:
+    """A pattern was asked for, such as the name of the first, which leads to that picture alone."""
+    folder = write_frames(names)
+    told = rf"holds {len(names)} images whose names do not count frames: {names[0]} .* such as shot\.0001\.png"
+    with pytest.raises(RoamError, match=told):
+        open_clip(folder)
+    assert open_clip(folder / names[0]).frames == (1,)
+
+
 def test_a_long_list_is_cut(write_frames: WriteFrames) -> None:
     folder = write_frames([f"{letter}.png" for letter in "abcdefghijkl"])
     with pytest.raises(RoamError, match="and 4 more"):

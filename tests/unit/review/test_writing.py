@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -68,6 +69,33 @@ def test_a_movie_of_somebody_else_is_none_of_ours(tmp_path: Path) -> None:
 def test_a_movie_takes_the_speed_of_the_clip(tmp_path: Path) -> None:
     write_review(ReviewRequest(moving(), ALL[:2], Output.MOVIE, tmp_path / "a.mov"), read)
     assert cv2.VideoCapture(str(tmp_path / "a.mov")).get(cv2.CAP_PROP_FPS) == pytest.approx(24.0)
+
+
+def test_a_movie_of_a_lapse_of_time_is_as_slow(tmp_path: Path) -> None:
+    project = moving()
+    slow = replace(project, clip=replace(project.require_clip(), fps=0.5))
+    sentence = write_review(ReviewRequest(slow, ALL[:2], Output.MOVIE, tmp_path / "a.mp4"), read)
+    assert sentence == f"Wrote 2 frame(s) at 0.5 fps to {tmp_path / 'a.mp4'}."
+    assert cv2.VideoCapture(str(tmp_path / "a.mp4")).get(cv2.CAP_PROP_FPS) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("name", ["a.mp4", "a.png", "pictures"])
+def test_a_place_that_cannot_be_written_is_told_before_a_picture_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    def never(frame: int) -> np.ndarray:
+        raise AssertionError(frame)
+
+    request = ReviewRequest(moving(), ALL, output_of(tmp_path / name, is_sheet=name == "a.png"), tmp_path / name)
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with pytest.raises(RoamError, match="cannot be written to; choose another"):
+        write_review(request, never)
+    monkeypatch.undo()
+    if "." in name:
+        (tmp_path / name).write_bytes(b"")
+        (tmp_path / name).chmod(0o444)
+        with pytest.raises(RoamError, match="it is read-only"):
+            write_review(request, never)
 
 
 def test_where_no_encoder_works_one_sentence_names_the_way_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
