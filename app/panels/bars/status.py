@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
@@ -17,6 +17,8 @@ from .readout import Readout
 
 LEAST_SENTENCE, BAR_WIDTH, GAP = 100, 120, 12
 """Widths of the sentence, however narrow the window, and of the bar; between the parts: in widget units."""
+READING = 4000
+"""Milliseconds for which what is said while work is under way stands before the work is told again."""
 MEMORY = N_("memory {used} of {limit}")
 
 
@@ -47,7 +49,8 @@ class StatusBar(QWidget):
     """One sentence; while work is under way a bar, a button that stops it and how many more go on; frames' memory.
 
     The sentence comes first: what is under way is read as a whole, and what else does not fit beside it is away. The
-    button that stops it is always there, and nothing here makes the window wider.
+    button that stops it is always there, and nothing here makes the window wider. What is said meanwhile stands long
+    enough to be read, while the bar goes on.
     """
 
     def __init__(self, view_state: ViewState, under_way: UnderWay, parent: QWidget | None = None) -> None:
@@ -65,8 +68,12 @@ class StatusBar(QWidget):
         self._modes: QWidget | None = None
         self._longest = 0
         """The room that the sentences of this work took so far: nothing comes and goes with the length of each."""
+        self._work = ""
+        """What was told last of the work under way; empty where that ended."""
+        self.reading = QTimer(self, singleShot=True, interval=READING)
+        self.reading.timeout.connect(self._tell_work)
         self._build()
-        view_state.message_changed.connect(lambda: self._say(view_state.message))
+        view_state.message_changed.connect(lambda: self._show_message(view_state.message))
         under_way.progress.connect(self._show_progress)
         under_way.ended.connect(self._show_end)
         under_way.changed.connect(self._pull)
@@ -94,9 +101,26 @@ class StatusBar(QWidget):
 
     def _show_progress(self, fraction: float, text: str) -> None:
         self.bar.setValue(round(1000 * fraction))
-        self._say(text)
+        self._work = text
+        if not self.reading.isActive():
+            self._say(text)
+
+    def _show_message(self, text: str) -> None:
+        self.reading.stop()
+        if not self._under_way.is_any:
+            self._say(text)
+        elif text:
+            self._say(text)
+            self.reading.start()
+        else:
+            self._tell_work()
+
+    def _tell_work(self) -> None:
+        if self._under_way.is_any and self._work:
+            self._say(self._work)
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
+        self._work = ""
         if sentence or ending is not Ending.DONE:
             self._view.say(sentence)
 

@@ -58,7 +58,9 @@ def test_the_work_that_began_first_is_told_until_it_ends(
     assert status._hint.text() == "Esc stops  ·  1 more"
     works[0].finished.emit(Ending.DONE, "Tracked body.")
     works[1].progress.emit(0.75, "Exporting")
-    assert (status.sentence.text(), status.bar.value()) == ("Exporting", 750)
+    assert (status.sentence.text(), status.bar.value()) == ("Tracked body.", 750)
+    status.reading.timeout.emit()
+    assert status.sentence.text() == "Exporting"
     assert status._hint.text() == "Esc stops"
 
 
@@ -91,6 +93,26 @@ def test_the_status_bar_tells_how_far_and_how_to_stop_it(
     assert status.sentence.text() == "Tracked body."
     view_state.say("Select a shape first.")
     assert status.sentence.text() == "Select a shape first."
+
+
+def test_what_is_said_while_work_goes_on_stands_until_it_is_read(
+    qtbot: QtBot, view_state: ViewState, works: tuple[Work, Work]
+) -> None:
+    status = StatusBar(view_state, UnderWay(*works))
+    qtbot.addWidget(status)
+    works[0].progress.emit(0.25, "Tracking body forward: frame 7")
+    view_state.say("Hat is locked.")
+    works[0].progress.emit(0.5, "Tracking body forward: frame 8")
+    assert (status.sentence.text(), status.bar.value()) == ("Hat is locked.", 500)
+    status.reading.timeout.emit()
+    assert status.sentence.text() == "Tracking body forward: frame 8"
+    view_state.say("Hat is locked.")
+    view_state.say("")
+    assert status.sentence.text() == "Tracking body forward: frame 8"
+    view_state.say("Hat is locked.")
+    works[0].finished.emit(Ending.DONE, "Tracked body.")
+    assert status.sentence.text() == "Tracked body."
+    assert not status.reading.isActive()
 
 
 class Writing(Work):
