@@ -130,6 +130,17 @@ def test_the_key_does_not_stop_what_writes_files(works: tuple[Work, Work]) -> No
     assert (export.stops, works[0].stops) == (0, 1)
 
 
+def test_files_are_written_until_the_last_of_them_is(works: tuple[Work, Work]) -> None:
+    export = Writing()
+    under_way = UnderWay(export, works[0])
+    export.progress.emit(0.1, "Exporting")
+    export.finished.emit(Ending.CANCELLED, "Export stopped.")
+    assert under_way.is_any
+    export.is_writing = False
+    export.finished.emit(Ending.DONE, "Exported.")
+    assert not under_way.is_any
+
+
 def test_what_the_key_stops_is_told_before_what_is_written_beside_it(
     qtbot: QtBot, view_state: ViewState, works: tuple[Work, Work]
 ) -> None:
