@@ -39,6 +39,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "key.copy", "key.paste", "key.paste_range", "key.shift", SEPARATOR,
         "key.set", "key.set_points", "key.delete", "key.linear", "key.smooth", "key.hold", "key.tangents", SEPARATOR,
         "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
+        "shape.raise", "shape.lower", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
     ),
     N_("Track"): (

@@ -35,6 +35,8 @@ WORDS: Mapping[str, str] = {
     "points.toggle_closed": N_("cyclic finish open spline"),
     "shape.duplicate": N_("copy clone"),
     "shape.group": N_("folder layer parent"),
+    "shape.raise": N_("order stack bring forward to front up above restack arrange"),
+    "shape.lower": N_("order stack send backward to back down below restack arrange"),
     "shape.delete": N_("remove erase"),
     "shape.steady": N_("boil jitter tremble smooth stabilise stabilize temporal steadiness"),
     "shape.match_edge": N_("soften feather softness blurred focus defocus shutter width"),

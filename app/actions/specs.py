@@ -158,6 +158,8 @@ SPECS: tuple[ActionSpec, ...] = (
         N_("Dissolve the layer; its shapes stay as they are seen"),
     ),
     ActionSpec("layer.add", N_("New layer"), tip=N_("Add an empty layer, to drop shapes on")),
+    ActionSpec("shape.raise", N_("Raise"), _VIEWER, tip=N_("One place higher in the list: over what lies above")),
+    ActionSpec("shape.lower", N_("Lower"), _VIEWER, tip=N_("One place lower in the list: under what lies below")),
     ActionSpec(
         "shape.steady",
         N_("Steady the outline…"),

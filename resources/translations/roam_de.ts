@@ -1931,6 +1931,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Es verbindet weiche Kanten wie ältere Versionen (Plus), damit die Mattes bleiben, wie sie waren; Addieren im Formbereich verbindet sie wie in anderen Programmen.</translation>
     </message>
     <message>
+        <source>It lies at the bottom already.</source>
+        <translation>Liegt schon ganz unten.</translation>
+    </message>
+    <message>
+        <source>It lies on top already.</source>
+        <translation>Liegt schon ganz oben.</translation>
+    </message>
+    <message>
         <source>It never varies. Click to set a key on this frame</source>
         <translation>Ändert sich nie. Klicken setzt einen Keyframe auf diesem Frame</translation>
     </message>
@@ -2190,6 +2198,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Loop</source>
         <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>Luminance</source>
@@ -2755,6 +2767,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Einer auf jedem Frame</translation>
     </message>
     <message>
+        <source>One place higher in the list: over what lies above</source>
+        <translation>Einen Platz höher in der Liste: über das, was darüber liegt</translation>
+    </message>
+    <message>
+        <source>One place lower in the list: under what lies below</source>
+        <translation>Einen Platz tiefer in der Liste: unter das, was darunter liegt</translation>
+    </message>
+    <message>
         <source>Onion skin</source>
         <translation>Zwiebelhaut</translation>
     </message>
@@ -3255,6 +3275,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>ROAM projects (*.roam)</source>
         <translation>ROAM-Projekte (*.roam)</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>Range</source>
@@ -5499,6 +5523,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>open on {host} by {user} since {when} (process {process})</source>
         <translation>auf {host} von {user} seit {when} geöffnet (Prozess {process})</translation>
+    </message>
+    <message>
+        <source>order stack bring forward to front up above restack arrange</source>
+        <translation>Reihenfolge Stapel in den Vordergrund heben darüber anordnen</translation>
+    </message>
+    <message>
+        <source>order stack send backward to back down below restack arrange</source>
+        <translation>Reihenfolge Stapel in den Hintergrund senken darunter anordnen</translation>
     </message>
     <message>
         <source>out</source>

@@ -1,16 +1,16 @@
-"""What menus and keys do to layers: grouping, dissolving, adding; and to the motion of layers."""
+"""What menus and keys do to layers: grouping, dissolving, adding; and to the order in which they and shapes lie."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from roam_core.roto import BlendMode, Layer, RotoShape, edit
-from roam_core.roto.layers import grouped, ungrouped
+from roam_core.roto.layers import grouped, raised, ungrouped
 
 from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
-from .shapes import NOTHING_SELECTED
+from .shapes import NOTHING_SELECTED, rows_in_hand
 
 NO_LAYER = N_("Select a layer first: click it in the list of shapes.")
 
@@ -23,7 +23,13 @@ class LayerVerbs:
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
-        return {"shape.group": self.group, "layer.ungroup": self.ungroup, "layer.add": self.add}
+        return {
+            "shape.group": self.group,
+            "layer.ungroup": self.ungroup,
+            "layer.add": self.add,
+            "shape.raise": lambda: self.restack(1),
+            "shape.lower": lambda: self.restack(-1),
+        }
 
     def group(self) -> None:
         """Put the selected layers and shapes into a new layer, which is then selected."""
@@ -58,6 +64,16 @@ class LayerVerbs:
         project, layer = edit.add_layer(project, parent_id=inside[0] if len(inside) == 1 else project.root.id)
         self._document.apply(tr("New layer"), project)
         self._view.select(frozenset(), layers=frozenset({layer.id}))
+
+    def restack(self, step: int) -> None:
+        """Put the selected layers and shapes one place higher (1) or lower (-1) in what holds them."""
+        project, rows = self._document.project, rows_in_hand(self._document.project, self._view)
+        after = raised(project, rows, step)
+        if not rows:
+            self._view.say(tr(NOTHING_SELECTED))
+        elif after == project:
+            self._view.say(tr("It lies on top already.") if step > 0 else tr("It lies at the bottom already."))
+        self._document.apply(tr("Restack"), after)
 
     def _layers(self) -> frozenset[str]:
         """The selected layers that are still there."""
