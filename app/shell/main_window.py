@@ -171,12 +171,12 @@ class MainWindow(QMainWindow):
         )
         self.status = StatusBar(view_state, self.under_way)
         self.status.add(Readout(self.canvas), ModeBar(view_state, actions))
+        self.status.follow(document)
         self._build_surroundings(actions)
 
     def _build_surroundings(self, actions: Actions) -> None:
         """What lies around the work: dialogs, the start page, and what is there for bad days."""
-        document, view_state = self.document, self.view_state
-        files, file_actions = self.files, self.file_actions
+        document, view_state, files, file_actions = self.document, self.view_state, self.files, self.file_actions
         messages = MessageLog(view_state, self.under_way, self)
         self.services = WindowServices(actions, view_state, messages, self.personal, self)
         about = document, view_state, files, file_actions

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 from ... import style
 from ...jobs.runner import Ending
 from ...jobs.under_way import UnderWay
+from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
 from ...widgets.controls import icon_button
@@ -136,6 +137,14 @@ class StatusBar(QWidget):
         self._readout, self._modes = readout, modes
         modes.installEventFilter(self)
         self._fit()
+
+    def follow(self, document: Document) -> None:
+        """Let what was said of something before go with the artist's next edit; frames of a run are none."""
+        document.changed.connect(self._go_on)
+
+    def _go_on(self, _ids: object) -> None:
+        if not self._under_way.is_any:
+            self._view.go_on()
 
     def show_memory(self, used: int, limit: int) -> None:
         """Tell how much of the frame cache is used, in bytes."""
