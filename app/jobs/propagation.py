@@ -236,8 +236,8 @@ class Propagation(QObject):
         )
 
     def _follow(self, run: _Run, frame: int) -> None:
-        """Take the playhead along, unless the artist went to look at another frame, or drags or draws on this one."""
-        if self._view.frame == run.shown_frame and not self._view.is_in_use:
+        """Take the playhead along, unless the artist went to look at another frame, plays, or is busy on this one."""
+        if self._view.frame == run.shown_frame and not self._view.keeps_frame:
             run.shown_frame = frame
             self._view.set_frame(frame)
 

@@ -46,6 +46,8 @@ class ViewState(QObject):
         self._preview: Project | None = None
         self._is_hand_busy: Callable[[], bool] = lambda: False
         self._range = (1, 2)
+        self.is_playing = False
+        """Whether the clip is played: the playhead goes its own way."""
         self._message = self._hint = self._advice = ""
         self._is_said_just_now = False
         self._keymap = load_keymap()
@@ -116,8 +118,13 @@ class ViewState(QObject):
 
     @property
     def is_in_use(self) -> bool:
-        """Whether the artist drags or draws something on the frame that is shown: no run takes it away."""
+        """Whether the artist drags or draws something on the frame that is shown."""
         return self._preview is not None or self._is_hand_busy()
+
+    @property
+    def keeps_frame(self) -> bool:
+        """Whether no run takes the playhead along: the artist is busy on the frame that is shown, or plays."""
+        return self.is_playing or self.is_in_use
 
     def ask_hand(self, is_busy: Callable[[], bool]) -> None:
         """Let `is_busy()` tell whether a tool has something half done in the picture."""
