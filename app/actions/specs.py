@@ -348,7 +348,11 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.fit", N_("Fit"), _VIEWER, "view-fit"),
     ActionSpec("view.fit_selection", N_("Frame selection"), _VIEWER),
     ActionSpec("view.actual_size", N_("100 %"), _VIEWER),
+    ActionSpec("view.zoom_in", N_("Zoom in"), _VIEWER, tip=N_("At the pointer, where it is over the viewer")),
+    ActionSpec("view.zoom_out", N_("Zoom out"), _VIEWER, tip=N_("At the pointer, where it is over the viewer")),
     ActionSpec("view.fit_time", N_("Fit time"), tip=N_("Show the whole clip in the timeline")),
+    ActionSpec("view.zoom_in_time", N_("Zoom time in"), tip=N_("Show fewer frames in the timeline")),
+    ActionSpec("view.zoom_out_time", N_("Zoom time out"), tip=N_("Show more frames in the timeline")),
     ActionSpec(
         "view.tall_timeline", N_("Tall timeline"), tip=N_("Give the timeline half of the window"), checkable=True
     ),

@@ -295,7 +295,6 @@ class MainWindow(QMainWindow):
             "file.quit": self.close,
             "shape.delete": self._delete_in_list,
             "track.stop": self.under_way.stop_by_key,
-            "view.fit_time": self.timeline.axis.fit,
             "view.shape_panel": self._show_shape_panel,
         }
         for part in (

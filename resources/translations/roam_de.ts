@@ -487,6 +487,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Im Hilfemenü angefordert; kein Fehler wurde festgestellt.</translation>
     </message>
     <message>
+        <source>At the pointer, where it is over the viewer</source>
+        <translation>Am Zeiger, wo er über dem Viewer steht</translation>
+    </message>
+    <message>
         <source>Attach to neighbours</source>
         <translation>An Nachbarn hängen</translation>
     </message>
@@ -3763,12 +3767,20 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Jeden Schritt zeigen und zu jedem zurückgehen</translation>
     </message>
     <message>
+        <source>Show fewer frames in the timeline</source>
+        <translation>Weniger Frames in der Zeitleiste zeigen</translation>
+    </message>
+    <message>
         <source>Show joints</source>
         <translation>Gelenke zeigen</translation>
     </message>
     <message>
         <source>Show layer</source>
         <translation>Ebene einblenden</translation>
+    </message>
+    <message>
+        <source>Show more frames in the timeline</source>
+        <translation>Mehr Frames in der Zeitleiste zeigen</translation>
     </message>
     <message>
         <source>Show or hide</source>
@@ -4945,6 +4957,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Am Zeiger zoomen</translation>
     </message>
     <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Zoom time in</source>
+        <translation>Zeit vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom time out</source>
+        <translation>Zeit verkleinern</translation>
+    </message>
+    <message>
         <source>a feather of about {width}, which is a blur</source>
         <translation>eine weiche Kante von etwa {width}, als Unschärfe</translation>
     </message>
@@ -5081,6 +5109,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>zwischenablage roto node skript export</translation>
     </message>
     <message>
+        <source>closer magnify larger enlarge</source>
+        <translation>zoom näher größer lupe hineinzoomen</translation>
+    </message>
+    <message>
         <source>color rgb all channels</source>
         <translation>farbe rgb alle kanäle</translation>
     </message>
@@ -5203,6 +5235,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>exit close leave</source>
         <translation>schließen verlassen ende</translation>
+    </message>
+    <message>
+        <source>farther smaller reduce</source>
+        <translation>zoom ferner kleiner herauszoomen</translation>
     </message>
     <message>
         <source>feather</source>
@@ -5831,6 +5867,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>thrown away</source>
         <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>timeline dopesheet closer magnify</source>
+        <translation>zoom zeitleiste näher hineinzoomen</translation>
+    </message>
+    <message>
+        <source>timeline dopesheet farther</source>
+        <translation>zoom zeitleiste ferner herauszoomen</translation>
     </message>
     <message>
         <source>to</source>
