@@ -124,6 +124,8 @@ class StatusBar(QWidget):
         self._work = ""
         if sentence or ending is not Ending.DONE:
             self._view.say(sentence)
+        elif not self._under_way.is_any:
+            self._say(self._view.message)  # that something is being looked at is over
 
     def add(self, readout: Readout, modes: QWidget) -> None:
         """Give them places of their own: the read-out right of the sentence, the modes at the right end.

@@ -8,6 +8,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
 from app.model.document import Document
 from app.model.view_state import ViewState
@@ -87,6 +88,16 @@ def test_frames_of_a_run_take_no_sentence_away(qtbot: QtBot, qapp: QApplication,
     qapp.processEvents()
     document.apply("Track", edit.new_shape(document.project, SQUARE, 1)[0])
     assert status.sentence.text() == "Hat is locked; unlock it to track it."
+
+
+def test_work_that_ends_without_a_word_is_told_no_more(qtbot: QtBot, view_state: ViewState) -> None:
+    work = Work()
+    status = StatusBar(view_state, UnderWay(work))
+    qtbot.addWidget(status)
+    view_state.say("Opened shot.")
+    work.progress.emit(0.0, "Looking at other …")
+    work.finished.emit(Ending.DONE, "")
+    assert status.sentence.text() == "Opened shot."
 
 
 class Work(QObject):
