@@ -14,7 +14,8 @@ RECENT = "menu.recent"
 MENUS: dict[str, tuple[str, ...]] = {
     N_("File"): (
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
-        "file.open_demo", "file.relink_clip", SEPARATOR,
+        "file.open_demo", SEPARATOR,
+        "file.clip_settings", "file.relink_clip", SEPARATOR,
         "file.save", "file.save_as", "file.recover", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
         "file.export", "file.export_selected", "file.export_nuke", "file.export_mattes", SEPARATOR,

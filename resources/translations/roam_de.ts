@@ -47,6 +47,10 @@
         <translation> MB</translation>
     </message>
     <message>
+        <source> Tracked frames are out of date: they were found in other colours.</source>
+        <translation> Getrackte Frames sind veraltet: Sie wurden in anderen Farben gefunden.</translation>
+    </message>
+    <message>
         <source> and </source>
         <translation> und </translation>
     </message>
@@ -747,6 +751,14 @@ Jetzt: {level}, {changes}</translation>
         <translation>Objekt anklicken oder einrahmen, um es zu finden; Eingabe findet das Markierte.</translation>
     </message>
     <message>
+        <source>Clip settings</source>
+        <translation>Clip-Einstellungen</translation>
+    </message>
+    <message>
+        <source>Clip settings…</source>
+        <translation>Clip-Einstellungen…</translation>
+    </message>
+    <message>
         <source>Clips</source>
         <translation>Clips</translation>
     </message>
@@ -777,6 +789,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Colour {number}</source>
         <translation>Farbe {number}</translation>
+    </message>
+    <message>
+        <source>Colours, layer, frames per second and pixels of the clip</source>
+        <translation>Farben, Ebene, Frames pro Sekunde und Pixel des Clips</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -4131,6 +4147,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Der Clip endet hier: Es gibt keinen Frame, zu dem getrackt werden könnte.</translation>
     </message>
     <message>
+        <source>The clip is read so from now on; save to keep that.</source>
+        <translation>Der Clip wird von jetzt an so gelesen; speichern, um das zu behalten.</translation>
+    </message>
+    <message>
         <source>The clip {path} is {size} now; the project was made for {before}. Put the old clip back, or open the project and choose another.</source>
         <translation>Der Clip {path} ist jetzt {size}; das Projekt entstand für {before}. Den alten Clip zurücklegen oder das Projekt öffnen und einen anderen wählen.</translation>
     </message>
@@ -4385,6 +4405,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Plate ist jetzt {name}; durch Speichern bleibt das so.</translation>
     </message>
     <message>
+        <source>The plate of the project is not there: File &gt; Relink clip says where it lies.</source>
+        <translation>Die Plate des Projekts ist nicht da: Datei &gt; Clip neu verknüpfen sagt, wo sie liegt.</translation>
+    </message>
+    <message>
         <source>The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to date if you shift them now; with Shape &gt; Shift in time later they do not.</source>
         <translation>Die Plate zeigt dieselben Bilder, jetzt ab {now} nummeriert statt ab {before}. Jetzt verschoben bleiben getrackte Frames aktuell; später mit Form &gt; Zeitlich verschieben nicht.</translation>
     </message>
@@ -4475,6 +4499,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is a file of that name in {folder}, now that {suffix} is added to it. It would be lost.</source>
         <translation>Mit dem ergänzten {suffix} gibt es in {folder} schon eine Datei dieses Namens. Sie ginge verloren.</translation>
+    </message>
+    <message>
+        <source>There is no clip yet; open one.</source>
+        <translation>Es gibt noch keinen Clip; einen öffnen.</translation>
     </message>
     <message>
         <source>There is no closed shape yet</source>
@@ -5367,6 +5395,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>interpolation easing ease step constant freeze</source>
         <translation>interpolation stufe konstant einfrieren</translation>
+    </message>
+    <message>
+        <source>interpret footage colourspace fps frame rate pixel aspect channel read properties</source>
+        <translation>Footage interpretieren Farbraum fps Bildrate Pixelseitenverhältnis Ebene lesen Eigenschaften</translation>
     </message>
     <message>
         <source>inversion</source>
