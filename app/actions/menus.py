@@ -24,7 +24,8 @@ MENUS: dict[str, tuple[str, ...]] = {
     N_("Edit"): (
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
-        "points.delete", "shape.select_all", "points.select_all", "points.next", "points.previous", SEPARATOR,
+        "points.delete", "shape.select_all", "points.select_all", "shape.select_none", "points.next",
+        "points.previous", SEPARATOR,
         "points.soft", "points.lasso", SEPARATOR,
         "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",

@@ -133,6 +133,7 @@ WORDS: Mapping[str, str] = {
     "points.transform": N_("numeric move rotate scale type exact"),
     "points.mirror_across": N_("flip flop horizontal"),
     "points.mirror_down": N_("flip vertical"),
+    "shape.select_none": N_("deselect unselect clear selection"),
     "shape.select_all": N_("everything splines layers"),
     "layer.ungroup": N_("dissolve unparent folder"),
     "layer.add": N_("folder group create"),

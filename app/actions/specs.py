@@ -151,6 +151,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "shape.select_all", N_("Select all shapes"), _VIEWER, tip=N_("Select the shapes in sight that are not locked")
     ),
+    ActionSpec("shape.select_none", N_("Select nothing"), _VIEWER, tip=N_("Let go of all shapes, points and layers")),
     ActionSpec("shape.duplicate", N_("Duplicate"), _VIEWER, "duplicate"),
     ActionSpec("shape.group", N_("Group into a layer"), _VIEWER, "layer-add"),
     ActionSpec(

@@ -2152,6 +2152,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Diese Aktion ohne Taste lassen</translation>
     </message>
     <message>
+        <source>Let go of all shapes, points and layers</source>
+        <translation>Alle Formen, Punkte und Ebenen loslassen</translation>
+    </message>
+    <message>
         <source>Let parts hang by joints on those that they overlap</source>
         <translation>Teile mit Gelenken an die hängen, die sie überlappen</translation>
     </message>
@@ -3599,6 +3603,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Select and drag shapes, points and handles</source>
         <translation>Formen, Punkte und Tangenten auswählen und ziehen</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Nichts auswählen</translation>
     </message>
     <message>
         <source>Select points with a lasso</source>
@@ -5227,6 +5235,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>depth order occlusion under below hidden z</source>
         <translation>tiefe reihenfolge verdeckung unter hinter z</translation>
+    </message>
+    <message>
+        <source>deselect unselect clear selection</source>
+        <translation>abwählen auswahl aufheben</translation>
     </message>
     <message>
         <source>dissolve unparent folder</source>

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from app.features.clipboards.shapes import ShapeClipboard
+from app.features.possible import is_possible
 from app.features.verbs.finishing import finish_shape
 from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
@@ -48,6 +49,17 @@ def test_all_shapes_are_those_in_sight_that_are_not_locked(document: Document, v
     view_state.select(frozenset({locked}), frozenset({(plain, 1)}))
     ShapeVerbs(document, view_state).select_all()
     assert view_state.selection == Selection(frozenset({plain, below}))
+
+
+def test_nothing_is_selected_where_that_is_asked_for(document: Document, view_state: ViewState) -> None:
+    (only,) = opened(document, 1)
+    project, layer = grouped(document.project, [only])
+    document.open(project, None)
+    view_state.select(frozenset({only}), frozenset({(only, 1)}), frozenset({layer.id}))
+    assert is_possible(project, view_state, "shape.select_none")
+    ShapeVerbs(document, view_state).handlers()["shape.select_none"]()
+    assert (view_state.selection, view_state.layers) == (Selection(), frozenset())
+    assert not is_possible(project, view_state, "shape.select_none")
 
 
 def test_where_none_can_be_selected_it_is_said(document: Document, view_state: ViewState) -> None:
