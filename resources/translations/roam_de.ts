@@ -4698,6 +4698,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Getrackte Frames sind veraltet: Sie wurden auf anderen Bildern berechnet.</translation>
     </message>
     <message>
+        <source>Tracked frames of {names} are out of date: what hides what goes by the order in the list.</source>
+        <translation>Getrackte Frames von {names} sind veraltet: Was was verdeckt, richtet sich nach der Reihenfolge in der Liste.</translation>
+    </message>
+    <message>
         <source>Tracked frames of {names} are out of date: what is gone was a part of its object.</source>
         <translation>Getrackte Frames von {names} sind veraltet: Was gelöscht ist, war Teil desselben Objekts.</translation>
     </message>

@@ -8,6 +8,7 @@ from roam_core.roto import BlendMode, Layer, RotoShape, edit
 from roam_core.roto.layers import grouped, raised, ungrouped
 
 from ...model.document import Document
+from ...model.reasons import outdated_by
 from ...model.view_state import ViewState
 from ...translation import N_, tr
 from .shapes import NOTHING_SELECTED, rows_in_hand
@@ -38,8 +39,11 @@ class LayerVerbs:
             self._view.say(tr(NOTHING_SELECTED))
             return
         project, layer = grouped(self._document.project, chosen)
+        outdated = outdated_by(self._document.project, project)  # what lies between them lies below them now
         self._document.apply(tr("Group"), project)
         self._view.select(self._view.selection.shapes, layers=frozenset({layer.id}))
+        if outdated:
+            self._view.say(outdated)
 
     def ungroup(self) -> None:
         """Dissolve the selected layers, or those that hold the selected shapes; the shapes stay selected."""
@@ -73,7 +77,10 @@ class LayerVerbs:
             self._view.say(tr(NOTHING_SELECTED))
         elif after == project:
             self._view.say(tr("It lies on top already.") if step > 0 else tr("It lies at the bottom already."))
+        outdated = outdated_by(project, after)
         self._document.apply(tr("Restack"), after)
+        if outdated:
+            self._view.say(outdated)
 
     def _layers(self) -> frozenset[str]:
         """The selected layers that are still there."""
