@@ -249,7 +249,6 @@ class MainWindow(QMainWindow):
         view, reader, status = self.view_state, self.reader, self.status
         view.frame_changed.connect(lambda: reader.show(view.frame))
         self.belonging.changed.connect(self.canvas.update)
-        self.services.log_shown.connect(lambda: self.panel_column.ensureWidgetVisible(self.services.log_panel))
         self.edge_kinds.changed.connect(self.canvas.update)
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
