@@ -82,7 +82,7 @@ from . import layout, settings
 from .accessibility import Accessibility, name_parts
 from .context_menus import ContextMenus
 from .defects import Defects
-from .full_screen import FullScreen
+from .full_screen import FullScreen, Told
 from .second_view import second_viewer
 from .timeline_height import TimelineHeight
 from .undo_words import name_steps
@@ -210,6 +210,7 @@ class MainWindow(QMainWindow):
         self.accessibility = Accessibility(self.document, self.view_state, self.canvas, parts, self.playback)
         name_parts(self.timeline, self.history, self.shapes)
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
+        self.told = Told(self.status, actions["window.full_screen"], self.canvas)
         self.full_screen = FullScreen(
             self, actions["window.full_screen"], around, lambda: [*self.workspace.at_home, panels]
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
@@ -19,7 +19,7 @@ from .readout import Readout
 LEAST_SENTENCE, BAR_WIDTH, GAP = 100, 120, 12
 """Widths of the sentence, however narrow the window, and of the bar; between the parts: in widget units."""
 READING = 4000
-"""Milliseconds for which what is said while work is under way stands before the work is told again."""
+"""Milliseconds for which what is said stands where something else would take its place."""
 MEMORY = N_("memory {used} of {limit}")
 
 
@@ -53,6 +53,9 @@ class StatusBar(QWidget):
     button that stops it is always there, and nothing here makes the window wider. What is said meanwhile stands long
     enough to be read, while the bar goes on.
     """
+
+    said = Signal(str)
+    """The sentence is another one."""
 
     def __init__(self, view_state: ViewState, under_way: UnderWay, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -172,6 +175,7 @@ class StatusBar(QWidget):
         self.sentence.setText(text)
         self.sentence.setToolTip(text)
         self._fit()
+        self.said.emit(text)
 
     # ---- what has room
 
