@@ -204,8 +204,10 @@ class Workspace(QObject):
             part.show_action.setChecked(True)
 
     def _bring_in(self, part: Part) -> None:
-        """What is asked for is seen, also where the column of panels was away."""
+        """What is asked for is seen, also where it was folded, or the column of panels away."""
         if part.is_shown and not part.floats and part.column is not None:
+            if isinstance(part.widget, Panel):
+                part.widget.fold(False)
             self._actions["view.panels"].setChecked(True)
             QTimer.singleShot(0, part, part.come_into_sight)
 

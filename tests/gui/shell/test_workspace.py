@@ -15,6 +15,7 @@ from shiboken6 import isValid
 from app.shell.main_window import MainWindow
 from app.shell.workspace import Part
 from app.widgets.floating import FloatingWindow, in_reach
+from app.widgets.panel import Panel
 from tests.gui.windows import WAIT, opened_window
 
 PARTS = ("second_viewer", "timeline", "shapes", "track", "planar", "shape", "history", "log")
@@ -164,8 +165,10 @@ def test_a_monitor_that_is_gone_gives_its_windows_back(window: MainWindow, monke
 def test_a_panel_is_scrolled_to_where_it_is_asked_for_and_not_as_it_comes_back(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, action: str, name: str
 ) -> None:
-    """Also where the panels are away."""
+    """Also where it was folded, and the panels are away."""
     column, panel = window.panel_column, window.workspace.parts[name].widget
+    assert isinstance(panel, Panel)
+    panel.fold(True)
     window.resize(1100, 600)
     window.actions_by_id["view.panels"].trigger()
     assert not column.isVisible()
