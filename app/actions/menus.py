@@ -27,7 +27,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "points.delete", "shape.select_all", "points.select_all", "shape.select_none", "points.next",
         "points.previous", SEPARATOR,
         "points.soft", "points.lasso", SEPARATOR,
-        "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
+        "points.transform", "points.mirror_across", "points.mirror_down", "shape.raise", "shape.lower", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",
         "feather.reset", "feather.all_keys", SEPARATOR,
         "edit.keymap", "edit.settings",
@@ -41,7 +41,6 @@ MENUS: dict[str, tuple[str, ...]] = {
         "key.copy", "key.paste", "key.paste_range", "key.shift", SEPARATOR,
         "key.set", "key.set_points", "key.delete", "key.linear", "key.smooth", "key.hold", "key.tangents", SEPARATOR,
         "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
-        "shape.raise", "shape.lower", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
     ),
     N_("Track"): (
