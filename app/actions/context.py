@@ -28,7 +28,8 @@ _OF_SHAPES = (
     "track.forward", "track.backward", "track.fill", "track.delete_engine_keys", SEPARATOR,
     "edit.copy", "edit.cut", "shape.duplicate", "shape.delete", SEPARATOR,
     "points.toggle_closed", "shape.to_bezier", "shape.to_bspline", SEPARATOR,
-    "shape.group", "layer.ungroup", "object.one", "object.parts", SEPARATOR,
+    "shape.group", "layer.ungroup", "shape.raise", "shape.lower", SEPARATOR,
+    "object.one", "object.parts", SEPARATOR,
     "object.in_front", "object.behind", "object.as_stacked", SEPARATOR,
     "shape.lock", "shape.hide", "shape.show_all", SEPARATOR,
     "view.fit_selection", "view.shape_panel", "file.export_selected",
@@ -53,7 +54,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
     ),
     Place.SHAPE_ROW: _OF_SHAPES,
     Place.LAYER_ROW: (
-        "layer.ungroup", "layer.add", "shape.group", SEPARATOR,
+        "layer.ungroup", "layer.add", "shape.group", "shape.raise", "shape.lower", SEPARATOR,
         "track.forward", "track.backward", "planar.forward", "planar.backward", SEPARATOR,
         "edit.copy", "edit.cut", "shape.duplicate", "shape.delete", SEPARATOR,
         "shape.hide", "shape.show_all", SEPARATOR,

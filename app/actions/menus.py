@@ -14,7 +14,8 @@ RECENT = "menu.recent"
 MENUS: dict[str, tuple[str, ...]] = {
     N_("File"): (
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
-        "file.open_demo", "file.relink_clip", SEPARATOR,
+        "file.open_demo", SEPARATOR,
+        "file.clip_settings", "file.relink_clip", SEPARATOR,
         "file.save", "file.save_as", "file.recover", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
         "file.export", "file.export_selected", "file.export_nuke", "file.export_mattes", SEPARATOR,
@@ -23,9 +24,10 @@ MENUS: dict[str, tuple[str, ...]] = {
     N_("Edit"): (
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
-        "points.delete", "shape.select_all", "points.select_all", "points.next", "points.previous", SEPARATOR,
+        "points.delete", "shape.select_all", "points.select_all", "shape.select_none", "points.next",
+        "points.previous", SEPARATOR,
         "points.soft", "points.lasso", SEPARATOR,
-        "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
+        "points.transform", "points.mirror_across", "points.mirror_down", "shape.raise", "shape.lower", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",
         "feather.reset", "feather.all_keys", SEPARATOR,
         "edit.keymap", "edit.settings",
@@ -63,12 +65,13 @@ MENUS: dict[str, tuple[str, ...]] = {
         "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
         "view.full", "view.half", "view.quarter", SEPARATOR,
         "view.wipe", "view.pin", SEPARATOR,
-        "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,
+        "view.fit", "view.fit_selection", "view.actual_size", "view.zoom_in", "view.zoom_out", SEPARATOR,
         "time.previous", "time.next", "time.previous_key", "time.next_key", "time.first", "time.last", SEPARATOR,
         "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.play_slowly",
         "time.play_back_slowly", "time.loop", "time.ping_pong", SEPARATOR,
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
-        "view.fit_time", "view.tall_timeline", "view.curves", "view.shape_panel", "view.panels",
+        "view.fit_time", "view.zoom_in_time", "view.zoom_out_time", SEPARATOR,
+        "view.tall_timeline", "view.curves", "view.shape_panel", "view.panels",
     ),
     N_("Review"): (
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,

@@ -18,6 +18,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.open_project", N_("Open project…")),
     ActionSpec("file.open_demo", N_("Open the demo"), tip=N_("A short shot to try everything on")),
     ActionSpec("file.relink_clip", N_("Relink clip…"), tip=N_("Another version of the plate below the same shapes")),
+    ActionSpec(
+        "file.clip_settings", N_("Clip settings…"), tip=N_("Colours, layer, frames per second and pixels of the clip")
+    ),
     ActionSpec("file.save", N_("Save")),
     ActionSpec("file.save_as", N_("Save as…")),
     ActionSpec(
@@ -148,6 +151,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "shape.select_all", N_("Select all shapes"), _VIEWER, tip=N_("Select the shapes in sight that are not locked")
     ),
+    ActionSpec("shape.select_none", N_("Select nothing"), _VIEWER, tip=N_("Let go of all shapes, points and layers")),
     ActionSpec("shape.duplicate", N_("Duplicate"), _VIEWER, "duplicate"),
     ActionSpec("shape.group", N_("Group into a layer"), _VIEWER, "layer-add"),
     ActionSpec(
@@ -158,6 +162,8 @@ SPECS: tuple[ActionSpec, ...] = (
         N_("Dissolve the layer; its shapes stay as they are seen"),
     ),
     ActionSpec("layer.add", N_("New layer"), tip=N_("Add an empty layer, to drop shapes on")),
+    ActionSpec("shape.raise", N_("Raise"), _VIEWER, tip=N_("One place higher in the list: over what lies above")),
+    ActionSpec("shape.lower", N_("Lower"), _VIEWER, tip=N_("One place lower in the list: under what lies below")),
     ActionSpec(
         "shape.steady",
         N_("Steady the outline…"),
@@ -346,7 +352,11 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.fit", N_("Fit"), _VIEWER, "view-fit"),
     ActionSpec("view.fit_selection", N_("Frame selection"), _VIEWER),
     ActionSpec("view.actual_size", N_("100 %"), _VIEWER),
+    ActionSpec("view.zoom_in", N_("Zoom in"), _VIEWER, tip=N_("At the pointer, where it is over the viewer")),
+    ActionSpec("view.zoom_out", N_("Zoom out"), _VIEWER, tip=N_("At the pointer, where it is over the viewer")),
     ActionSpec("view.fit_time", N_("Fit time"), tip=N_("Show the whole clip in the timeline")),
+    ActionSpec("view.zoom_in_time", N_("Zoom time in"), tip=N_("Show fewer frames in the timeline")),
+    ActionSpec("view.zoom_out_time", N_("Zoom time out"), tip=N_("Show more frames in the timeline")),
     ActionSpec(
         "view.tall_timeline", N_("Tall timeline"), tip=N_("Give the timeline half of the window"), checkable=True
     ),

@@ -175,6 +175,8 @@ class CanvasView(PointedWidget):
             "view.fit": self.fit,
             "view.fit_selection": self.fit_selection,
             "view.actual_size": self.actual_size,
+            "view.zoom_in": self.zoom_in,
+            "view.zoom_out": self.zoom_out,
             **self.viewing.handlers(),
             **self.wipe.handlers(),
         }

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
-from PySide6.QtGui import QMouseEvent, QNativeGestureEvent, QResizeEvent, QWheelEvent
+from PySide6.QtGui import QCursor, QMouseEvent, QNativeGestureEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from ..paint.viewport import Viewport
 
 ZOOM_PER_NOTCH = 1.2
 """Scaling by one notch of a mouse wheel (120 eighths of a degree); trackpads send fractions of it."""
+
+NOTCHES_PER_PRESS = 2
+"""What a press of a key zooms by."""
 
 DETAIL_MARGIN = 96.0
 """Space around a framed detail, in widget units: a shape is judged with what lies about it."""
@@ -71,6 +74,14 @@ class ZoomableWidget(QWidget):
         """One device pixel for each image pixel, about the widget's middle."""
         whole = self._viewport.zoomed(1.0 / self.zoom, QRectF(self.rect()).center())
         self.set_viewport(whole.on_whole_pixels(self.devicePixelRatioF()))
+
+    def zoom_in(self, presses: int = 1) -> None:
+        """Zoom at the pointer, where it is over this, else at the middle; out for less than no presses."""
+        at = QPointF(self.mapFromGlobal(QCursor.pos())) if self.underMouse() else QRectF(self.rect()).center()
+        self.set_viewport(self._viewport.zoomed(ZOOM_PER_NOTCH ** (NOTCHES_PER_PRESS * presses), at))
+
+    def zoom_out(self) -> None:
+        self.zoom_in(-1)
 
     def set_viewport(self, viewport: Viewport) -> None:
         """Look through another viewport, no further aside than leaves a rim of the plate in sight."""

@@ -1,4 +1,7 @@
-"""The clip dialog: what was found out about a clip, with its first picture, before it opens; the artist may differ."""
+"""The clip dialog: what was found out about a clip, with its first picture, before it opens or while it is open.
+
+The artist may differ.
+"""
 
 from __future__ import annotations
 
@@ -30,6 +33,7 @@ from ..widgets.controls import dense_form, form_label, weak_label
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
+    from roam_core.roto import Clip
 
 COLOUR_WORDS = {SRGB: "sRGB", LINEAR: N_("Scene linear"), LOG: N_("Cineon log")}
 """What the spaces are called that are not OpenColorIO's."""
@@ -41,9 +45,11 @@ MOST_GAPS = 6
 class ClipDialog(QDialog):
     """What cannot be changed is told, what can be mistaken by a program may be set.
 
+    Of the project's clip it shows what holds for it now.
+
     Signals
     -------
-    chosen() : open it, as `layer`, `colour_space`, `fps` and `pixel_aspect` say.
+    chosen() : open it, or read it from now on, as `layer`, `colour_space`, `fps` and `pixel_aspect` say.
     layer_wanted(name) : look at the clip again, at this layer of its files; `take` shows what was found.
     """
 
@@ -53,7 +59,7 @@ class ClipDialog(QDialog):
     def __init__(self, found: FoundClip, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.found = found
-        self.setWindowTitle(tr("Open clip"))
+        self.setWindowTitle(tr("Open clip") if found.held is None else tr("Clip settings"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._build()
         self._lay_out()
@@ -80,35 +86,41 @@ class ClipDialog(QDialog):
 
     @property
     def fps(self) -> float:
-        """Frames per second; the files' own value where the field, which rounds, was left as it was."""
-        return _unless_changed(self.rate, self.found.source.fps)
+        """Frames per second; the clip's own value where the field, which rounds, was left as it was."""
+        return _unless_changed(self.rate, *(each.fps for each in self._known))
 
     @property
     def pixel_aspect(self) -> float:
-        return _unless_changed(self.aspect, self.found.source.pixel_aspect)
+        return _unless_changed(self.aspect, *(each.pixel_aspect for each in self._known))
 
     # ---- the rest is private
 
+    @property
+    def _known(self) -> tuple[Clip | PlateSource, ...]:
+        """What holds now, and what the files say."""
+        return tuple(filter(None, (self.found.held, self.found.source)))
+
     def _build(self) -> None:
-        source = self.found.source
+        source, now = self.found.source, self._known[0]
         self.picture = QLabel()
         self.picture.setFixedSize(PICTURE)
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.picture.setObjectName("plate")
         self.picture.setWordWrap(True)
         self.colours = QComboBox()
-        self._pull_colours(source.colour_space)
+        self._pull_colours(now.colour_space)
         self.colours.currentIndexChanged.connect(lambda _: self._pull_picture())
         self.layers = QComboBox()
         self.layers.addItems(list(source.layers))
         self.layers.setCurrentText(source.layer)
         self.layers.currentTextChanged.connect(self.layer_wanted)
         self.depth_told = QLabel(source.depth)
-        self.rate, self.aspect = _number(*SPEEDS, source.fps), _number(0.1, 10.0, source.pixel_aspect)
+        self.rate, self.aspect = _number(*SPEEDS, now.fps), _number(0.1, 10.0, now.pixel_aspect)
         self.aspect.valueChanged.connect(lambda _: self._pull_picture())
         self.asks_no_more = QCheckBox(tr("Open clips without asking from now on"))
+        self.asks_no_more.setVisible(self.found.held is None)
         button = QDialogButtonBox.StandardButton
-        self.buttons = QDialogButtonBox(button.Open | button.Cancel)
+        self.buttons = QDialogButtonBox(button.Cancel | (button.Open if self.found.held is None else button.Ok))
         self.buttons.accepted.connect(self._choose)
         self.buttons.rejected.connect(self.close)
 
@@ -156,7 +168,7 @@ class ClipDialog(QDialog):
         """The colour spaces to choose from, with `space` chosen."""
         with QSignalBlocker(self.colours):
             self.colours.clear()
-            for each in self.found.spaces:
+            for each in self.found.spaces if space in self.found.spaces else (*self.found.spaces, space):
                 word = tr(COLOUR_WORDS.get(each, each))
                 self.colours.addItem(
                     tr("{space} (found)", space=word) if each == self.found.source.colour_space else word, each
@@ -209,5 +221,5 @@ def _number(least: float, most: float, value: float) -> QDoubleSpinBox:
     return field
 
 
-def _unless_changed(field: QDoubleSpinBox, found: float) -> float:
-    return found if field.value() == round(found, field.decimals()) else field.value()
+def _unless_changed(field: QDoubleSpinBox, *known: float) -> float:
+    return next((each for each in known if field.value() == round(each, field.decimals())), field.value())

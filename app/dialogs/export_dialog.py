@@ -190,7 +190,7 @@ class ExportDialog(QDialog):
         self.in_out.clicked.connect(self._take_range)
         self.browse.clicked.connect(self._browse)
         self.start.clicked.connect(self._start)
-        self.stop.clicked.connect(self._export.stop)
+        self.stop.clicked.connect(lambda: self._export.stop(self._number))
         self.leave.clicked.connect(self.close)
         self._document.replaced.connect(self._pull_project)
         self._export.progress.connect(self._show_progress)

@@ -160,7 +160,7 @@ class Playback(QObject):
             return
         if not self._speed:
             self._rewind(forward=speed > 0)
-        self._speed = speed
+        self._speed, self._view.is_playing = speed, bool(speed)
         self._begin_here()
         if speed:
             self._timer.start(max(int(1000 / (self.fps * abs(speed)) / 2), 4))

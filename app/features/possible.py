@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from roam_core.roto import Origin, Project, RotoShape, Spline
+from roam_core.roto.layers import raised
 
 from ..model.view_state import ViewState, selected_shapes
 
@@ -16,6 +17,10 @@ def is_possible(project: Project, view: ViewState, action_id: str) -> bool:
     shapes = selected_shapes(project, view.selection)
     if action_id == "layer.ungroup":
         return bool(view.layers) or any(len(project.layers_above(shape.id)) > 1 for shape in shapes)
+    if (step := {"shape.raise": 1, "shape.lower": -1}.get(action_id)) is not None:
+        return raised(project, view.layers | view.selection.shapes, step) != project
+    if action_id == "shape.select_none":
+        return bool(view.layers or view.selection.shapes)
     if action_id == "shape.show_all":
         return any(not item.visible for item in project.root.items())
     test = _OF_SHAPES.get(action_id)

@@ -60,7 +60,7 @@ class Proposals(QObject):
         super().__init__(parent)
         self._document, self._view, self._propagation = document, view_state, propagation
         self._offers: dict[Place, Offer] = {}
-        self._path = document.path
+        self._path, self._begun = document.path, document.begun
         self.answers: dict[str, dict[str, str]] = {}
         """What was answered for good, by the project's file (empty: not saved yet) and the shape's id."""
         propagation.solved.connect(self.take)
@@ -218,10 +218,11 @@ class Proposals(QObject):
         return self.answers.setdefault(_name(self._path), {})
 
     def _begin_anew(self) -> None:
-        """Another project: its file has answers of its own."""
+        """Another project: its file has answers of its own. One with another clip is the same."""
         self._offers.clear()
+        is_other, self._begun = self._document.begun != self._begun, self._document.begun
         self._path = self._document.path
-        if self._path is None:
+        if self._path is None and is_other:
             self.answers.pop("", None)
         self.changed.emit()
 

@@ -84,6 +84,7 @@ class FileActions(QObject):
             "file.open_clip": self.open_clip,
             "file.open_movie": self.open_movie,
             "file.relink_clip": self.relink_clip,
+            "file.clip_settings": self.clip_settings,
             "file.open_project": self.open_project,
             "file.save": self.save,
             "file.save_as": self.save_as,
@@ -145,6 +146,16 @@ class FileActions(QObject):
         if path is not None:
             self.folders.note(Purpose.CLIP, path.parent)
             self._files.open_plate(path)
+
+    def clip_settings(self) -> None:
+        """Show what holds for the project's clip, where it may be changed."""
+        clip = self._document.project.clip
+        if clip is None:
+            self._view.say(tr("There is no clip yet; open one."))
+        elif self._files.lacks_plate:
+            self._view.say(tr("The plate of the project is not there: File > Relink clip says where it lies."))
+        else:
+            self._files.look_at(clip.path, clip.layer, clip)
 
     def open_project(self) -> None:
         path = questions.choose_project(self._window, self._start_folder(Purpose.PROJECT))
@@ -266,17 +277,21 @@ class FileActions(QObject):
                 return
         dialog = ClipDialog(found, self._window)
         dialog.chosen.connect(lambda: self._open_found(dialog))
-        dialog.layer_wanted.connect(lambda layer: self._files.look_at(found.path, layer))
+        dialog.layer_wanted.connect(lambda layer: self._files.look_at(found.path, layer, found.held))
         dialog.open()
 
     def _open_found(self, dialog: ClipDialog) -> None:
-        """Open the clip of the dialog as it is declared there."""
+        """Open the clip of the dialog, or read the project's, as it is declared there."""
         from roam_core.media import declared
 
         if dialog.asks_no_more.isChecked():
             self._personal.set_preferences(replace(self._personal.preferences, asks_about_clips=False))
         said = dialog.colour_space, dialog.fps, dialog.pixel_aspect
-        path, layer = dialog.found.path, dialog.layer
+        path, layer, held = dialog.found.path, dialog.layer, dialog.found.held
+        if held is not None:
+            if held == self._document.project.clip:
+                self._files.read_plate_as(layer, lambda source: declared(source, *said))
+            return
         self.leave_project(lambda: self._files.open_clip(path, lambda source: declared(source, *said), layer))
 
     def _open(self, path: Path | None) -> None:

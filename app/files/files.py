@@ -37,6 +37,7 @@ from .reading import (
     differences,
     gaps_of,
     plate_of,
+    read_as,
     read_project,
     version_of,
     with_numbers,
@@ -111,12 +112,15 @@ class Files(QObject):
         else:
             self.open_clip(path)
 
-    def look_at(self, path: Path, layer: str = "") -> None:
-        """Find out about a clip without opening it: about one of its layers, or the one that is found."""
+    def look_at(self, path: Path, layer: str = "", held: Clip | None = None) -> None:
+        """Find out about a clip without opening it: about one of its layers, or the one that is found.
+
+        `held` is the project's clip where it is that one.
+        """
 
         def work(report: Report) -> str:
             report.progress(0.0, tr("Looking at {name} …", name=path.name))
-            report.partial(looked_at(path, layer))
+            report.partial(looked_at(path, layer, held))
             return config_trouble()
 
         job = self._runner.start("look", work)
@@ -171,6 +175,20 @@ class Files(QObject):
             return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
 
         self._start(_reading(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting))
+
+    def read_plate_as(self, layer: str, declare: Callable[[PlateSource], PlateSource]) -> None:
+        """Take another layer of the project's plate, or what the artist declares of it, from now on.
+
+        All else stays. The project is to be saved where anything changed.
+        """
+        project, sitting = self._document.project, self._document.sitting
+
+        def take(found: Found | Holder) -> None:
+            if isinstance(found, Found) and found.project.clip != project.clip:
+                self._relink(found, sitting)
+
+        name = project.require_clip().name
+        self._start(_reading(tr("Opening {name} …", name=name), lambda: read_as(project, layer, declare)), take)
 
     def open_project(self, path: Path) -> None:
         """Open a project and its plate; without its plate it opens too, and says so.

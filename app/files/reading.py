@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
 from roam_core.propagate.shapes.departed import departed_settings
-from roam_core.roto import BlendMode, Clip, Project, edit, file
+from roam_core.roto import BlendMode, Clip, Origin, Project, edit, file
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
 from roam_core.roto.relinking import is_renumbered, open_plate, other_content, other_size, relinked
@@ -70,6 +70,24 @@ def version_of(clip: Clip, before: PlateSource | None, path: Path) -> PlateSourc
     if isinstance(before, DeclaredPlate):
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     return source
+
+
+def read_as(project: Project, layer: str, declare: Callable[[PlateSource], PlateSource]) -> Found:
+    """The project with the same plate, of which another layer is taken or something else is declared."""
+    from roam_core.media.colour_spaces import definition_of
+
+    held = project.require_clip()
+    source = declare(open_plate(replace(held, layer=layer)))
+    definition_of(source.colour_space)
+    now = Clip.of(source)
+    clip = replace(
+        held, size=now.size, layer=now.layer, colour_space=now.colour_space, fps=now.fps, pixel_aspect=now.pixel_aspect
+    )
+    sentence = tr("The clip is read so from now on; save to keep that.")
+    is_tracked = any(key.origin is Origin.ENGINE for shape in project.shapes for key in shape.keys)
+    if is_tracked and (clip.layer, clip.colour_space) != (held.layer, held.colour_space):
+        sentence += tr(" Tracked frames are out of date: they were found in other colours.")
+    return Found(replace(project, clip=clip), source, sentence if clip != held else "", is_unsaved=True)
 
 
 def demo_project(report: Report) -> tuple[Project, Any]:

@@ -56,8 +56,10 @@ class Export(QObject):
         super().__init__(parent)
         self._document, self._runner = document, runner
         self._may_overwrite, self._may_lose = may_overwrite, may_lose
-        self._jobs: list[Job] = []
-        """What is being written, and what waits for that."""
+        self._jobs: dict[Job, int] = {}
+        """What is being written, and what waits for that, with their numbers."""
+        self._begun: Job | None = None
+        """The one that is being written."""
         self.current = 0
 
     @property
@@ -97,7 +99,7 @@ class Export(QObject):
                 return ""
 
         def end(ending: Ending, sentence: str) -> None:
-            self._jobs.remove(job)
+            del self._jobs[job]
             is_asked = ending is Ending.DONE and bool(foreign or losses)
             if is_asked and foreign and self._may_overwrite(foreign):
                 self._start(replace(request, overwrites=True))
@@ -111,6 +113,9 @@ class Export(QObject):
                 if ending is Ending.DONE:
                     self.written.emit(request.path)
 
+        def begin() -> None:
+            self._begun = job
+
         def tell(fraction: float, text: str) -> None:
             self.current = request.number
             self.progress.emit(fraction, text)
@@ -121,7 +126,8 @@ class Export(QObject):
 
         # A kind of its own: what is being written goes on, and this one waits for it.
         job = self._runner.start(f"export {next(_numbers)}", work)
-        self._jobs.append(job)
+        self._jobs[job] = request.number
+        job.started.connect(begin)
         job.progress.connect(tell)
         job.partial.connect(note)
         job.ended.connect(end)
@@ -130,10 +136,14 @@ class Export(QObject):
     def is_writing(self) -> bool:
         return bool(self._jobs)
 
-    def stop(self) -> None:
-        """Stop all exports; files that are written whole stay."""
-        for job in self._jobs:
-            job.cancel()
+    def stop(self, number: int | None = None) -> None:
+        """Stop the export of that number, all for None; files that are written whole stay."""
+        for job, own in list(self._jobs.items()):
+            if number in (None, own):
+                if job is self._begun:
+                    job.cancel()
+                else:
+                    job.drop()  # what waits need not wait for that, too
 
     def _end(self, ending: Ending, sentence: str) -> None:
         stopped = sentence or tr("Export stopped; the files that are finished stay.")

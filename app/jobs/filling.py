@@ -1,4 +1,7 @@
-"""Filling as work for the solver's thread: the frames between artist keys, gap by gap; what is filled is not redone."""
+"""Filling as work for the solver's thread: the frames between artist keys, gap by gap; which fills wait for others.
+
+What is filled is not redone.
+"""
 
 from __future__ import annotations
 
@@ -48,6 +51,41 @@ class FillRequest:
     size: tuple[int, int] | None = None
     alone: bool = False
     processes: int = 1
+
+
+class WaitingFills:
+    """Fills that begin when the run under way has ended, in their order."""
+
+    def __init__(self) -> None:
+        self._fills: list[tuple[Sequence[str], Sequence[Gap], Callable[[Sequence[str], Sequence[Gap]], None]]] = []
+
+    def __bool__(self) -> bool:
+        return bool(self._fills)
+
+    def add(
+        self, shape_ids: Sequence[str], gaps: Sequence[Gap], begin: Callable[[Sequence[str], Sequence[Gap]], None]
+    ) -> None:
+        """Have a fill of these shapes wait, which `begin` begins."""
+        self._fills.append((shape_ids, gaps, begin))
+
+    def clear(self) -> None:
+        self._fills.clear()
+
+    def leave_out(self, shape_ids: Collection[str]) -> None:
+        """Fill these shapes no more: another run of them begins now."""
+        rest = [([each for each in ids if each not in shape_ids], gaps, begin) for ids, gaps, begin in self._fills]
+        self._fills = [fill for fill in rest if fill[0]]
+
+    def begin_next(self, project: Project) -> None:
+        """Begin the first one that is still wanted: none of its shapes is gone or locked, and gaps of it are there."""
+        while self._fills:
+            ids, gaps, begin = self._fills.pop(0)
+            if not all(project.has(shape_id) and not project.is_locked(shape_id) for shape_id in ids):
+                continue
+            there = gaps_of([shape for shape_id in ids if (shape := project.shape(shape_id)).closed])
+            if still := [gap for gap in gaps if gap in there]:
+                begin(ids, still)
+                return
 
 
 def gaps_of(shapes: Sequence[RotoShape]) -> list[Gap]:

@@ -10,6 +10,7 @@ from roam_core.errors import RoamError
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
+    from roam_core.roto import Clip
 
 LARGEST = (800, 450)
 """Width and height of the picture that is kept: sharp where half of it is shown, on screens of any density."""
@@ -17,7 +18,7 @@ LARGEST = (800, 450)
 
 @dataclass(frozen=True)
 class FoundClip:
-    """A clip that was looked at and is not open yet.
+    """A clip that was looked at: it is not open yet, or it is the one of the project, `held`.
 
     `picture` is its first frame `(h, w, 3)`, small, with the values of the files; None where that frame cannot be read,
     and `trouble` says why. `spaces` are the colour spaces that an artist may say it has.
@@ -28,21 +29,24 @@ class FoundClip:
     picture: Any
     spaces: tuple[str, ...]
     trouble: str = ""
+    held: Clip | None = None
 
 
-def looked_at(path: Path, layer: str = "") -> FoundClip:
+def looked_at(path: Path, layer: str = "", held: Clip | None = None) -> FoundClip:
     """Look at a clip: its headers and its first picture, of one layer of its files or of the one that is found.
+
+    Of several sequences in the folder of the project's clip, `held`, at that one.
 
     Raises `RoamError` when there is no clip at `path`, or no such layer.
     """
     from roam_core.media import open_clip
     from roam_core.media.colour_spaces import offered_spaces
 
-    source, spaces = open_clip(path, layer), offered_spaces()
+    source, spaces = open_clip(path, layer, held.content if held else ""), offered_spaces()
     try:
-        return FoundClip(path, source, _small(source.read(source.frames[0])), spaces)
+        return FoundClip(path, source, _small(source.read(source.frames[0])), spaces, held=held)
     except RoamError as error:
-        return FoundClip(path, source, None, spaces, str(error))
+        return FoundClip(path, source, None, spaces, str(error), held)
 
 
 def _small(picture: Any) -> Any:

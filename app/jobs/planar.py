@@ -149,7 +149,7 @@ class PlanarTrack(QObject):
             run.expected = layer.transform
             self._document.amend(tr("Planar track"), change, run.merge_key, keeps_undone=run.keeps_undone)
         run.reached = frame
-        if self._view.frame == run.shown_frame and not self._view.is_in_use:
+        if self._view.frame == run.shown_frame and not self._view.keeps_frame:
             run.shown_frame = frame
             self._view.set_frame(frame)
         if is_doubtful(found.confidence) and not run.warned:

@@ -20,7 +20,7 @@ from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
-from .filling import Filled, FillRequest, Gap, fill, gaps_of
+from .filling import Filled, FillRequest, Gap, WaitingFills, fill
 from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -65,8 +65,7 @@ class Propagation(QObject):
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
         self.processes = 1
         self._run: _Run | None = None
-        self._waiting: list[tuple[Sequence[str], Sequence[Gap], Callable[[Sequence[Gap]], None]]] = []
-        """Fills that begin when the one under way has ended: ids of their shapes, gaps, and what begins each."""
+        self._waiting = WaitingFills()
         self._memory = TrackMemory()
         # The very first frame compiles kernels, which nobody can interrupt: the artist need not wait for that.
         self._patience = QTimer(self, singleShot=True, interval=PATIENCE)
@@ -83,9 +82,10 @@ class Propagation(QObject):
     ) -> None:
         """Track shapes along `frames`: the first is where they start from, the step +1 or -1 the direction.
 
-        The others of their objects are solved with them, unless each is to be solved `alone`.
+        The others of their objects are solved with them, unless each is to be solved `alone`. It ends the run under
+        way; of the fills that wait those of other shapes begin after it.
         """
-        self.drop()
+        self._make_way(shape_ids)
         self._start_tracking(shape_ids, frames, config, f"track-{next(_run_numbers)}", alone=alone)
 
     def _start_tracking(
@@ -116,17 +116,23 @@ class Propagation(QObject):
         While other shapes are filled it waits for its turn.
         """
         keeps_undone = not self._document.undo_stack.canRedo()
-        begin = partial(self._start_filling, shape_ids, config, alone, keeps_undone)
+        begin = partial(self._start_filling, config, alone, keeps_undone)
         if self._run is not None and self._run.verb == FILL and not self._run.expected.keys() & set(shape_ids):
-            self._waiting.append((shape_ids, gaps, begin))
+            self._waiting.add(shape_ids, gaps, begin)
             names = _names([self._document.project.shape(shape_id) for shape_id in shape_ids])
             self._view.say(tr("Filling {names} begins when the fill under way has ended.", names=names))
             return
-        self.drop()
-        begin(gaps)
+        self._make_way(shape_ids)
+        begin(shape_ids, gaps)
+
+    def _make_way(self, shape_ids: Sequence[str]) -> None:
+        """End the run under way; of the fills that wait those of other shapes begin after the one that comes now."""
+        self._waiting.leave_out(shape_ids)
+        if self._run is not None:
+            self._run.job.drop()
 
     def _start_filling(
-        self, shape_ids: Sequence[str], config: str, alone: bool, keeps_undone: bool, gaps: Sequence[Gap]
+        self, config: str, alone: bool, keeps_undone: bool, shape_ids: Sequence[str], gaps: Sequence[Gap]
     ) -> None:
         project = self._document.project
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
@@ -142,15 +148,11 @@ class Propagation(QObject):
         run.keeps_undone = keeps_undone
 
     def _fill_next(self) -> None:
-        """Begin the fill that waits, of those gaps that are still there, where nothing else has begun."""
-        project = self._document.project
-        while self._waiting and self._run is None and self._runner.running("track") is None:
-            shape_ids, gaps, begin = self._waiting.pop(0)
-            if not all(project.has(shape_id) and not project.is_locked(shape_id) for shape_id in shape_ids):
-                continue
-            there = gaps_of([shape for shape_id in shape_ids if (shape := project.shape(shape_id)).closed])
-            if still := [gap for gap in gaps if gap in there]:
-                begin(still)
+        """Begin the fill that waits, after other work that has begun."""
+        if self._run is None and (other := self._runner.running("track")) is not None:
+            other.ended.connect(self._go_on)  # a planar track
+        elif self._run is None:
+            self._waiting.begin_next(self._document.project)
 
     def go_on_from(self, project: Project, frame: int, more: Sequence[str]) -> None:
         """Take a change on a frame just solved into the run and its undo step, and track on from there.
@@ -234,8 +236,8 @@ class Propagation(QObject):
         )
 
     def _follow(self, run: _Run, frame: int) -> None:
-        """Take the playhead along, unless the artist went to look at another frame, or drags or draws on this one."""
-        if self._view.frame == run.shown_frame and not self._view.is_in_use:
+        """Take the playhead along, unless the artist went to look at another frame, plays, or is busy on this one."""
+        if self._view.frame == run.shown_frame and not self._view.keeps_frame:
             run.shown_frame = frame
             self._view.set_frame(frame)
 
@@ -278,6 +280,10 @@ class Propagation(QObject):
             sentence = f"{sentence} {run.doubt_sentence()}".rstrip()
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
+        self._go_on()
+
+    def _go_on(self, *_: object) -> None:
+        """Fill what waits, once all have heard of what ended."""
         if self._waiting:
             QTimer.singleShot(0, self, self._fill_next)
 

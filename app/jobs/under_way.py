@@ -106,7 +106,7 @@ class UnderWay(QObject):
             self.progress.emit(fraction, text)
 
     def _end(self, index: int, ending: Ending, sentence: str) -> None:
-        if index in self._running:
+        if index in self._running and not self._writes(index):  # others of its files may still be written
             self._running.remove(index)
             self.changed.emit()
         self.ended.emit(ending, sentence)

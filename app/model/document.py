@@ -48,6 +48,8 @@ class Document(QObject):
         self.path: Path | None = None
         self.sitting = 0
         """How often another project was shown: what was begun before is not about this one."""
+        self.begun = 0
+        """How often another project was opened or begun: one with another clip is the same."""
         self.fingerprint: Fingerprint | None = None
         """Of the file when it was read or saved last; None where there is none."""
         self.undo_stack = QUndoStack(self)
@@ -102,6 +104,7 @@ class Document(QObject):
 
     def open(self, project: Project, path: Path | None, fingerprint: Fingerprint | None = None) -> None:
         """Show another project; the undo stack starts anew."""
+        self.begun += 1
         self._replace(project, project, Beginning.on_file(project, path, fingerprint))
 
     def recover(
@@ -115,6 +118,7 @@ class Document(QObject):
 
         `fingerprint` is that of the file which the work builds on, `follows` the journal that it comes from.
         """
+        self.begun += 1
         self._replace(project, Project(), Beginning(project, path, fingerprint, follows=follows))
 
     def relink(self, clip: Clip) -> None:

@@ -62,8 +62,8 @@ def keys_beside(shapes: Iterable[RotoShape], clip: Clip, before: Clip | None = N
 
 
 def outdated_by(before: Project, after: Project) -> str:
-    """A sentence where shapes that an edit added or deleted made tracked frames of others stale, of whose objects they
-    are, or were, parts.
+    """A sentence where an edit made tracked frames of shapes stale that it left alone: it added or deleted parts of
+    their objects, or stacked them otherwise.
 
     Empty where no shape that the edit left alone has tracked frames that held `before` and do not `after`.
     """
@@ -77,7 +77,12 @@ def outdated_by(before: Project, after: Project) -> str:
     if not names:
         return ""
     told = ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")
-    if there.keys() <= {shape.id for shape in before.shapes}:
+    ids = {shape.id for shape in before.shapes}
+    if there.keys() == ids:
+        return tr(
+            "Tracked frames of {names} are out of date: what hides what goes by the order in the list.", names=told
+        )
+    if there.keys() <= ids:
         return tr("Tracked frames of {names} are out of date: what is gone was a part of its object.", names=told)
     return tr(
         "Tracked frames of {names} are out of date: what is new lies on it and counts as a part of its object. Move it "

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from roam_core.roto import Project, RotoShape
 
@@ -46,7 +46,10 @@ class ViewState(QObject):
         self._preview: Project | None = None
         self._is_hand_busy: Callable[[], bool] = lambda: False
         self._range = (1, 2)
+        self.is_playing = False
+        """Whether the clip is played: the playhead goes its own way."""
         self._message = self._hint = self._advice = ""
+        self._is_said_just_now = False
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
@@ -115,8 +118,13 @@ class ViewState(QObject):
 
     @property
     def is_in_use(self) -> bool:
-        """Whether the artist drags or draws something on the frame that is shown: no run takes it away."""
+        """Whether the artist drags or draws something on the frame that is shown."""
         return self._preview is not None or self._is_hand_busy()
+
+    @property
+    def keeps_frame(self) -> bool:
+        """Whether no run takes the playhead along: the artist is busy on the frame that is shown, or plays."""
+        return self.is_playing or self.is_in_use
 
     def ask_hand(self, is_busy: Callable[[], bool]) -> None:
         """Let `is_busy()` tell whether a tool has something half done in the picture."""
@@ -155,12 +163,26 @@ class ViewState(QObject):
     def say(self, sentence: str) -> None:
         """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
         self._message = told(sentence, self._keymap)
+        self._is_said_just_now = True
+        QTimer.singleShot(0, self, self._age)
         self.message_changed.emit()
 
     def advise(self, sentence: str) -> None:
         """Tell what to do next with the shapes that are selected; when others are, it goes."""
         self.say(sentence)
         self._advice = self._message
+
+    def go_on(self) -> None:
+        """The artist edits something: what was told of something before that goes.
+
+        The tool's hint and advice stay, and so does what was said just now, or while that was dragged.
+        """
+        is_of_before = not self._is_said_just_now and self._preview is None
+        if is_of_before and self._message not in (self._hint, self._advice):
+            self.say(self._hint)
+
+    def _age(self) -> None:
+        self._is_said_just_now = False
 
     def say_hint(self, hint: str) -> None:
         """Tell what the tool in the hand expects, in place of the last tool's hint, which goes also where `hint` is

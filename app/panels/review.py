@@ -11,7 +11,6 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QPlainTextEdit,
-    QScrollArea,
     QToolButton,
     QTreeWidget,
     QTreeWidgetItem,
@@ -89,9 +88,6 @@ class ReviewPanel(QWidget):
         for signal in (document.changed, document.replaced, view_state.selection_changed, self._boil.changed):
             signal.connect(self._pull_soon)
         view_state.frame_changed.connect(self._pull_frame)
-        # Only where it was asked for: what comes back with the layout at the start leaves the column at its top.
-        for name in ("review.panel", "window.float_review"):
-            actions[name].triggered.connect(lambda _: QTimer.singleShot(0, self, self._come_into_sight))
         self._pull_list()
 
     @property
@@ -131,14 +127,6 @@ class ReviewPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._pull_list()
-
-    def _come_into_sight(self) -> None:
-        """Scroll the column of panels, which may be longer than the window is high, to the panel in its new place."""
-        above = self.parentWidget()
-        while above is not None and not isinstance(above, QScrollArea):
-            above = above.parentWidget()
-        if above is not None and self.isVisible():
-            above.ensureWidgetVisible(self)
 
     def _pull_soon(self, _ids: object = None) -> None:
         """Once for all that changes at one time, and not while nobody looks."""

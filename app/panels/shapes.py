@@ -27,6 +27,7 @@ from ..actions.keymaps import told
 from ..actions.viewer_actions import ActionsById
 from ..features.verbs.shapes import delete, toggle
 from ..model.document import Document
+from ..model.reasons import outdated_by
 from ..model.view_state import ViewState
 from ..translation import N_, tr
 
@@ -235,12 +236,16 @@ class ShapeTree(QTreeWidget):
         target = self.itemAt(event.position().toPoint())
         event.setDropAction(Qt.DropAction.IgnoreAction)
         event.accept()
+        project = self._document.project
         try:
-            self._document.apply(
-                tr("Restack"), moved(self._document.project, self.selected_ids(), *self._place(target))
-            )
+            after = moved(project, self.selected_ids(), *self._place(target))
         except RoamError as error:
             self._view.say(str(error))
+            return
+        outdated = outdated_by(project, after)
+        self._document.apply(tr("Restack"), after)
+        if outdated:
+            self._view.say(outdated)
 
     def _place(self, target: QTreeWidgetItem | None) -> tuple[str, int]:
         """The layer and the index in it (0 = bottom) that a drop means."""

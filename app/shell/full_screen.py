@@ -4,9 +4,51 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QLabel, QWidget
+
+from .. import style
+from ..panels.bars.status import READING, StatusBar
+
+
+class Told(QLabel):
+    """What the status bar says, over the lower edge of the viewer while `action` shows that alone: until it is read."""
+
+    def __init__(self, status: StatusBar, action: QAction, viewer: QWidget) -> None:
+        super().__init__(viewer)
+        self._action, self._viewer = action, viewer
+        self.setObjectName("told")
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setWordWrap(True)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.hide()
+        self.reading = QTimer(self, singleShot=True, interval=READING)
+        self.reading.timeout.connect(self.hide)
+        status.said.connect(self._tell)
+        action.toggled.connect(self.hide)
+        viewer.installEventFilter(self)
+
+    def _tell(self, text: str) -> None:
+        if not text or not self._action.isChecked():
+            self.hide()
+            return
+        self.setText(text)
+        self._place()
+        self.show()
+        self.raise_()
+        self.reading.start()
+
+    def _place(self) -> None:
+        margin, room = 2 * style.MARGIN, self._viewer.width() - 4 * style.MARGIN
+        width = min(self.fontMetrics().horizontalAdvance(self.text()) + margin, room)
+        height = self.heightForWidth(width)
+        self.setGeometry((self._viewer.width() - width) // 2, self._viewer.height() - height - margin, width, height)
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        if event.type() is QEvent.Type.Resize and self.isVisible():
+            self._place()
+        return False
 
 
 class FullScreen(QObject):

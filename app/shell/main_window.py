@@ -82,7 +82,7 @@ from . import layout, settings
 from .accessibility import Accessibility, name_parts
 from .context_menus import ContextMenus
 from .defects import Defects
-from .full_screen import FullScreen
+from .full_screen import FullScreen, Told
 from .second_view import second_viewer
 from .timeline_height import TimelineHeight
 from .undo_words import name_steps
@@ -171,12 +171,12 @@ class MainWindow(QMainWindow):
         )
         self.status = StatusBar(view_state, self.under_way)
         self.status.add(Readout(self.canvas), ModeBar(view_state, actions))
+        self.status.follow(document)
         self._build_surroundings(actions)
 
     def _build_surroundings(self, actions: Actions) -> None:
         """What lies around the work: dialogs, the start page, and what is there for bad days."""
-        document, view_state = self.document, self.view_state
-        files, file_actions = self.files, self.file_actions
+        document, view_state, files, file_actions = self.document, self.view_state, self.files, self.file_actions
         messages = MessageLog(view_state, self.under_way, self)
         self.services = WindowServices(actions, view_state, messages, self.personal, self)
         about = document, view_state, files, file_actions
@@ -210,6 +210,7 @@ class MainWindow(QMainWindow):
         self.accessibility = Accessibility(self.document, self.view_state, self.canvas, parts, self.playback)
         name_parts(self.timeline, self.history, self.shapes)
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
+        self.told = Told(self.status, actions["window.full_screen"], self.canvas)
         self.full_screen = FullScreen(
             self, actions["window.full_screen"], around, lambda: [*self.workspace.at_home, panels]
         )
@@ -249,7 +250,6 @@ class MainWindow(QMainWindow):
         view, reader, status = self.view_state, self.reader, self.status
         view.frame_changed.connect(lambda: reader.show(view.frame))
         self.belonging.changed.connect(self.canvas.update)
-        self.services.log_shown.connect(lambda: self.panel_column.ensureWidgetVisible(self.services.log_panel))
         self.edge_kinds.changed.connect(self.canvas.update)
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
@@ -295,7 +295,6 @@ class MainWindow(QMainWindow):
             "file.quit": self.close,
             "shape.delete": self._delete_in_list,
             "track.stop": self.under_way.stop_by_key,
-            "view.fit_time": self.timeline.axis.fit,
             "view.shape_panel": self._show_shape_panel,
         }
         for part in (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from ..actions.actions import Actions
@@ -21,14 +21,7 @@ from ..widgets.panel import Panel
 
 
 class WindowServices(QObject):
-    """Makes each of them once, or anew where it is deleted on closing; they lie over `parent`.
-
-    Signals
-    -------
-    log_shown() : the messages are open, and have their place.
-    """
-
-    log_shown = Signal()
+    """Makes each of them once, or anew where it is deleted on closing; they lie over `parent`."""
 
     def __init__(
         self, actions: Actions, view_state: ViewState, messages: MessageLog, personal: Personal, parent: QWidget
@@ -38,7 +31,6 @@ class WindowServices(QObject):
         self.palette = Palette(parent, actions, view_state)
         self.log = LogPanel(messages)
         self.log_panel = Panel(tr("Messages"), self.log, self.log.tools)
-        actions["help.log"].toggled.connect(self._show_log)
         self._editor: KeymapEditor | None = None
         self._settings: SettingsDialog | None = None
 
@@ -66,7 +58,3 @@ class WindowServices(QObject):
             self._settings.keys_asked.connect(self.edit_keys)
         self._settings.show()
         self._settings.activateWindow()
-
-    def _show_log(self, is_shown: bool) -> None:
-        if is_shown:  # once it has its place: the column may be longer than the window is high
-            QTimer.singleShot(0, self, self.log_shown.emit)

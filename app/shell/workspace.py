@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEvent, QObject, QRect, QSize, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QRect, QSize, QTimer
 from PySide6.QtGui import QAction, QGuiApplication
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtWidgets import QScrollArea, QSplitter, QWidget
 
 from ..actions.actions import Actions
 from ..widgets.floating import FloatingWindow, in_reach, monitors
@@ -83,6 +83,20 @@ class Part(QObject):
             if isinstance(on := kept.get(name), bool):
                 action.setChecked(on)
 
+    @property
+    def column(self) -> QScrollArea | None:
+        """What scrolls where the part lies now: the column of panels may be longer than the window is high."""
+        above = self.widget.parentWidget()
+        while above is not None and not isinstance(above, QScrollArea):
+            above = above.parentWidget()
+        return above
+
+    def come_into_sight(self) -> None:
+        """Scroll to the part in its place."""
+        if self.column is not None and self.widget.isVisible():
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)  # it has its place from now on
+            self.column.ensureWidgetVisible(self.widget)
+
     def bring_into_reach(self) -> None:
         """Where its monitor is gone, come back to the main window's."""
         if self.window is not None:
@@ -140,6 +154,9 @@ class Workspace(QObject):
         self._follows.append(follow)
         show_action.toggled.connect(lambda _: follow())
         float_action.toggled.connect(lambda on: self._float(part, follow) if on else follow())
+        # Only where it was asked for: what comes back with the layout at the start leaves the column at its top.
+        for action in (show_action, float_action):
+            action.triggered.connect(lambda _: self._bring_in(part))
         if isinstance(widget, Panel):
             widget.float_with(float_action)
         follow()
@@ -185,6 +202,14 @@ class Workspace(QObject):
             follow()
         else:
             part.show_action.setChecked(True)
+
+    def _bring_in(self, part: Part) -> None:
+        """What is asked for is seen, also where it was folded, or the column of panels away."""
+        if part.is_shown and not part.floats and part.column is not None:
+            if isinstance(part.widget, Panel):
+                part.widget.fold(False)
+            self._actions["view.panels"].setChecked(True)
+            QTimer.singleShot(0, part, part.come_into_sight)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() is QEvent.Type.Show and not event.spontaneous():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
@@ -56,6 +57,19 @@ class TimeAxis(QObject):
 
     def fit(self) -> None:
         self.set_scale(self._scale.fitted())
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "view.fit_time": self.fit,
+            "view.zoom_in_time": lambda: self._zoom_at_playhead(ZOOM),
+            "view.zoom_out_time": lambda: self._zoom_at_playhead(1 / ZOOM),
+        }
+
+    def _zoom_at_playhead(self, factor: float) -> None:
+        """Zoom with the playhead held in place; one that is out of sight comes in."""
+        scale, frame = self._scale.showing(self.view_state.frame), self.view_state.frame
+        self.set_scale(scale.zoomed(factor, scale.x(frame)).showing(frame))
 
     # ---- gestures, the same in ruler and rows
 

@@ -125,7 +125,7 @@ class Timeline(QWidget):
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
-        own = {"view.fit_time": self.axis.fit} | self.verbs.handlers() | self.mark_verbs.handlers()
+        own = self.axis.handlers() | self.verbs.handlers() | self.mark_verbs.handlers()
         return own | self.value_rows.verbs.handlers()
 
     def taking_over(self, handlers: Mapping[str, Callable[[], object]]) -> dict[str, Callable[[], object]]:

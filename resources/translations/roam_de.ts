@@ -47,6 +47,10 @@
         <translation> MB</translation>
     </message>
     <message>
+        <source> Tracked frames are out of date: they were found in other colours.</source>
+        <translation> Getrackte Frames sind veraltet: Sie wurden in anderen Farben gefunden.</translation>
+    </message>
+    <message>
         <source> and </source>
         <translation> und </translation>
     </message>
@@ -487,6 +491,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Im Hilfemenü angefordert; kein Fehler wurde festgestellt.</translation>
     </message>
     <message>
+        <source>At the pointer, where it is over the viewer</source>
+        <translation>Am Zeiger, wo er über dem Viewer steht</translation>
+    </message>
+    <message>
         <source>Attach to neighbours</source>
         <translation>An Nachbarn hängen</translation>
     </message>
@@ -743,6 +751,14 @@ Jetzt: {level}, {changes}</translation>
         <translation>Objekt anklicken oder einrahmen, um es zu finden; Eingabe findet das Markierte.</translation>
     </message>
     <message>
+        <source>Clip settings</source>
+        <translation>Clip-Einstellungen</translation>
+    </message>
+    <message>
+        <source>Clip settings…</source>
+        <translation>Clip-Einstellungen…</translation>
+    </message>
+    <message>
         <source>Clips</source>
         <translation>Clips</translation>
     </message>
@@ -773,6 +789,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Colour {number}</source>
         <translation>Farbe {number}</translation>
+    </message>
+    <message>
+        <source>Colours, layer, frames per second and pixels of the clip</source>
+        <translation>Farben, Ebene, Frames pro Sekunde und Pixel des Clips</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -1931,6 +1951,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Es verbindet weiche Kanten wie ältere Versionen (Plus), damit die Mattes bleiben, wie sie waren; Addieren im Formbereich verbindet sie wie in anderen Programmen.</translation>
     </message>
     <message>
+        <source>It lies at the bottom already.</source>
+        <translation>Liegt schon ganz unten.</translation>
+    </message>
+    <message>
+        <source>It lies on top already.</source>
+        <translation>Liegt schon ganz oben.</translation>
+    </message>
+    <message>
         <source>It never varies. Click to set a key on this frame</source>
         <translation>Ändert sich nie. Klicken setzt einen Keyframe auf diesem Frame</translation>
     </message>
@@ -2124,6 +2152,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Diese Aktion ohne Taste lassen</translation>
     </message>
     <message>
+        <source>Let go of all shapes, points and layers</source>
+        <translation>Alle Formen, Punkte und Ebenen loslassen</translation>
+    </message>
+    <message>
         <source>Let parts hang by joints on those that they overlap</source>
         <translation>Teile mit Gelenken an die hängen, die sie überlappen</translation>
     </message>
@@ -2190,6 +2222,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Loop</source>
         <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>Luminance</source>
@@ -2755,6 +2791,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Einer auf jedem Frame</translation>
     </message>
     <message>
+        <source>One place higher in the list: over what lies above</source>
+        <translation>Einen Platz höher in der Liste: über das, was darüber liegt</translation>
+    </message>
+    <message>
+        <source>One place lower in the list: under what lies below</source>
+        <translation>Einen Platz tiefer in der Liste: unter das, was darunter liegt</translation>
+    </message>
+    <message>
         <source>Onion skin</source>
         <translation>Zwiebelhaut</translation>
     </message>
@@ -3257,6 +3301,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>ROAM-Projekte (*.roam)</translation>
     </message>
     <message>
+        <source>Raise</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
         <source>Range</source>
         <translation>Bereich</translation>
     </message>
@@ -3557,6 +3605,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Formen, Punkte und Tangenten auswählen und ziehen</translation>
     </message>
     <message>
+        <source>Select nothing</source>
+        <translation>Nichts auswählen</translation>
+    </message>
+    <message>
         <source>Select points with a lasso</source>
         <translation>Punkte mit einem Lasso auswählen</translation>
     </message>
@@ -3739,12 +3791,20 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Jeden Schritt zeigen und zu jedem zurückgehen</translation>
     </message>
     <message>
+        <source>Show fewer frames in the timeline</source>
+        <translation>Weniger Frames in der Zeitleiste zeigen</translation>
+    </message>
+    <message>
         <source>Show joints</source>
         <translation>Gelenke zeigen</translation>
     </message>
     <message>
         <source>Show layer</source>
         <translation>Ebene einblenden</translation>
+    </message>
+    <message>
+        <source>Show more frames in the timeline</source>
+        <translation>Mehr Frames in der Zeitleiste zeigen</translation>
     </message>
     <message>
         <source>Show or hide</source>
@@ -4095,6 +4155,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Der Clip endet hier: Es gibt keinen Frame, zu dem getrackt werden könnte.</translation>
     </message>
     <message>
+        <source>The clip is read so from now on; save to keep that.</source>
+        <translation>Der Clip wird von jetzt an so gelesen; speichern, um das zu behalten.</translation>
+    </message>
+    <message>
         <source>The clip {path} is {size} now; the project was made for {before}. Put the old clip back, or open the project and choose another.</source>
         <translation>Der Clip {path} ist jetzt {size}; das Projekt entstand für {before}. Den alten Clip zurücklegen oder das Projekt öffnen und einen anderen wählen.</translation>
     </message>
@@ -4349,6 +4413,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Plate ist jetzt {name}; durch Speichern bleibt das so.</translation>
     </message>
     <message>
+        <source>The plate of the project is not there: File &gt; Relink clip says where it lies.</source>
+        <translation>Die Plate des Projekts ist nicht da: Datei &gt; Clip neu verknüpfen sagt, wo sie liegt.</translation>
+    </message>
+    <message>
         <source>The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to date if you shift them now; with Shape &gt; Shift in time later they do not.</source>
         <translation>Die Plate zeigt dieselben Bilder, jetzt ab {now} nummeriert statt ab {before}. Jetzt verschoben bleiben getrackte Frames aktuell; später mit Form &gt; Zeitlich verschieben nicht.</translation>
     </message>
@@ -4439,6 +4507,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is a file of that name in {folder}, now that {suffix} is added to it. It would be lost.</source>
         <translation>Mit dem ergänzten {suffix} gibt es in {folder} schon eine Datei dieses Namens. Sie ginge verloren.</translation>
+    </message>
+    <message>
+        <source>There is no clip yet; open one.</source>
+        <translation>Es gibt noch keinen Clip; einen öffnen.</translation>
     </message>
     <message>
         <source>There is no closed shape yet</source>
@@ -4624,6 +4696,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Tracked frames are out of date: they were solved on other pictures.</source>
         <translation>Getrackte Frames sind veraltet: Sie wurden auf anderen Bildern berechnet.</translation>
+    </message>
+    <message>
+        <source>Tracked frames of {names} are out of date: what hides what goes by the order in the list.</source>
+        <translation>Getrackte Frames von {names} sind veraltet: Was was verdeckt, richtet sich nach der Reihenfolge in der Liste.</translation>
     </message>
     <message>
         <source>Tracked frames of {names} are out of date: what is gone was a part of its object.</source>
@@ -4921,6 +4997,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Am Zeiger zoomen</translation>
     </message>
     <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Zoom time in</source>
+        <translation>Zeit vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom time out</source>
+        <translation>Zeit verkleinern</translation>
+    </message>
+    <message>
         <source>a feather of about {width}, which is a blur</source>
         <translation>eine weiche Kante von etwa {width}, als Unschärfe</translation>
     </message>
@@ -5057,6 +5149,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>zwischenablage roto node skript export</translation>
     </message>
     <message>
+        <source>closer magnify larger enlarge</source>
+        <translation>zoom näher größer lupe hineinzoomen</translation>
+    </message>
+    <message>
         <source>color rgb all channels</source>
         <translation>farbe rgb alle kanäle</translation>
     </message>
@@ -5145,6 +5241,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>tiefe reihenfolge verdeckung unter hinter z</translation>
     </message>
     <message>
+        <source>deselect unselect clear selection</source>
+        <translation>abwählen auswahl aufheben</translation>
+    </message>
+    <message>
         <source>dissolve unparent folder</source>
         <translation>auflösen lösen ordner</translation>
     </message>
@@ -5179,6 +5279,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>exit close leave</source>
         <translation>schließen verlassen ende</translation>
+    </message>
+    <message>
+        <source>farther smaller reduce</source>
+        <translation>zoom ferner kleiner herauszoomen</translation>
     </message>
     <message>
         <source>feather</source>
@@ -5307,6 +5411,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>interpolation easing ease step constant freeze</source>
         <translation>interpolation stufe konstant einfrieren</translation>
+    </message>
+    <message>
+        <source>interpret footage colourspace fps frame rate pixel aspect channel read properties</source>
+        <translation>Footage interpretieren Farbraum fps Bildrate Pixelseitenverhältnis Ebene lesen Eigenschaften</translation>
     </message>
     <message>
         <source>inversion</source>
@@ -5499,6 +5607,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>open on {host} by {user} since {when} (process {process})</source>
         <translation>auf {host} von {user} seit {when} geöffnet (Prozess {process})</translation>
+    </message>
+    <message>
+        <source>order stack bring forward to front up above restack arrange</source>
+        <translation>Reihenfolge Stapel in den Vordergrund heben darüber anordnen</translation>
+    </message>
+    <message>
+        <source>order stack send backward to back down below restack arrange</source>
+        <translation>Reihenfolge Stapel in den Hintergrund senken darunter anordnen</translation>
     </message>
     <message>
         <source>out</source>
@@ -5799,6 +5915,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>thrown away</source>
         <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>timeline dopesheet closer magnify</source>
+        <translation>zoom zeitleiste näher hineinzoomen</translation>
+    </message>
+    <message>
+        <source>timeline dopesheet farther</source>
+        <translation>zoom zeitleiste ferner herauszoomen</translation>
     </message>
     <message>
         <source>to</source>

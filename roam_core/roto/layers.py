@@ -145,6 +145,26 @@ def moved(project: Project, item_ids: Collection[str], layer_id: str, index: int
     return after
 
 
+def raised(project: Project, item_ids: Collection[str], step: int) -> Project:
+    """Put layers and shapes one place higher (`step` 1) or lower (-1) in the layer that holds each.
+
+    What lies at the end of it stays, and what is moved with others passes none of them.
+    """
+    ids = top_items(project, item_ids)
+    for holder in {project.layers_above(item_id)[-1].id for item_id in ids}:
+        project = project.map_item(holder, lambda layer: replace(layer, children=_passed(layer.children, ids, step)))
+    return project
+
+
+def _passed(items: tuple[Item, ...], ids: Collection[str], step: int) -> tuple[Item, ...]:
+    """The items, those of `ids` each with the next one in the direction of `step` in its place."""
+    order = list(items[::-step])  # the one that nothing lets pass comes first
+    for place in range(1, len(order)):
+        if order[place].id in ids and order[place - 1].id not in ids:
+            order[place - 1], order[place] = order[place], order[place - 1]
+    return tuple(order[::-step])
+
+
 def _placement(project: Project, shape_id: str) -> Placement:
     return project.placement_in(project.layers_above(shape_id)[-1].id)
 

@@ -1,16 +1,17 @@
-"""What menus and keys do to layers: grouping, dissolving, adding; and to the motion of layers."""
+"""What menus and keys do to layers: grouping, dissolving, adding; and to the order in which they and shapes lie."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from roam_core.roto import BlendMode, Layer, RotoShape, edit
-from roam_core.roto.layers import grouped, ungrouped
+from roam_core.roto.layers import grouped, raised, ungrouped
 
 from ...model.document import Document
+from ...model.reasons import outdated_by
 from ...model.view_state import ViewState
 from ...translation import N_, tr
-from .shapes import NOTHING_SELECTED
+from .shapes import NOTHING_SELECTED, rows_in_hand
 
 NO_LAYER = N_("Select a layer first: click it in the list of shapes.")
 
@@ -23,7 +24,13 @@ class LayerVerbs:
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
-        return {"shape.group": self.group, "layer.ungroup": self.ungroup, "layer.add": self.add}
+        return {
+            "shape.group": self.group,
+            "layer.ungroup": self.ungroup,
+            "layer.add": self.add,
+            "shape.raise": lambda: self.restack(1),
+            "shape.lower": lambda: self.restack(-1),
+        }
 
     def group(self) -> None:
         """Put the selected layers and shapes into a new layer, which is then selected."""
@@ -32,8 +39,11 @@ class LayerVerbs:
             self._view.say(tr(NOTHING_SELECTED))
             return
         project, layer = grouped(self._document.project, chosen)
+        outdated = outdated_by(self._document.project, project)  # what lies between them lies below them now
         self._document.apply(tr("Group"), project)
         self._view.select(self._view.selection.shapes, layers=frozenset({layer.id}))
+        if outdated:
+            self._view.say(outdated)
 
     def ungroup(self) -> None:
         """Dissolve the selected layers, or those that hold the selected shapes; the shapes stay selected."""
@@ -58,6 +68,19 @@ class LayerVerbs:
         project, layer = edit.add_layer(project, parent_id=inside[0] if len(inside) == 1 else project.root.id)
         self._document.apply(tr("New layer"), project)
         self._view.select(frozenset(), layers=frozenset({layer.id}))
+
+    def restack(self, step: int) -> None:
+        """Put the selected layers and shapes one place higher (1) or lower (-1) in what holds them."""
+        project, rows = self._document.project, rows_in_hand(self._document.project, self._view)
+        after = raised(project, rows, step)
+        if not rows:
+            self._view.say(tr(NOTHING_SELECTED))
+        elif after == project:
+            self._view.say(tr("It lies on top already.") if step > 0 else tr("It lies at the bottom already."))
+        outdated = outdated_by(project, after)
+        self._document.apply(tr("Restack"), after)
+        if outdated:
+            self._view.say(outdated)
 
     def _layers(self) -> frozenset[str]:
         """The selected layers that are still there."""

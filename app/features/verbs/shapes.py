@@ -30,6 +30,7 @@ class ShapeVerbs:
         """What the actions of this part call, by id."""
         return {
             "shape.select_all": self.select_all,
+            "shape.select_none": self.select_none,
             "shape.duplicate": self.duplicate,
             "shape.lock": self.toggle_lock,
             "shape.hide": self.hide,
@@ -46,6 +47,10 @@ class ShapeVerbs:
         if not shapes:
             self._view.say(tr("No shape is in sight here that could be selected; show or unlock some."))
         self._view.select(frozenset(shape.id for shape in shapes))
+
+    def select_none(self) -> None:
+        """Let go of all shapes, points and layers."""
+        self._view.select(frozenset(), layers=frozenset())
 
     def set_key(self) -> None:
         """Make the selected shapes, as they are on this frame, artist keys."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
 from ... import style
 from ...jobs.runner import Ending
 from ...jobs.under_way import UnderWay
+from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
 from ...widgets.controls import icon_button
@@ -17,6 +18,8 @@ from .readout import Readout
 
 LEAST_SENTENCE, BAR_WIDTH, GAP = 100, 120, 12
 """Widths of the sentence, however narrow the window, and of the bar; between the parts: in widget units."""
+READING = 4000
+"""Milliseconds for which what is said stands where something else would take its place."""
 MEMORY = N_("memory {used} of {limit}")
 
 
@@ -47,8 +50,12 @@ class StatusBar(QWidget):
     """One sentence; while work is under way a bar, a button that stops it and how many more go on; frames' memory.
 
     The sentence comes first: what is under way is read as a whole, and what else does not fit beside it is away. The
-    button that stops it is always there, and nothing here makes the window wider.
+    button that stops it is always there, and nothing here makes the window wider. What is said meanwhile stands long
+    enough to be read, while the bar goes on.
     """
+
+    said = Signal(str)
+    """The sentence is another one."""
 
     def __init__(self, view_state: ViewState, under_way: UnderWay, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -65,8 +72,12 @@ class StatusBar(QWidget):
         self._modes: QWidget | None = None
         self._longest = 0
         """The room that the sentences of this work took so far: nothing comes and goes with the length of each."""
+        self._work = ""
+        """What was told last of the work under way; empty where that ended."""
+        self.reading = QTimer(self, singleShot=True, interval=READING)
+        self.reading.timeout.connect(self._tell_work)
         self._build()
-        view_state.message_changed.connect(lambda: self._say(view_state.message))
+        view_state.message_changed.connect(lambda: self._show_message(view_state.message))
         under_way.progress.connect(self._show_progress)
         under_way.ended.connect(self._show_end)
         under_way.changed.connect(self._pull)
@@ -94,11 +105,30 @@ class StatusBar(QWidget):
 
     def _show_progress(self, fraction: float, text: str) -> None:
         self.bar.setValue(round(1000 * fraction))
-        self._say(text)
+        self._work = text
+        if not self.reading.isActive():
+            self._say(text)
+
+    def _show_message(self, text: str) -> None:
+        self.reading.stop()
+        if not self._under_way.is_any:
+            self._say(text)
+        elif text:
+            self._say(text)
+            self.reading.start()
+        else:
+            self._tell_work()
+
+    def _tell_work(self) -> None:
+        if self._under_way.is_any and self._work:
+            self._say(self._work)
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
+        self._work = ""
         if sentence or ending is not Ending.DONE:
             self._view.say(sentence)
+        elif not self._under_way.is_any:
+            self._say(self._view.message)  # that something is being looked at is over
 
     def add(self, readout: Readout, modes: QWidget) -> None:
         """Give them places of their own: the read-out right of the sentence, the modes at the right end.
@@ -112,6 +142,14 @@ class StatusBar(QWidget):
         self._readout, self._modes = readout, modes
         modes.installEventFilter(self)
         self._fit()
+
+    def follow(self, document: Document) -> None:
+        """Let what was said of something before go with the artist's next edit; frames of a run are none."""
+        document.changed.connect(self._go_on)
+
+    def _go_on(self, _ids: object) -> None:
+        if not self._under_way.is_any:
+            self._view.go_on()
 
     def show_memory(self, used: int, limit: int) -> None:
         """Tell how much of the frame cache is used, in bytes."""
@@ -137,6 +175,7 @@ class StatusBar(QWidget):
         self.sentence.setText(text)
         self.sentence.setToolTip(text)
         self._fit()
+        self.said.emit(text)
 
     # ---- what has room
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QColor, QImage, QKeyEvent
+from PySide6.QtGui import QColor, QCursor, QImage, QKeyEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -84,6 +84,19 @@ def test_wheel_zooms_at_the_pointer(canvas: CanvasView, hand: Hand, angle: int) 
     after = canvas.image_to_widget(50.0, 60.0)
     assert canvas.zoom == pytest.approx(2.0 * 1.2 ** (angle / 120))
     assert (after.x(), after.y()) == pytest.approx((before.x(), before.y()))
+
+
+@pytest.mark.parametrize(("key", "factor"), [("+", 1.44), ("=", 1.44), ("-", 1 / 1.44)])
+def test_keys_zoom_at_the_pointer_and_beside_the_viewer_at_its_middle(
+    canvas: CanvasView, hand: Hand, monkeypatch: pytest.MonkeyPatch, key: str, factor: float
+) -> None:
+    for is_over, spot in ((False, QPointF(canvas.rect().center())), (True, QPointF(90.0, 70.0))):
+        monkeypatch.setattr(CanvasView, "underMouse", lambda _, is_over=is_over: is_over)
+        monkeypatch.setattr(QCursor, "pos", lambda spot=spot: canvas.mapToGlobal(spot.toPoint()))
+        before, zoom = canvas.widget_to_image(spot), canvas.zoom
+        hand.key(key)
+        assert canvas.zoom == pytest.approx(zoom * factor)
+        assert canvas.widget_to_image(spot) == pytest.approx(before, abs=1.0)
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,9 +18,14 @@ from app.jobs.found_clip import looked_at
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
 from roam_core.errors import RoamError
+from roam_core.geometry.bezier import polygon_points
+from roam_core.media import declared
 from roam_core.media.colour import to_display, to_engine
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit
 from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
 from tests.unit.media.conftest import write_parts
+
+SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
 
 @pytest.fixture
@@ -181,3 +187,73 @@ def test_a_colour_space_of_open_color_io_is_offered_and_holds(
     np.testing.assert_array_equal(shown.args[1], to_display(plate, "ARRI LogC4"))
     assert window.document.project.require_clip().colour_space == "ARRI LogC4"
     np.testing.assert_array_equal(window.reader.engine_frame(FIRST), to_engine(plate, "ARRI LogC4"))
+
+
+# ---- of the clip that is open
+
+
+def settings(qtbot: QtBot, window: MainWindow) -> ClipDialog:
+    """The dialog that File > Clip settings shows."""
+    with qtbot.waitSignal(window.files.looked, timeout=WAIT):
+        window.actions_by_id["file.clip_settings"].trigger()
+    return window.findChildren(ClipDialog)[-1]
+
+
+def take(qtbot: QtBot, window: MainWindow, dialog: ClipDialog) -> None:
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        press(qtbot, dialog, QDialogButtonBox.StandardButton.Ok)
+
+
+def test_what_is_said_of_the_open_clip_holds_below_the_same_shapes(
+    qtbot: QtBot, window: MainWindow, clip: Path, tmp_path: Path
+) -> None:
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.files.open(clip)
+    tracked = Keyframe(FIRST + 1, SQUARE, origin=Origin.ENGINE)
+    project, shape = edit.new_shape(window.document.project, SQUARE, FIRST)
+    window.document.apply("Draw", project.with_shape(shape.with_key(tracked)))
+    window.document.save(tmp_path / "a.roam")
+    window.view_state.set_frame(FIRST + 3)
+    before = window.document.project
+    dialog = settings(qtbot, window)
+    assert (dialog.windowTitle(), dialog.colour_space, dialog.fps) == ("Clip settings", "sRGB", 24.0)
+    assert dialog.asks_no_more.isHidden()
+    dialog.colours.setCurrentIndex(dialog.colours.findData("linear"))
+    dialog.rate.setValue(25.0)
+    dialog.aspect.setValue(2.0)
+    take(qtbot, window, dialog)
+    said = {"colour_space": "linear", "fps": 25.0, "pixel_aspect": 2.0}
+    assert window.document.project == replace(before, clip=replace(before.require_clip(), **said))
+    assert window.document.is_modified
+    assert (window.view_state.frame, window.playback.fps) == (FIRST + 3, 25.0)
+    assert window.view_state.message.endswith("Tracked frames are out of date: they were found in other colours.")
+    plate = looked_at(clip).source.read(FIRST)
+    window.view_state.set_frame(FIRST)
+    qtbot.waitUntil(lambda: window.reader.plate(FIRST) is not None, timeout=WAIT)
+    np.testing.assert_array_equal(window.reader.source.read(FIRST), plate)
+    assert window.reader.source.colour_space == "linear"
+
+
+def test_what_holds_is_shown_to_the_last_digit_and_left_alone_where_nothing_is_changed(
+    qtbot: QtBot, window: MainWindow, clip: Path, tmp_path: Path
+) -> None:
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.files.open_clip(clip, lambda source: declared(source, "ARRI LogC4", 24000 / 1001, 1.0))
+    window.document.save(tmp_path / "a.roam")
+    held = window.document.project.require_clip()
+    dialog = settings(qtbot, window)
+    assert (dialog.colour_space, dialog.fps) == ("ARRI LogC4", 24000 / 1001)
+    take(qtbot, window, dialog)
+    assert window.document.project.require_clip() is held
+    assert not window.document.is_modified
+
+
+def test_without_a_clip_there_are_no_settings_of_it(window: MainWindow) -> None:
+    window.actions_by_id["file.clip_settings"].trigger()
+    assert window.view_state.message == "There is no clip yet; open one."
+
+
+def test_a_plate_that_is_gone_is_told_in_place_of_its_settings(window: MainWindow, clip: Path) -> None:
+    window.document.open(Project(Clip.of(looked_at(clip).source)), None)  # as where no plate was found
+    window.actions_by_id["file.clip_settings"].trigger()
+    assert window.view_state.message.startswith("The plate of the project is not there")

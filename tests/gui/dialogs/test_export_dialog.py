@@ -17,7 +17,7 @@ from pytestqt.qtbot import QtBot
 from app.dialogs import questions
 from app.dialogs.export_dialog import ExportDialog
 from app.jobs.export import Export
-from app.jobs.runner import Runner
+from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.arrays import Array
@@ -211,6 +211,34 @@ def test_the_end_of_another_export_is_not_taken_for_its_own(
     qtbot.waitUntil(lambda: len(startable) == 2, timeout=WAIT)
     assert startable == [False, True]
     assert "shot.fxs" in dialog.notes.toPlainText()
+
+
+def test_stop_stops_the_dialogs_own_export_and_no_other(
+    qtbot: QtBot, dialog: ExportDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It waits for one that was begun from the menu: that goes on, and nobody waits for it to hear of the stop."""
+    is_stopped = threading.Event()
+
+    def wait(self: JsonFormat, project: Project, path: Path, options: ExportOptions) -> tuple[str, ...]:
+        assert is_stopped.wait(WAIT / 1000)
+        assert options.token is not None
+        options.token.check()
+        return ()
+
+    monkeypatch.setattr(JsonFormat, "export", wait)
+    endings: list[Ending] = []
+    dialog._export.finished.connect(lambda ending, _: endings.append(ending))
+    dialog.choose("silhouette")
+    dialog._export.start("json", tmp_path / "other.json")
+    qtbot.mouseClick(dialog.start, LEFT)
+    qtbot.mouseClick(dialog.stop, LEFT)
+    assert endings == [Ending.CANCELLED]
+    assert dialog.notes.toPlainText() == "Export stopped; the files that are finished stay."
+    assert (dialog.start.isEnabled(), dialog.stop.isEnabled()) == (True, False)
+    is_stopped.set()
+    qtbot.waitUntil(lambda: not dialog._export.is_writing, timeout=WAIT)
+    assert endings == [Ending.CANCELLED, Ending.DONE]
+    assert not (tmp_path / "shot.fxs").exists()
 
 
 def test_what_cannot_be_written_is_one_sentence(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:

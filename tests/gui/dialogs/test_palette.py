@@ -84,7 +84,7 @@ def test_the_words_of_other_programs_find_it_too(qtbot: QtBot, palette: Palette)
         ("motion blur", "view.shape_panel"),
         ("opacity", "view.shape_panel"),
         ("bookmark", "mark.toggle"),
-        ("zoom", "view.fit"),
+        ("magnify", "view.zoom_in"),
     ],
 )
 def test_a_word_of_another_program_comes_before_scattered_letters(palette: Palette, query: str, action: str) -> None:

@@ -52,6 +52,14 @@ def test_a_layer_can_be_dissolved_where_there_is_one(view_state: ViewState) -> N
     assert is_possible(project, view_state, "layer.ungroup")
 
 
+def test_what_lies_on_top_is_lowered_only(view_state: ViewState) -> None:
+    project, _ = edit.new_shape(Project(), SQUARE, 1)
+    project, upper = edit.new_shape(project, SQUARE, 1)
+    view_state.select(frozenset({upper.id}))
+    assert not is_possible(project, view_state, "shape.raise")
+    assert is_possible(project, view_state, "shape.lower")
+
+
 def test_what_is_hidden_can_be_shown(view_state: ViewState) -> None:
     project, shape = edit.new_shape(Project(), SQUARE, 1)
     assert not is_possible(project, view_state, "shape.show_all")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -322,6 +323,16 @@ def test_a_new_project_is_not_answered_by_one_that_was_never_saved(qtbot: QtBot,
     assert window.proposals.answer("shape-1") == "never"
     window.files.new()
     assert window.proposals.answer("shape-1") is None
+
+
+def test_what_was_answered_for_good_holds_for_another_clip_of_a_project_that_was_never_saved(
+    qtbot: QtBot, window: MainWindow
+) -> None:
+    track(qtbot, window)
+    window.view_state.set_frame(OFFERED[0])
+    window.actions_by_id["proposal.refuse_always"].trigger()
+    window.document.relink(replace(window.document.project.require_clip(), fps=30.0))
+    assert window.proposals.answer("shape-1") == "never"
 
 
 def test_the_sentence_tells_the_gain_in_three_figures() -> None:

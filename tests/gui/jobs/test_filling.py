@@ -23,6 +23,7 @@ from roam_core.media import DamagedFrame, MissingFrame
 from roam_core.propagate.between import span
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
+from tests.gui.engines import GlidingEngine, put_in
 
 WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -251,19 +252,54 @@ def test_what_ends_one_fill_does_not_end_those_that_wait(
     assert engine_frames(document) == []
 
 
-@pytest.mark.parametrize("way", ["stop", "drop", "again", "gone", "keyed", "locked"])
+@pytest.mark.parametrize("tracked", ["", "shape-1", "shape-2"])
+def test_a_run_that_takes_the_place_of_a_fill_leaves_those_of_other_shapes_waiting(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, monkeypatch: pytest.MonkeyPatch,
+    tracked: str,
+) -> None:  # fmt: skip
+    """What the new run is about waits no more: something else was asked of it since."""
+    gliding = put_in(monkeypatch, GlidingEngine())
+    propagation.fill(["shape-1"], GAPS)
+    propagation.fill(["shape-2"], [(1, 7)])
+    if tracked:
+        propagation.start([tracked], range(7, 10))
+    else:
+        propagation.fill(["shape-1"], [(4, 7)])
+    gliding.allow(2)
+    engine.allow(2)
+    qtbot.waitUntil(lambda: not propagation.is_running and not propagation._waiting, timeout=WAIT)
+    made = engine_frames(document), engine_frames(document, "shape-2")
+    assert (
+        made == {"": ([5, 6], [2, 3, 4, 5, 6]), "shape-1": ([8, 9], [2, 3, 4, 5, 6]), "shape-2": ([], [8, 9])}[tracked]
+    )
+
+
+def test_a_fill_that_waits_begins_after_a_planar_track_that_took_the_place_of_the_one_before(
+    qtbot: QtBot, propagation: Propagation, document: Document, runner: Runner, engine: Engine
+) -> None:
+    propagation.fill(["shape-1"], GAPS)
+    propagation.fill(["shape-2"], [(1, 7)])
+    may_end = threading.Event()
+    other = runner.start("track", lambda _: str(may_end.wait()))  # as a planar track is started
+    with qtbot.waitSignal(other.started, timeout=WAIT):
+        pass
+    engine.allow(1)
+    may_end.set()
+    qtbot.waitUntil(lambda: bool(engine_frames(document, "shape-2")) and not propagation.is_running, timeout=WAIT)
+    assert engine_frames(document) == []
+
+
+@pytest.mark.parametrize("way", ["stop", "drop", "gone", "keyed", "locked"])
 def test_no_fill_begins_that_is_not_wanted_any_more(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, way: str
 ) -> None:
-    """Esc means all of them; so does another fill of the same shapes, which begins at once."""
+    """Esc means all of them."""
     propagation.fill(["shape-1"], GAPS)
     propagation.fill(["shape-2"], [(1, 7)])
     if way == "stop":
         propagation.stop()
     elif way == "drop":
         propagation.drop()
-    elif way == "again":
-        propagation.fill(["shape-1"], GAPS)
     elif way == "keyed":
         document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 3)))
     elif way == "locked":

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.features.playback import Playback
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
@@ -372,6 +373,25 @@ def test_the_frame_stays_under_the_hand_while_something_is_dragged(
     qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
     assert view_state.frame == 2
     view_state.set_preview(None)
+    engine.allow(2)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert view_state.frame == 5
+
+
+def test_a_run_leaves_the_playhead_alone_while_the_clip_is_played(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine
+) -> None:
+    """Also where it comes by the frame that the run showed last: it would jump."""
+    playback = Playback(view_state, clock=lambda: 0.0)
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(lambda: view_state.frame == 2, timeout=WAIT)
+    playback.play()
+    engine.allow(1)
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    assert view_state.frame == 2
+    playback.pause()
     engine.allow(2)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT):
         pass

@@ -58,7 +58,9 @@ def test_the_work_that_began_first_is_told_until_it_ends(
     assert status._hint.text() == "Esc stops  ·  1 more"
     works[0].finished.emit(Ending.DONE, "Tracked body.")
     works[1].progress.emit(0.75, "Exporting")
-    assert (status.sentence.text(), status.bar.value()) == ("Exporting", 750)
+    assert (status.sentence.text(), status.bar.value()) == ("Tracked body.", 750)
+    status.reading.timeout.emit()
+    assert status.sentence.text() == "Exporting"
     assert status._hint.text() == "Esc stops"
 
 
@@ -93,6 +95,26 @@ def test_the_status_bar_tells_how_far_and_how_to_stop_it(
     assert status.sentence.text() == "Select a shape first."
 
 
+def test_what_is_said_while_work_goes_on_stands_until_it_is_read(
+    qtbot: QtBot, view_state: ViewState, works: tuple[Work, Work]
+) -> None:
+    status = StatusBar(view_state, UnderWay(*works))
+    qtbot.addWidget(status)
+    works[0].progress.emit(0.25, "Tracking body forward: frame 7")
+    view_state.say("Hat is locked.")
+    works[0].progress.emit(0.5, "Tracking body forward: frame 8")
+    assert (status.sentence.text(), status.bar.value()) == ("Hat is locked.", 500)
+    status.reading.timeout.emit()
+    assert status.sentence.text() == "Tracking body forward: frame 8"
+    view_state.say("Hat is locked.")
+    view_state.say("")
+    assert status.sentence.text() == "Tracking body forward: frame 8"
+    view_state.say("Hat is locked.")
+    works[0].finished.emit(Ending.DONE, "Tracked body.")
+    assert status.sentence.text() == "Tracked body."
+    assert not status.reading.isActive()
+
+
 class Writing(Work):
     is_writing = True
 
@@ -106,6 +128,17 @@ def test_the_key_does_not_stop_what_writes_files(works: tuple[Work, Work]) -> No
     assert under_way.is_stopped_by_key
     under_way.stop_by_key()
     assert (export.stops, works[0].stops) == (0, 1)
+
+
+def test_files_are_written_until_the_last_of_them_is(works: tuple[Work, Work]) -> None:
+    export = Writing()
+    under_way = UnderWay(export, works[0])
+    export.progress.emit(0.1, "Exporting")
+    export.finished.emit(Ending.CANCELLED, "Export stopped.")
+    assert under_way.is_any
+    export.is_writing = False
+    export.finished.emit(Ending.DONE, "Exported.")
+    assert not under_way.is_any
 
 
 def test_what_the_key_stops_is_told_before_what_is_written_beside_it(

@@ -118,6 +118,25 @@ def test_grouping_and_dissolving(panel: PropertiesPanel, document: Document, vie
     assert document.undo_stack.count() == 3
 
 
+def test_raising_and_lowering(panel: PropertiesPanel, document: Document, view_state: ViewState) -> None:
+    verbs, order = LayerVerbs(document, view_state).handlers(), ["layer-1", "layer-2", "shape-3"]
+    verbs["shape.raise"]()
+    assert [child.id for child in document.project.root.children] == ["layer-2", "layer-1", "shape-3"]
+    assert view_state.layers == {"layer-1"}
+    verbs["shape.lower"]()
+    verbs["shape.lower"]()
+    assert view_state.message == "It lies at the bottom already."
+    assert [child.id for child in document.project.root.children] == order
+    assert document.undo_stack.count() == 2
+    view_state.select(frozenset({"shape-3"}))
+    verbs["shape.raise"]()
+    assert view_state.message == "It lies on top already."
+    view_state.select(frozenset())
+    verbs["shape.raise"]()
+    assert view_state.message == NOTHING_SELECTED
+    assert [child.id for child in document.project.root.children] == order
+
+
 def test_what_is_lost_with_a_layer_is_said(document: Document, view_state: ViewState) -> None:
     project, _ = edit.add_layer(Project())
     project, _ = edit.new_shape(project, SQUARE, 1, layer_id="layer-1")

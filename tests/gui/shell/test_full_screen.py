@@ -75,3 +75,21 @@ def test_the_next_session_does_not_begin_in_full_screen(qtbot: QtBot, window: Ma
     with opened_window(qtbot, None, tmp_path / "next") as following:
         following.restore_settings(tmp_path / "window.ini")
         assert around(following) == {"menu", "tools", "panels", "timeline", "status"}
+
+
+def test_what_is_said_is_shown_over_the_picture_while_that_is_alone(qtbot: QtBot, window: MainWindow) -> None:
+    told, full_screen = window.told, window.actions_by_id["window.full_screen"]
+    window.view_state.say("Hat is locked.")
+    assert not told.isVisible()
+    full_screen.trigger()
+    window.view_state.say("Hat is open. " * 40)
+    assert told.isVisible()
+    assert told.text() == "Hat is open. " * 40
+    assert window.canvas.rect().contains(told.geometry())
+    assert told.height() >= told.heightForWidth(told.width())  # all of it is read
+    told.reading.timeout.emit()
+    assert not told.isVisible()
+    window.view_state.say("Hat is locked.")
+    assert told.isVisible()
+    full_screen.trigger()
+    assert not told.isVisible()

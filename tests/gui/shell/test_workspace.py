@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QRect, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
@@ -15,7 +15,8 @@ from shiboken6 import isValid
 from app.shell.main_window import MainWindow
 from app.shell.workspace import Part
 from app.widgets.floating import FloatingWindow, in_reach
-from tests.gui.windows import opened_window
+from app.widgets.panel import Panel
+from tests.gui.windows import WAIT, opened_window
 
 PARTS = ("second_viewer", "timeline", "shapes", "track", "planar", "shape", "history", "log")
 LEFT, RIGHT = QRect(0, 0, 1920, 1080), QRect(1920, 0, 1920, 1080)
@@ -158,18 +159,32 @@ def test_a_monitor_that_is_gone_gives_its_windows_back(window: MainWindow, monke
     assert LEFT.contains(part.window.geometry())
 
 
-def test_the_review_panel_is_scrolled_to_where_it_is_asked_for_and_not_as_it_comes_back(
-    qtbot: QtBot, window: MainWindow, tmp_path: Path
+@pytest.mark.parametrize(
+    ("action", "name"), [("review.panel", "review"), ("edit.history", "history"), ("help.log", "log")]
+)
+def test_a_panel_is_scrolled_to_where_it_is_asked_for_and_not_as_it_comes_back(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, action: str, name: str
 ) -> None:
-    bar = window.panel_column.verticalScrollBar()
+    """Also where it was folded, and the panels are away."""
+    column, panel = window.panel_column, window.workspace.parts[name].widget
+    assert isinstance(panel, Panel)
+    panel.fold(True)
     window.resize(1100, 600)
-    window.actions_by_id["review.panel"].trigger()
-    qtbot.waitUntil(lambda: bar.value() > 0)
+    window.actions_by_id["view.panels"].trigger()
+    assert not column.isVisible()
+    window.actions_by_id[action].trigger()
+    view = column.viewport()
+
+    def in_sight() -> QRect:
+        return QRect(panel.mapTo(view, QPoint()), panel.size()) & view.rect()
+
+    qtbot.waitUntil(lambda: in_sight().height() > 100, timeout=WAIT)
+    assert column.verticalScrollBar().value() > 0
     window.keep_settings(tmp_path / "layout.ini")
     with opened_window(qtbot, None, tmp_path / "again") as again:
         again.resize(1100, 600)
         again.restore_settings(tmp_path / "layout.ini")
-        assert again.review.isVisible()
+        assert again.workspace.parts[name].widget.isVisible()
         qtbot.wait(50)
         assert again.panel_column.verticalScrollBar().maximum() > 0
         assert again.panel_column.verticalScrollBar().value() == 0

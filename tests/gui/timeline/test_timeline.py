@@ -89,6 +89,22 @@ def test_the_wheel_zooms_at_the_pointer_and_a_double_click_fits(qtbot: QtBot, ti
     assert timeline.axis.scale == before
 
 
+def test_time_is_zoomed_at_the_playhead_by_keys(timeline: Timeline, view_state: ViewState) -> None:
+    handlers, before = timeline.handlers(), timeline.axis.scale
+    view_state.set_frame(1020)
+    x = before.x(1020)
+    handlers["view.zoom_in_time"]()
+    assert timeline.axis.scale.pixels == pytest.approx(1.25 * before.pixels)
+    assert timeline.axis.scale.x(1020) == pytest.approx(x)
+    wheel(timeline.ruler, x_of(timeline, 1040), 1200)
+    assert timeline.axis.scale.first > 1020
+    handlers["view.zoom_out_time"]()
+    assert timeline.axis.scale.first <= 1020 < timeline.axis.scale.last
+    for _ in range(20):
+        handlers["view.zoom_out_time"]()
+    assert timeline.axis.scale == before
+
+
 def test_the_strip_follows_the_playhead(timeline: Timeline, view_state: ViewState) -> None:
     wheel(timeline.ruler, x_of(timeline, 1002), 1200)
     view_state.set_frame(1045)

@@ -11,7 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import render_matte
 from roam_core.roto import Layer, LayerTransform, Project, edit
-from roam_core.roto.layers import grouped, home_for_new, moved, only, top_items, ungrouped
+from roam_core.roto.layers import grouped, home_for_new, moved, only, raised, top_items, ungrouped
 
 SQUARE = polygon_points([(2.0, 2.0), (12.0, 2.0), (12.0, 9.0), (2.0, 9.0)])
 TURN = np.array([[0.8, -0.6, 9.0], [0.6, 0.8, -2.0], [1e-3, 0.0, 1.0]])
@@ -99,6 +99,22 @@ def test_several_are_restacked_in_their_order(
     project: Project, chosen: list[str], layer_id: str, index: int, tree: str
 ) -> None:
     assert told(moved(project, chosen, layer_id, index).root) == tree
+
+
+@pytest.mark.parametrize(
+    ("chosen", "higher", "lower"),
+    [
+        (["shape-1"], "(b (c)) a d", "a (b (c)) d"),
+        (["shape-4"], "a (b (c)) d", "a d (b (c))"),
+        (["shape-1", "layer-1"], "d a (b (c))", "a (b (c)) d"),
+        (["shape-1", "shape-4"], "(b (c)) a d", "a d (b (c))"),
+        (["shape-2", "shape-4"], "a ((c) b) d", "a d (b (c))"),  # each in the layer that holds it
+        (["shape-3"], "a (b (c)) d", "a (b (c)) d"),
+        ([], "a (b (c)) d", "a (b (c)) d"),
+    ],
+)
+def test_one_place_higher_or_lower_in_its_layer(project: Project, chosen: list[str], higher: str, lower: str) -> None:
+    assert (told(raised(project, chosen, 1).root), told(raised(project, chosen, -1).root)) == (higher, lower)
 
 
 def test_a_layer_cannot_lie_in_itself(project: Project) -> None:

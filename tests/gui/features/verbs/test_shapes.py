@@ -6,19 +6,23 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QAbstractItemView, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.features.clipboards.shapes import ShapeClipboard
+from app.features.possible import is_possible
 from app.features.verbs.finishing import finish_shape
+from app.features.verbs.layers import LayerVerbs
 from app.features.verbs.shapes import ShapeVerbs, delete
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
+from app.panels.shapes import ShapesPanel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.shapes.provenance import clip_stamp, stamp
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from roam_core.roto.layers import grouped
+from tests.gui.panels.test_shapes import drop
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -48,6 +52,17 @@ def test_all_shapes_are_those_in_sight_that_are_not_locked(document: Document, v
     view_state.select(frozenset({locked}), frozenset({(plain, 1)}))
     ShapeVerbs(document, view_state).select_all()
     assert view_state.selection == Selection(frozenset({plain, below}))
+
+
+def test_nothing_is_selected_where_that_is_asked_for(document: Document, view_state: ViewState) -> None:
+    (only,) = opened(document, 1)
+    project, layer = grouped(document.project, [only])
+    document.open(project, None)
+    view_state.select(frozenset({only}), frozenset({(only, 1)}), frozenset({layer.id}))
+    assert is_possible(project, view_state, "shape.select_none")
+    ShapeVerbs(document, view_state).handlers()["shape.select_none"]()
+    assert (view_state.selection, view_state.layers) == (Selection(), frozenset())
+    assert not is_possible(project, view_state, "shape.select_none")
 
 
 def test_where_none_can_be_selected_it_is_said(document: Document, view_state: ViewState) -> None:
@@ -315,3 +330,29 @@ def test_what_is_gone_and_was_a_part_of_a_tracked_object_is_told(document: Docum
     document.open(edit.add_items(Project(clip), tracked)[0], None)
     delete(document, view_state, ["shape-2"])
     assert view_state.message == "Tracked frames of Part 1 are out of date: what is gone was a part of its object."
+
+
+@pytest.mark.parametrize("way", ["key", "drop", "group"])
+def test_parts_of_a_tracked_object_that_are_stacked_otherwise_are_told(
+    qtbot: QtBot, document: Document, view_state: ViewState, way: str
+) -> None:
+    clip = Clip(Path("plate"), 1, 9, (120, 80))
+    parts = [RotoShape(f"shape-{k}", f"Part {k}", (Keyframe(1, SQUARE + 5.0 * k),)) for k in (1, 2, 3)]
+    stamps = Stamps.of(parts, clip)
+    inputs = [stamps.tracked(k, 2, 1, CONFIGS[DEFAULT_CONFIG], True) for k in (0, 1, 2)]
+    tracked = [
+        part.with_key(Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=own))
+        for part, own in zip(parts, inputs, strict=True)
+    ]
+    document.open(edit.add_items(Project(clip), tracked)[0], None)
+    view_state.select(frozenset({"shape-1", "shape-3"} if way == "group" else {"shape-1"}))
+    if way != "drop":
+        LayerVerbs(document, view_state).handlers()["shape.raise" if way == "key" else "shape.group"]()
+    else:
+        panel = ShapesPanel(document, view_state)
+        qtbot.addWidget(panel)
+        drop(panel, "shape-2", QAbstractItemView.DropIndicatorPosition.AboveItem)
+    assert [shape.id for shape in document.project.shapes] == ["shape-2", "shape-1", "shape-3"]
+    assert view_state.message == (
+        "Tracked frames of Part 1, Part 2, Part 3 are out of date: what hides what goes by the order in the list."
+    )

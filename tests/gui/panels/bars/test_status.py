@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import pytest
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
+from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.bars.status import Sentence, StatusBar
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Project, edit
 
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 MB, GB = 2**20, 2**30
 
 
@@ -44,3 +51,58 @@ def test_a_sentence_without_room_keeps_its_beginning_and_its_end(qtbot: QtBot) -
     assert looks(one, 120) == looks(two, 120)
     assert looks(one, 120) != looks(three, 120)
     assert looks(one, 600) != looks(two, 600)
+
+
+def test_what_was_said_before_goes_with_the_next_edit(
+    qtbot: QtBot, qapp: QApplication, document: Document, view_state: ViewState
+) -> None:
+    status = StatusBar(view_state, UnderWay())
+    qtbot.addWidget(status)
+    status.follow(document)
+    view_state.say_hint("Click an outline.")
+
+    def after(sentence: str, *, is_older: bool = True, preview: Project | None = None) -> str:
+        """What is said after an edit."""
+        view_state.say(sentence)
+        if is_older:
+            qapp.processEvents()
+        view_state.set_preview(preview)
+        document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])
+        view_state.set_preview(None)
+        return status.sentence.text()
+
+    assert after("Hat is locked; unlock it to track it.") == "Click an outline."
+    assert after("Hat is a B-spline.", is_older=False) == "Hat is a B-spline."
+    assert after("Move +3.0, +2.0 px", preview=Project()) == "Move +3.0, +2.0 px"
+    view_state.advise("Hat is drawn: drag its points.")
+    assert after(view_state.message) == "Hat is drawn: drag its points."
+
+
+def test_frames_of_a_run_take_no_sentence_away(qtbot: QtBot, qapp: QApplication, document: Document) -> None:
+    view_state, work = ViewState(), Work()
+    status = StatusBar(view_state, UnderWay(work))
+    qtbot.addWidget(status)
+    status.follow(document)
+    work.progress.emit(0.5, "Tracking")
+    view_state.say("Hat is locked; unlock it to track it.")
+    qapp.processEvents()
+    document.apply("Track", edit.new_shape(document.project, SQUARE, 1)[0])
+    assert status.sentence.text() == "Hat is locked; unlock it to track it."
+
+
+def test_work_that_ends_without_a_word_is_told_no_more(qtbot: QtBot, view_state: ViewState) -> None:
+    work = Work()
+    status = StatusBar(view_state, UnderWay(work))
+    qtbot.addWidget(status)
+    view_state.say("Opened shot.")
+    work.progress.emit(0.0, "Looking at other …")
+    work.finished.emit(Ending.DONE, "")
+    assert status.sentence.text() == "Opened shot."
+
+
+class Work(QObject):
+    progress = Signal(float, str)
+    finished = Signal(object, str)
+
+    def stop(self) -> None:
+        """Nothing goes on."""
