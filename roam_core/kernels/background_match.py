@@ -37,12 +37,12 @@ def best_matches(
 ) -> tuple[Float32, Float32]:
     """Of each cell the best correlation of the windows around both, and the least squared difference, `(h, w)` each.
 
-    Each the best of all places of `then` that are `known (h, w)`, up to `reach` cells off. A window correlates only
-    with one that is known as a whole; else with 0. The difference is infinite where nothing is known.
+    Each the best of all places of `then` that are `known (h, w)`, up to `reach` cells off. Whole windows correlate with
+    such as are known as a whole; where there are none that is 0. The difference is infinite where nothing is known.
 
     Parameters
     ----------
-    now, then : (h, w, 3) pictures, at least `window // 2 + 1` cells a side. window : side of the windows, odd.
+    now, then : (h, w, 3) pictures. window : side of the windows, odd.
     texture : standard deviation under which both together tell less. shade : weight of a first channel that has become
         less.
     """
@@ -74,34 +74,31 @@ def _match_rows(now, then, known, whole, window, reach, least, shade, first, sto
     """The rows from `first` to `stop`; of `then`, `known` and `whole` there are `reach` more on each side."""
     height, width = likeness.shape
     half, share = window // 2, 1.0 / (window * window)
-    products, total = np.empty(width + 2 * half, np.int32), np.empty(width, np.int32)
-    sums = np.empty((stop - first + 2 * half, width), np.int32)
+    inner = max(width - 2 * half, 0)  # cells of a row about which there is a whole window
+    above, below = max(first - half, 0), min(stop + half, height)
+    products, total, sums = np.empty(width, np.int32), np.empty(inner, np.int32), np.empty((below, inner), np.int32)
     for down in range(2 * reach + 1):
         for right in range(2 * reach + 1):
             end = right + width
-            for i in range(len(sums)):
-                y = abs(first - half + i)
-                y = y if y < height else 2 * height - 2 - y
-                inner = products[half : half + width]
-                inner[:] = 0
+            for y in range(above, below):
+                products[:] = 0
                 for c in range(3):
-                    _multiply(now.planes[c, y], then.planes[c, y + down, right:end], inner)
-                for away in range(1, half + 1):  # beyond its edges the picture goes on as its mirror image
-                    products[half - away] = products[half + away]
-                    products[half + width - 1 + away] = products[half + width - 1 - away]
-                sums[i] = 0
+                    _multiply(now.planes[c, y], then.planes[c, y + down, right:end], products)
+                sums[y] = 0
                 for k in range(window):
-                    _add(sums[i], products[k : k + width])
-            for y in range(first, stop):
+                    _add(sums[y], products[k : k + inner])
+            for y in range(max(first, half), min(stop, height - half)):
                 total[:] = 0
-                for k in range(window):
-                    _add(total, sums[y - first + k])
-                v = y + down
+                for k in range(y - half, y + half + 1):
+                    _add(total, sums[k])
+                v, here, there = y + down, slice(half, half + inner), slice(right + half, right + half + inner)
                 _correlate(
-                    now.means[0, y], now.means[1, y], now.means[2, y], now.variance[y],
-                    then.means[0, v, right:end], then.means[1, v, right:end], then.means[2, v, right:end],
-                    then.variance[v, right:end], total, share, least, whole[v, right:end], likeness[y],
+                    now.means[0, y, here], now.means[1, y, here], now.means[2, y, here], now.variance[y, here],
+                    then.means[0, v, there], then.means[1, v, there], then.means[2, v, there], then.variance[v, there],
+                    total, share, least, whole[v, there], likeness[y, here],
                 )  # fmt: skip
+            for y in range(first, stop):
+                v = y + down
                 _compare(
                     now.planes[0, y], now.planes[1, y], now.planes[2, y],
                     then.planes[0, v, right:end], then.planes[1, v, right:end], then.planes[2, v, right:end],

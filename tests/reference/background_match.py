@@ -16,7 +16,6 @@ def ref_best_matches(
     height, width = known.shape
     half = window // 2
     likeness, difference = np.zeros(known.shape), np.full(known.shape, np.inf)
-    wide = np.pad(now.astype(np.float64), ((half, half), (half, half), (0, 0)), mode="reflect")
     for y, x, down, right in product(range(height), range(width), *2 * [range(-reach, reach + 1)]):
         v, u = y + down, x + right
         if not (0 <= v < height and 0 <= u < width and known[v, u]):
@@ -24,10 +23,12 @@ def ref_best_matches(
         step = now[y, x].astype(np.float64) - then[v, u]
         step[0] = max(step[0], shade * step[0])
         difference[y, x] = min(difference[y, x], step @ step)
-        rows, columns = slice(v - half, v + half + 1), slice(u - half, u + half + 1)
-        if v < half or u < half or not known[rows, columns].all() or known[rows, columns].shape != (window, window):
+        if not (half <= y < height - half and half <= x < width - half and half <= v < height - half):
             continue
-        here = wide[y : y + window, x : x + window].reshape(-1, 3)
+        rows, columns = slice(v - half, v + half + 1), slice(u - half, u + half + 1)
+        if not half <= u < width - half or not known[rows, columns].all():
+            continue
+        here = now[y - half : y + half + 1, x - half : x + half + 1].reshape(-1, 3).astype(np.float64)
         there = then[rows, columns].reshape(-1, 3).astype(np.float64)
         both = ((here - here.mean(axis=0)) * (there - there.mean(axis=0))).sum(axis=1).mean()
         spread = here.var(axis=0).sum() * there.var(axis=0).sum()
