@@ -20,6 +20,7 @@ from roam_core.interchange.out_of_sight import without_points
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.roto.bounds import is_near
+from roam_core.roto.control_points import is_of_its_kind
 from roam_core.translatable import sentence
 
 MAX_FRAMES = 1 << 24
@@ -195,12 +196,13 @@ class ShapeWriter:
         """As `begun`, for a format that moves points by `motion`; and the slopes of reduced cubic spans, or nothing."""
         self.options.advance(self.done / self.total, f"Shape {shape.name}")
         self.done += 1
-        if shape.spline not in self.KINDS:
+        if shape.spline not in self.KINDS or not is_of_its_kind(shape):
             self.notes.append(
                 sentence(
                     "The B-spline {name!r} was written as Bezier: the same curve, with other handles.", name=shape.name
                 )
             )
+            shape = replace(shape, spline=Spline.BEZIER)
         shape = exported_keys(shape, self.options, self.notes)
         if self.options.keys is not KeyChoice.REDUCED:
             return shape, ()
