@@ -587,6 +587,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Blenders weiche Kante liegt senkrecht zum Umriss: Die von {name!r} behält ihre Breite an jedem Punkt, nicht ihre Tangenten.</translation>
     </message>
     <message>
+        <source>Blender&apos;s feather slides from key to key: that of {name!r}, which steps, does so during the last frame before each step.</source>
+        <translation>Blenders weiche Kante gleitet von Keyframe zu Keyframe: Die von {name!r}, die springt, tut das im letzten Frame vor jedem Sprung.</translation>
+    </message>
+    <message>
         <source>Blender&apos;s masks slide from key to key: {name!r}, which steps {count} times, does so during the last frame before each step.</source>
         <translation>Blenders Masken gleiten von Keyframe zu Keyframe: {name!r}, mit {count} Sprüngen, tut das im letzten Frame vor jedem Sprung.</translation>
     </message>

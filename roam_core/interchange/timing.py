@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 
 import numpy as np
 
@@ -74,6 +75,24 @@ def straight_keys(value: Animatable) -> tuple[ValueKey, ...]:
         frames = range(key.frame, following.frame if key.value != following.value else key.frame + 1)
         result += (ValueKey(frame, value_at(value, frame), Interpolation.LINEAR) for frame in frames)
     return tuple(result)
+
+
+def beside_zeros(value: Animatable) -> Animatable:
+    """The value with straight keys on the frames around each zero that it passes through between two of its keys.
+
+    For programs that hold the size of a width apart from its side: from 6 outside to 4 inside the size alone would go
+    from 6 to 4. What passes through no zero stays as it is.
+    """
+    if not isinstance(value, Animated):
+        return value
+    keys, added = straight_keys(value), list[ValueKey]()
+    for key, following in pairwise(keys):
+        if key.interpolation is Interpolation.HOLD or key.value * following.value >= 0.0:
+            continue
+        zero = key.frame + (following.frame - key.frame) * key.value / (key.value - following.value)
+        around = {math.floor(zero), math.ceil(zero)} - {key.frame, following.frame}
+        added += (ValueKey(frame, value.at(frame)) for frame in around)
+    return Animated((*keys, *added)) if added else value
 
 
 def tangent_notes(root: Layer) -> list[str]:

@@ -24,8 +24,13 @@ FADES = Animated(
 )
 DIMS = Animated((ValueKey(FIRST, 1.0, slopes=(0.0, -0.2)), ValueKey(LAST, 0.5, slopes=(0.1, 0.0))))
 SOFTENS = Animated((ValueKey(FIRST, 2.0, slopes=(0.0, 6.0)), ValueKey(LAST, 10.0, slopes=(0.0, 0.0))))
+THROUGH_ZERO = Animated((ValueKey(FIRST, 20.0), ValueKey(1006, -15.0, Interpolation.SMOOTH), ValueKey(LAST, 10.0)))
+"""From outside of the outline to inside and back, by a straight and by a smooth span."""
+STEPS = Animated((ValueKey(FIRST, 16.0, Interpolation.HOLD), ValueKey(1010, 2.0, Interpolation.HOLD)))
 KEEP = {"nuke", "nuke-python", "json"}
 """Formats that have tangents."""
+SOFT = {"nuke", "after-effects", "fusion", "blender", "natron", "json"}
+"""Formats that have a uniform feather which keys move."""
 BY_KEYS = {"silhouette", "after-effects", "fusion", "blender", "natron"}
 """Formats that move values from key to key straight."""
 
@@ -84,3 +89,33 @@ def test_frames_cut_off_leave_what_is_between_as_it_was(tmp_path: Path) -> None:
 def test_mlt_loses_opacity_bent_or_not(tmp_path: Path) -> None:
     with pytest.raises(LossyExport, match="Fades"):
         EXPORTERS["mlt"].export(fading(), tmp_path / "out.json")
+
+
+@pytest.mark.parametrize("feather", [THROUGH_ZERO, STEPS], ids=["through zero", "steps"])
+@pytest.mark.parametrize(
+    "judge", [judge for judge in JUDGES if judge.exporter in SOFT], ids=lambda judge: judge.exporter
+)
+def test_a_feather_is_as_wide_as_ours_and_on_its_side(judge: Judge, feather: Animated, tmp_path: Path) -> None:
+    if judge.missing:
+        pytest.skip(judge.missing)
+    project = _project(blob("Softens", 150.0, 120.0, 70.0, 60.0, feather=feather))
+    assert judged(judge, Scene(project), tmp_path).overlap >= 0.97
+
+
+@pytest.mark.parametrize("feather", [THROUGH_ZERO, STEPS], ids=["through zero", "steps"])
+def test_a_feather_comes_back_from_fusion_as_wide_and_on_that_side(feather: Animated, tmp_path: Path) -> None:
+    project = _project(blob("Softens", 150.0, 120.0, feather=feather))
+    path = tmp_path / "out.setting"
+    EXPORTERS["fusion"].export(project, path, ExportOptions(lossy=True))
+    back = read_shapes(path, project.require_clip())
+    (shape,) = back.layer.shapes()
+    assert not any("both sides" in note for note in back.notes)
+    for frame in range(FIRST, LAST + 1):
+        assert shape.feather_at(frame) == pytest.approx(feather.at(frame), abs=1e-6), frame
+
+
+def test_blender_tells_of_a_feather_that_steps(tmp_path: Path) -> None:
+    for feather, is_told in ((STEPS, True), (THROUGH_ZERO, False)):
+        project = _project(blob("Softens", 150.0, 120.0, feather=feather))
+        notes = EXPORTERS["blender"].export(project, tmp_path / "out.py", ExportOptions())
+        assert any("'Softens', which steps" in note for note in notes) is is_told
