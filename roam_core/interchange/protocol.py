@@ -19,6 +19,7 @@ from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.out_of_sight import without_points
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
+from roam_core.roto.animated import held_within
 from roam_core.roto.bounds import is_near
 from roam_core.roto.control_points import is_of_its_kind
 from roam_core.translatable import sentence
@@ -212,16 +213,28 @@ class ShapeWriter:
 
 
 def readied(project: Project, options: ExportOptions) -> Project:
-    """What all writers begin with: layers that stand still, and opacities and feathers on the chosen frames only; where
-    there is motion blur, feathers as far beyond them as the shutter reaches.
+    """What all writers begin with: layers that stand still, opacities between none and full, and these and feathers on
+    the chosen frames only; where there is motion blur, feathers as far beyond them as the shutter reaches.
 
     The keys of outlines are chosen as each shape is begun. Where the engine's are among them, the opacity tells which
     shapes are out of sight.
     """
     project = bake_layers(project)
+    project = replace(project, root=_opacities_as_seen(project.root))
     if options.keys is not KeyChoice.ARTIST:
         project = replace(project, root=without_points(project.root, options.smoothing > 0.0))
     return project if options.frames is None else replace(project, root=_values_within(project.root, options.frames))
+
+
+def _opacities_as_seen(layer: Layer) -> Layer:
+    """The layer with opacities between none and full everywhere, as mattes take them: programs refuse others."""
+    children = (
+        _opacities_as_seen(child)
+        if isinstance(child, Layer)
+        else replace(child, opacity=held_within(child.opacity, 0.0, 1.0))
+        for child in layer.children
+    )
+    return replace(layer, children=tuple(children), opacity=held_within(layer.opacity, 0.0, 1.0))
 
 
 def _values_within(layer: Layer, frames: range) -> Layer:

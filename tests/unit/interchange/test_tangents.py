@@ -119,3 +119,20 @@ def test_blender_tells_of_a_feather_that_steps(tmp_path: Path) -> None:
         project = _project(blob("Softens", 150.0, 120.0, feather=feather))
         notes = EXPORTERS["blender"].export(project, tmp_path / "out.py", ExportOptions())
         assert any("'Softens', which steps" in note for note in notes) is is_told
+
+
+@pytest.mark.parametrize(
+    "opacity",
+    [1.5, -0.25, Animated((ValueKey(FIRST, 0.5, slopes=(0.0, 0.5)), ValueKey(LAST, 0.9, slopes=(0.1, 0.0))))],
+    ids=["above", "below", "bent beyond"],
+)
+@pytest.mark.parametrize("judge", JUDGES, ids=lambda judge: judge.exporter)
+def test_no_opacity_is_written_that_is_none(judge: Judge, opacity: Animated | float, tmp_path: Path) -> None:
+    """After Effects stops at 150 percent; the matte that ROAM shows has none."""
+    if judge.missing:
+        pytest.skip(judge.missing)
+    project = _project(blob("Below", 90.0, 100.0), blob("Odd", 150.0, 120.0, opacity=opacity))
+    assert judged(judge, Scene(project), tmp_path).overlap >= judge.least
+    path = tmp_path / "out.json"
+    EXPORTERS["json"].export(project, path, ExportOptions(frames=range(1003, 1010)))
+    assert len(list(read_shapes(path, project.require_clip()).layer.shapes())) == 2
