@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
@@ -18,6 +20,9 @@ from roam_core.interchange.matte_style import SUFFIXES
 from roam_core.interchange.mattes.exporter import MatteExporter
 from roam_core.interchange.protocol import Exporter, LossyExport
 from roam_core.interchange.targets import Sources, exported, require_free
+
+MOST_NAMES = 4
+"""Of files that are told by name; more are counted."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -91,12 +96,20 @@ def run(arguments: argparse.Namespace) -> int:
         files = [str(path) for path, _ in targets]
         print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})
         return 0
-    written = [path.name for path, _ in targets]
-    place = arguments.out if arguments.out.name in written or arguments.out.is_dir() else ", ".join(written)
+    place = place_of(arguments.out, [path for path, _ in targets])
     print(f"Wrote {len(project.shapes)} shape(s) to {place}.", file=sys.stderr)
     for note in notes:
         print(note, file=sys.stderr)
     return 0
+
+
+def place_of(out: Path, written: Sequence[Path]) -> str:
+    """Where the files lie: what was asked for, their names, or of many how many there are and in which folder."""
+    if out.name in [path.name for path in written] or out.is_dir():
+        return str(out)
+    if len(written) <= MOST_NAMES:
+        return ", ".join(path.name for path in written)
+    return f"{len(written)} files in {os.path.commonpath([path.parent for path in written])}"
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:
