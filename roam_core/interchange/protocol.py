@@ -200,7 +200,7 @@ class ShapeWriter:
         if shape.spline not in self.KINDS or not is_of_its_kind(shape):
             self.notes.append(
                 sentence(
-                    "The B-spline {name!r} was written as Bezier: the same curve, with other handles.", name=shape.name
+                    "The B-spline {name!r} is written as Bezier: the same curve, with other handles.", name=shape.name
                 )
             )
             shape = replace(shape, spline=Spline.BEZIER)

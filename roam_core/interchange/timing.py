@@ -11,6 +11,7 @@ import numpy as np
 
 from roam_core.roto import Animated, Interpolation, Keyframe, Layer, RotoShape, ValueKey
 from roam_core.roto.animated import Animatable, has_tangents, value_at, value_keys, without_tangents
+from roam_core.translatable import sentence
 
 STEP = 1.0 / 1024.0
 """Frames before the next key at which a held one stands once more: no sample of motion blur falls in between."""
@@ -98,7 +99,7 @@ def beside_zeros(value: Animatable) -> Animatable:
 def tangent_notes(root: Layer) -> list[str]:
     """A sentence for each shape or layer with tangents in its values, for formats that know straight spans only."""
     return [
-        f"The tangents in opacity or feather of {item.name!r} became linear keys on every frame."
+        sentence("The tangents in opacity or feather of {name!r} become linear keys on every frame.", name=item.name)
         for item in (root, *root.items())
         if has_tangents(item.opacity) or (isinstance(item, RotoShape) and has_tangents(item.feather))
     ]

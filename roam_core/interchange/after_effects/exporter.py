@@ -209,14 +209,14 @@ class _Writer(ShapeWriter):
         if any(values_of(shape.feather)):
             self.notes.append(
                 sentence(
-                    "The feather of {name!r} became a feather and an expansion of half its width, which "
+                    "The feather of {name!r} becomes a feather and an expansion of half its width, which "
                     "together cover the same ground.",
                     name=shape.name,
                 )
             )
         if shape.motion_blur is not None:
             self.notes.append(
-                sentence("After Effects' shutter is the composition's: that of {name!r} was left out.", name=shape.name)
+                sentence("After Effects' shutter is the composition's: that of {name!r} is left out.", name=shape.name)
             )
         if not shape.visible:
             self.notes.append(

@@ -245,9 +245,7 @@ class _Writer(ShapeWriter):
             )
         if shape.motion_blur is not None:
             self.notes.append(
-                sentence(
-                    "Blender blurs masks in its compositor: the shutter of {name!r} was left out.", name=shape.name
-                )
+                sentence("Blender blurs masks in its compositor: the shutter of {name!r} is left out.", name=shape.name)
             )
         if len(shape.name.encode("utf-8", "replace")) > LONGEST_NAME:
             self.notes.append(

@@ -145,7 +145,7 @@ def test_a_shape_that_steps_often_stays_one_and_is_told() -> None:
     layers = data(blender_script(only(seldom))[0])
     assert [each["name"] for each in layers] == ["Often"] * 3
     assert [[key[0] for key in each["alpha"][1]] for each in layers] == [[0, 1, 2], [1, 2, 3], [2, 3, 1041]]
-    assert "became 3 layers" in blender_script(only(seldom))[1][0]
+    assert "becomes 3 layers" in blender_script(only(seldom))[1][0]
 
 
 def test_masks_that_blender_cuts_off_are_a_loss() -> None:

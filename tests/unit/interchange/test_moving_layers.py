@@ -79,7 +79,7 @@ def test_a_b_spline_that_is_none_in_perspective_comes_back_as_the_same_curve(
     project = Project(CLIP, Layer("root", "Root", (Layer("layer-1", "Wall", (shape,), transform=moves),)))
     path = tmp_path / f"shapes{EXPORTERS[name].suffix}"
     notes = EXPORTERS[name].export(project, path, ExportOptions())
-    assert any("'Sign' was written as Bezier" in note for note in notes) is bool(tilt)
+    assert any("'Sign' is written as Bezier" in note for note in notes) is bool(tilt)
     (back,) = read_shapes(path, CLIP).layer.shapes()
     assert back.spline is (Spline.BEZIER if tilt else Spline.BSPLINE)
     placed = project.shape("shape-1")
