@@ -39,8 +39,8 @@ class MatteExporter:
         A `path` without the suffix of a picture is a folder, made when missing, for `matte.1001.png` and so on; one
         that says where a frame's number goes, and is no folder yet, gets the suffix of the style. With a suffix, that
         says what kind of file is written, and the frame's number goes in place of `####` or `%04d` in the file's name,
-        or before the suffix where there is neither; the name of a layer or shape goes in place of `{name}`, in the file's
-        name or its folder's, or makes a folder of its own.
+        or before the suffix where there is neither; the name of a layer or shape goes in place of `{name}`, there or in
+        the folder's, or makes a folder of its own.
         """
         clip = project.require_clip()
         folder, name_for, style = self._place(path, options)
