@@ -107,7 +107,7 @@ class _Writer(ShapeWriter):
 
     def parts(self, branch: Branch) -> list[dict[str, Any]]:
         """What Merge nodes join, bottom first: Roto nodes and branches."""
-        parts = []
+        parts: list[dict[str, Any]] = []
         for part in parts_of(branch, lambda shape: shape.blend is not BlendMode.PLUS):
             is_sum = bool(parts) and part.blend is BlendMode.PLUS
             if isinstance(part.content, Branch):
