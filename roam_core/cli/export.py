@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
-from roam_core.cli.matte_options import add_matte_arguments, matte_style
+from roam_core.cli.matte_options import add_matte_arguments, matte_options, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
@@ -18,7 +17,9 @@ from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.matte_style import SUFFIXES
 from roam_core.interchange.mattes.exporter import MatteExporter
+from roam_core.interchange.naming import is_numbered
 from roam_core.interchange.protocol import Exporter, LossyExport
+from roam_core.interchange.svg.format import SvgFormat
 from roam_core.interchange.targets import Sources, exported, require_free
 
 MOST_NAMES = 4
@@ -69,6 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     exporter = exporter_for(arguments.to)
     require_suffix(exporter, arguments.out)
+    require_fitting(exporter, arguments)
     project = with_only(loaded(arguments.project), arguments.shape)
     options = ExportOptions(
         frame_offset=arguments.frame_offset,
@@ -104,12 +106,26 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def place_of(out: Path, written: Sequence[Path]) -> str:
-    """Where the files lie: what was asked for, their names, or of many how many there are and in which folder."""
+    """Where the files lie: what was asked for, their names, or of many how many there are, with the first and last."""
     if out.name in [path.name for path in written] or out.is_dir():
         return str(out)
     if len(written) <= MOST_NAMES:
         return ", ".join(path.name for path in written)
-    return f"{len(written)} files in {os.path.commonpath([path.parent for path in written])}"
+    return f"{len(written)} files, {written[0]} to {written[-1]}"
+
+
+def require_fitting(exporter: Exporter, arguments: argparse.Namespace) -> None:
+    """Refuse options that the format would pass over."""
+    if exporter.name != MatteExporter.name:
+        for option in matte_options(arguments):
+            raise RoamError(f"{option} is said of mattes, and {exporter.name} writes none; leave it out.")
+    if arguments.frame is None:
+        return
+    instead = f"say --frames {arguments.frame} {arguments.frame}"
+    if exporter.name != SvgFormat.name:
+        raise RoamError(f"--frame is said of svg, one picture; for {exporter.name} {instead}.")
+    if is_numbered(arguments.out.name):
+        raise RoamError(f"{arguments.out.name} is a pattern for every frame, and --frame asks for one; {instead}.")
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:

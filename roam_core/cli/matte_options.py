@@ -39,6 +39,13 @@ def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--resume", action="store_true", help="skip frames whose files are there")
 
 
+def matte_options(arguments: argparse.Namespace) -> list[str]:
+    """Those of the options that were given another value than their own."""
+    plain: dict[str, object] = dict.fromkeys(("file", "depth", "compression"))
+    plain |= {"per": Parts.ALL, "channels": False, "tight": False, "resume": False}
+    return [f"--{option}" for option, value in plain.items() if getattr(arguments, option) != value]
+
+
 def matte_style(arguments: argparse.Namespace) -> MatteStyle:
     """The style that the options ask for; a `RoamError` when the kind of file cannot hold it."""
     asks_for_exr = arguments.channels or arguments.tight or arguments.depth == Depth.HALF

@@ -183,11 +183,15 @@ def test_frames_without_a_picture_are_named_where_they_get_no_matte(roam: Roam, 
 
 
 def test_many_files_are_counted_and_few_are_named(roam: Roam, project: Path, tmp_path: Path) -> None:
-    mattes = tmp_path / "out" / "m.####.png"
+    out = tmp_path / "out"
+    mattes = out / "m.####.png"
     done = roam("export", project, "--to", "mattes", mattes, "--frames", 7, 8)
     assert done.err == "Wrote 2 shape(s) to m.0007.png, m.0008.png.\n"
     done = roam("export", project, "--to", "mattes", mattes, "--per", "shape")
-    assert done.err == f"Wrote 2 shape(s) to 6 files in {tmp_path / 'out'}.\n"
+    assert (
+        done.err
+        == f"Wrote 2 shape(s) to 6 files, {out / 'Left_arm' / 'm.0007.png'} to {out / 'Right' / 'm.0009.png'}.\n"
+    )
 
 
 def test_a_name_stands_in_a_folder_too(roam: Roam, project: Path, tmp_path: Path) -> None:
@@ -200,3 +204,21 @@ def test_a_name_stands_in_a_folder_too(roam: Roam, project: Path, tmp_path: Path
     done = roam("render", project, "--out", tmp_path / "{name}", "--per", "shape")
     assert (done.status, done.err.count("{name} stands for a layer or shape in --name")) == (1, 1)
     assert not list(tmp_path.glob("{*"))
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "options", "words"),
+    [
+        ("nuke", "p.nk", ("--per", "shape"), "--per is said of mattes, and nuke writes none"),
+        ("json", "p.json", ("--channels",), "--channels is said of mattes, and json writes none"),
+        ("nuke", "p.nk", ("--frame", "8"), "--frame is said of svg, one picture; for nuke say --frames 8 8."),
+        ("mattes", "m.####.png", ("--frame", "8"), "--frame is said of svg, one picture; for mattes say --frames 8 8."),
+        ("svg", "p.####.svg", ("--frame", "8"), "--frame asks for one; say --frames 8 8."),
+    ],
+)
+def test_what_a_format_would_pass_over_is_refused(
+    roam: Roam, project: Path, tmp_path: Path, kind: str, name: str, options: tuple[str, ...], words: str
+) -> None:
+    done = roam("export", project, "--to", kind, tmp_path / name, *options)
+    assert (done.status, words in done.err) == (1, True)
+    assert not (tmp_path / name).exists()
