@@ -11,6 +11,7 @@ from roam_core.interchange import EXPORTERS, ExportOptions, read_shapes
 from roam_core.interchange.protocol import LossyExport
 from roam_core.roto import Animated, Interpolation, Layer, Project, ValueKey
 from roam_core.roto.animated import has_tangents, value_at
+from roam_core.roto.value_curves import bounded
 from tests.judges.programs import JUDGES
 from tests.judges.scenes import FIRST, LAST, Scene, _project, blob
 from tests.judges.table import Judge, judged
@@ -136,3 +137,18 @@ def test_no_opacity_is_written_that_is_none(judge: Judge, opacity: Animated | fl
     path = tmp_path / "out.json"
     EXPORTERS["json"].export(project, path, ExportOptions(frames=range(1003, 1010)))
     assert len(list(read_shapes(path, project.require_clip()).layer.shapes())) == 2
+
+
+@pytest.mark.parametrize("slope", [0.1, -0.1, 0.3, -0.3])
+def test_tangents_that_reach_full_and_none_come_back_from_nuke(slope: float, tmp_path: Path) -> None:
+    """Single precision puts their ends a rounding beyond."""
+    keys = (ValueKey(FIRST, 0.71, slopes=(0.0, slope)), ValueKey(LAST, 0.37, slopes=(slope, 0.0)))
+    opacity = bounded(Animated(keys), "opacity")
+    project = _project(blob("Fades", 150.0, 120.0, opacity=opacity))
+    path = tmp_path / "out.nk"
+    EXPORTERS["nuke"].export(project, path, ExportOptions())
+    (back,) = read_shapes(path, project.require_clip()).layer.shapes()
+    assert isinstance(back.opacity, Animated)
+    assert back.opacity.frames == (FIRST, LAST)
+    for frame in range(FIRST, LAST + 1):
+        assert back.opacity.at(frame) == pytest.approx(opacity.at(frame), abs=1e-6)
