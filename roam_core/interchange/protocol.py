@@ -19,9 +19,9 @@ from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.out_of_sight import without_points
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
-from roam_core.roto.animated import held_within
 from roam_core.roto.bounds import is_near
 from roam_core.roto.control_points import is_of_its_kind
+from roam_core.roto.value_curves import opacity_as_seen
 from roam_core.translatable import sentence
 
 MAX_FRAMES = 1 << 24
@@ -231,10 +231,10 @@ def _opacities_as_seen(layer: Layer) -> Layer:
     children = (
         _opacities_as_seen(child)
         if isinstance(child, Layer)
-        else replace(child, opacity=held_within(child.opacity, 0.0, 1.0))
+        else replace(child, opacity=opacity_as_seen(child.opacity))
         for child in layer.children
     )
-    return replace(layer, children=tuple(children), opacity=held_within(layer.opacity, 0.0, 1.0))
+    return replace(layer, children=tuple(children), opacity=opacity_as_seen(layer.opacity))
 
 
 def _values_within(layer: Layer, frames: range) -> Layer:

@@ -15,9 +15,9 @@ from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import ShapeReader
 from roam_core.interchange.timing import right_before
 from roam_core.roto import Animated, BlendMode, Clip, MotionBlur, RotoShape, ValueKey
-from roam_core.roto.animated import Animatable, held_within, values_of
+from roam_core.roto.animated import Animatable
 from roam_core.roto.shape import NO_COLOUR
-from roam_core.roto.value_curves import bounded
+from roam_core.roto.value_curves import opacity_as_seen
 
 BLEND_MODES = {
     BlendMode.ADD: 0,
@@ -76,10 +76,6 @@ def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tu
     return [*values, ("sb", 1), ("tt", BEZIER_TOOL)]
 
 
-ROUNDING = 1e-4
-"""By how much single precision, and what is fitted to it, may move the end of a tangent that lies on a bound."""
-
-
 class Attributes:
     """The attributes of a layer or shape as a file has them; asking for one tells what is lost of it."""
 
@@ -125,11 +121,8 @@ class Attributes:
             return constant(default)
 
     def opacity(self, reader: ShapeReader) -> Animatable:
-        """The opacity of a shape or layer, in [0, 1]; tangents that lead beyond by a rounding stay tangents."""
-        value = self.animatable(("opc",), 1.0, reader)
-        if all(-ROUNDING <= each <= 1.0 + ROUNDING for each in values_of(value)):
-            return bounded(value, "opacity")
-        return held_within(value, 0.0, 1.0)
+        """The opacity of a shape or layer, in [0, 1]."""
+        return opacity_as_seen(self.animatable(("opc",), 1.0, reader))
 
     def shape_fields(self, reader: ShapeReader) -> dict[str, Any]:
         """What the attributes make of a `RotoShape`."""

@@ -152,3 +152,12 @@ def test_tangents_that_reach_full_and_none_come_back_from_nuke(slope: float, tmp
     assert back.opacity.frames == (FIRST, LAST)
     for frame in range(FIRST, LAST + 1):
         assert back.opacity.at(frame) == pytest.approx(opacity.at(frame), abs=1e-6)
+
+
+def test_the_last_digit_of_a_share_does_not_keep_a_file_from_being_read(tmp_path: Path) -> None:
+    path = tmp_path / "out.json"
+    project = _project(blob("Full", 150.0, 120.0, opacity=0.25))
+    EXPORTERS["json"].export(project, path, ExportOptions())
+    path.write_text(path.read_text().replace('"opacity": 0.25', '"opacity": 1.0000000000000002'))
+    (back,) = read_shapes(path, project.require_clip()).layer.shapes()
+    assert back.opacity == 1.0
