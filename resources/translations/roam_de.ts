@@ -55,6 +55,10 @@
         <translation> und </translation>
     </message>
     <message>
+        <source> and on others</source>
+        <translation> und auf anderen</translation>
+    </message>
+    <message>
         <source> fps</source>
         <translation> fps</translation>
     </message>
@@ -303,7 +307,7 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ein Spline ist immer da: den Filter von {name} abschalten oder schneiden, wo er fehlen soll.</translation>
     </message>
     <message>
-        <source>A still picture has no shutter: that of {name!r} was left out.</source>
+        <source>A still picture has no shutter: that of {name!r} is left out.</source>
         <translation>Ein Standbild hat keinen Verschluss: Der von {name!r} entfällt.</translation>
     </message>
     <message>
@@ -363,7 +367,7 @@ Jetzt: {level}, {changes}</translation>
         <translation>Kantenpunkte von After Effects liegen senkrecht zum Umriss: Die weiche Kante von {name!r} behält ihre Breite an jedem Punkt, nicht ihre Tangenten.</translation>
     </message>
     <message>
-        <source>After Effects&apos; shutter is the composition&apos;s: that of {name!r} was left out.</source>
+        <source>After Effects&apos; shutter is the composition&apos;s: that of {name!r} is left out.</source>
         <translation>In After Effects gilt der Verschluss der Komposition: Der von {name!r} entfällt.</translation>
     </message>
     <message>
@@ -571,7 +575,7 @@ Jetzt: {level}, {changes}</translation>
         <translation>Mischen</translation>
     </message>
     <message>
-        <source>Blender blurs masks in its compositor: the shutter of {name!r} was left out.</source>
+        <source>Blender blurs masks in its compositor: the shutter of {name!r} is left out.</source>
         <translation>Blender zeichnet Masken im Compositor weich: Der Verschluss von {name!r} entfällt.</translation>
     </message>
     <message>
@@ -595,12 +599,16 @@ Jetzt: {level}, {changes}</translation>
         <translation>Blenders weiche Kante liegt senkrecht zum Umriss: Die von {name!r} behält ihre Breite an jedem Punkt, nicht ihre Tangenten.</translation>
     </message>
     <message>
+        <source>Blender&apos;s feather slides from key to key: that of {name!r}, which steps, does so during the last frame before each step.</source>
+        <translation>Blenders weiche Kante gleitet von Keyframe zu Keyframe: Die von {name!r}, die springt, tut das im letzten Frame vor jedem Sprung.</translation>
+    </message>
+    <message>
         <source>Blender&apos;s masks slide from key to key: {name!r}, which steps {count} times, does so during the last frame before each step.</source>
         <translation>Blenders Masken gleiten von Keyframe zu Keyframe: {name!r}, mit {count} Sprüngen, tut das im letzten Frame vor jedem Sprung.</translation>
     </message>
     <message>
-        <source>Blender&apos;s masks slide from key to key: {name!r}, which steps, became {layers} layers, one for each stretch between steps.</source>
-        <translation>Blenders Masken gleiten von Keyframe zu Keyframe: Aus {name!r}, das springt, wurden {layers} Ebenen, eine für jede Strecke zwischen Sprüngen.</translation>
+        <source>Blender&apos;s masks slide from key to key: {name!r}, which steps, becomes {layers} layers, one for each stretch between steps.</source>
+        <translation>Blenders Masken gleiten von Keyframe zu Keyframe: Aus {name!r}, das springt, werden {layers} Ebenen, eine für jede Strecke zwischen Sprüngen.</translation>
     </message>
     <message>
         <source>Blue</source>
@@ -919,12 +927,12 @@ Jetzt: {level}, {changes}</translation>
         <translation>Kurven</translation>
     </message>
     <message>
-        <source>Curves carried through a shot</source>
-        <translation>Kurven, durch den Shot getragen</translation>
+        <source>Curves are written as polygons that stray from them by at most {tolerance:g} px.</source>
+        <translation>Kurven werden als Polygone geschrieben, die um höchstens {tolerance:g} px abweichen.</translation>
     </message>
     <message>
-        <source>Curves were written as polygons that stray from them by at most {tolerance:g} px.</source>
-        <translation>Kurven wurden als Polygone geschrieben, die um höchstens {tolerance:g} px abweichen.</translation>
+        <source>Curves carried through a shot</source>
+        <translation>Kurven, durch den Shot getragen</translation>
     </message>
     <message numerus="yes">
         <source>Cusp %n point(s)</source>
@@ -2240,7 +2248,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>MLT hat keinen Modus {mode!r}: Der von {name} geht verloren.</translation>
     </message>
     <message>
-        <source>MLT has no motion blur: that of {name} was left out.</source>
+        <source>MLT has no motion blur: that of {name} is left out.</source>
         <translation>MLT hat keine Bewegungsunschärfe: Die von {name} entfällt.</translation>
     </message>
     <message>
@@ -2256,7 +2264,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die Rotoskopie von MLT hat keine Deckkraft: Die von {name} geht verloren.</translation>
     </message>
     <message>
-        <source>MLT&apos;s splines are closed: the open {name!r} was left out.</source>
+        <source>MLT&apos;s splines are closed: the open {name!r} is left out.</source>
         <translation>Splines von MLT sind geschlossen: Das offene {name!r} entfällt.</translation>
     </message>
     <message>
@@ -2747,7 +2755,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Objekte sind hart, ohne {left} von {name!r}.</translation>
     </message>
     <message>
-        <source>Objects are opaque: the opacity of {name!r} was left out.</source>
+        <source>Objects are opaque: the opacity of {name!r} is left out.</source>
         <translation>Objekte sind deckend: Die Deckkraft von {name!r} entfällt.</translation>
     </message>
     <message>
@@ -3867,19 +3875,19 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Verschluss {shutter:.2f} Frames.</translation>
     </message>
     <message>
-        <source>Silhouette has one Add for ROAM&apos;s add and plus: that is what {some} became.</source>
-        <translation>Silhouette hat ein Add für Addieren und Plus von ROAM: Das wurde aus {some}.</translation>
+        <source>Silhouette has one Add for ROAM&apos;s add and plus: that is what {some} becomes.</source>
+        <translation>Silhouette hat ein Add für Addieren und Plus von ROAM: Das wird aus {some}.</translation>
+    </message>
+    <message>
+        <source>Silhouette layers have no opacity: that of {name!r} goes into its shapes.</source>
+        <translation>Ebenen in Silhouette haben keine Deckkraft: Die von {name!r} geht in ihre Formen ein.</translation>
     </message>
     <message>
         <source>Silhouette layers have no opacity: that of {name!r} is a shape inside, {veil!r}.</source>
         <translation>Ebenen in Silhouette haben keine Deckkraft: Die von {name!r} ist eine Form darin, {veil!r}.</translation>
     </message>
     <message>
-        <source>Silhouette layers have no opacity: that of {name!r} went into its shapes.</source>
-        <translation>Ebenen in Silhouette haben keine Deckkraft: Die von {name!r} ging in ihre Formen ein.</translation>
-    </message>
-    <message>
-        <source>Silhouette refuses shapes of a single point: {name!r} was left out.</source>
+        <source>Silhouette refuses shapes of a single point: {name!r} is left out.</source>
         <translation>Silhouette lehnt Formen aus einem einzigen Punkt ab: {name!r} entfällt.</translation>
     </message>
     <message>
@@ -3887,7 +3895,7 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Silhouette-Formen</translation>
     </message>
     <message>
-        <source>Silhouette&apos;s shutter is the session&apos;s: that of {name!r} was left out.</source>
+        <source>Silhouette&apos;s shutter is the session&apos;s: that of {name!r} is left out.</source>
         <translation>In Silhouette gilt der Verschluss der Sitzung: Der von {name!r} entfällt.</translation>
     </message>
     <message>
@@ -4139,8 +4147,8 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Zehn Frames weiter</translation>
     </message>
     <message>
-        <source>The B-spline {name!r} was written as Bezier: the same curve, with other handles.</source>
-        <translation>Der B-Spline {name!r} wurde als Bézier geschrieben: dieselbe Kurve mit anderen Tangenten.</translation>
+        <source>The B-spline {name!r} is written as Bezier: the same curve, with other handles.</source>
+        <translation>Der B-Spline {name!r} wird als Bézier geschrieben: dieselbe Kurve mit anderen Tangenten.</translation>
     </message>
     <message>
         <source>The blue channel alone, and back</source>
@@ -4221,12 +4229,12 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Kurve der weichen Kante von {name!r} geht verloren: Masken in Fusion sind rundum gleich weich.</translation>
     </message>
     <message>
-        <source>The feather curve of {name!r} was written as outlines between it and the shape{more}: who moves the shape&apos;s path in another program does not move them.</source>
-        <translation>Die weiche Kante von {name!r} wurde als Umrisse zwischen ihr und der Form geschrieben{more}: Wer den Pfad der Form in einem anderen Programm bewegt, bewegt sie nicht mit.</translation>
+        <source>The feather curve of {name!r} is written as outlines between it and the shape{more}: who moves the shape&apos;s path in another program does not move them.</source>
+        <translation>Die weiche Kante von {name!r} wird als Umrisse zwischen ihr und der Form geschrieben{more}: Wer den Pfad der Form in einem anderen Programm bewegt, bewegt sie nicht mit.</translation>
     </message>
     <message>
-        <source>The feather of {name!r} became a feather and an expansion of half its width, which together cover the same ground.</source>
-        <translation>Aus der weichen Kante von {name!r} wurden eine weiche Kante und eine Erweiterung um ihre halbe Breite, die zusammen dieselbe Fläche bedecken.</translation>
+        <source>The feather of {name!r} becomes a feather and an expansion of half its width, which together cover the same ground.</source>
+        <translation>Aus der weichen Kante von {name!r} werden eine weiche Kante und eine Erweiterung um ihre halbe Breite, die zusammen dieselbe Fläche bedecken.</translation>
     </message>
     <message>
         <source>The feather of {name!r} is lost: how a Silhouette file holds it is not known.</source>
@@ -4491,6 +4499,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The sum of both, as projects of earlier versions added: soft edges that overlap grow hard</source>
         <translation>Die Summe beider, wie Projekte früherer Versionen addierten: sich überlappende weiche Kanten werden hart</translation>
+    </message>
+    <message>
+        <source>The tangents in opacity or feather of {name!r} become linear keys on every frame.</source>
+        <translation>Aus den Tangenten in Deckkraft oder weicher Kante von {name!r} werden lineare Keyframes auf jedem Frame.</translation>
     </message>
     <message>
         <source>The translation {code!r} is not installed; choose another language in the settings.</source>
@@ -6220,11 +6232,19 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{keys} hält an</translation>
     </message>
     <message>
+        <source>{name!r} does not exist on frame {frame}: it is left out.</source>
+        <translation>{name!r} existiert auf Frame {frame} nicht und entfällt.</translation>
+    </message>
+    <message>
         <source>{name!r} does not exist on frame {frame}: its lifetime is in the Shape panel.</source>
         <translation>{name!r} gibt es auf Frame {frame} nicht: Die Lebensdauer steht im Formbereich.</translation>
     </message>
     <message>
-        <source>{name!r} does not exist on the frames that are written: it was left out.</source>
+        <source>{name!r} does not exist on frames {frames}{more}: it is left out.</source>
+        <translation>{name!r} existiert auf den Frames {frames}{more} nicht und entfällt.</translation>
+    </message>
+    <message>
+        <source>{name!r} does not exist on the frames that are written: it is left out.</source>
         <translation>{name!r} existiert auf den geschriebenen Frames nicht und entfällt.</translation>
     </message>
     <message>
@@ -6232,11 +6252,11 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} hat eine Kurve der weichen Kante und eine gleichmäßige; Natron addiert beide.</translation>
     </message>
     <message>
-        <source>{name!r} has one key and no motion; it was left out.</source>
+        <source>{name!r} has one key and no motion; it is left out.</source>
         <translation>{name!r} hat einen Keyframe und keine Bewegung und entfällt.</translation>
     </message>
     <message>
-        <source>{name!r} has too few points for CVAT: it was left out.</source>
+        <source>{name!r} has too few points for CVAT: it is left out.</source>
         <translation>{name!r} hat zu wenige Punkte für CVAT und entfällt.</translation>
     </message>
     <message>
@@ -6248,12 +6268,12 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} ist gesperrt oder ausgeblendet; zum Bearbeiten bitte entsperren und einblenden.</translation>
     </message>
     <message>
-        <source>{name!r} is open or invisible, no object: it was left out.</source>
+        <source>{name!r} is open or invisible, no object: it is left out.</source>
         <translation>{name!r} ist offen oder unsichtbar, kein Objekt, und entfällt.</translation>
     </message>
     <message>
-        <source>{name!r} takes away where nothing lies under it: it was written as hidden.</source>
-        <translation>{name!r} nimmt weg, wo nichts darunter liegt, und wurde ausgeblendet geschrieben.</translation>
+        <source>{name!r} takes away where nothing lies under it: it is written as hidden.</source>
+        <translation>{name!r} nimmt weg, wo nichts darunter liegt, und wird ausgeblendet geschrieben.</translation>
     </message>
     <message>
         <source>{name!r}: smoothed through time; the engine&apos;s outlines moved by at most {max_error:.2f} px, {mean_error:.2f} px on average.</source>

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
-from roam_core.cli.matte_options import add_matte_arguments, given_matte_options, matte_style
+from roam_core.cli.matte_options import add_matte_arguments, matte_options, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
@@ -16,9 +17,13 @@ from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.matte_style import SUFFIXES
 from roam_core.interchange.mattes.exporter import MatteExporter
+from roam_core.interchange.naming import is_numbered
 from roam_core.interchange.protocol import Exporter, LossyExport
 from roam_core.interchange.svg.format import SvgFormat
 from roam_core.interchange.targets import Sources, exported, require_free
+
+MOST_NAMES = 4
+"""Of files that are told by name; more are counted."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -65,6 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     exporter = exporter_for(arguments.to)
     require_suffix(exporter, arguments.out)
+    require_one_drawing(exporter, arguments)
     project = with_only(loaded(arguments.project), arguments.shape)
     options = ExportOptions(
         frame_offset=arguments.frame_offset,
@@ -82,7 +88,7 @@ def run(arguments: argparse.Namespace) -> int:
         Sources.of_clip(project.clip, arguments.project),
         overwrite=arguments.overwrite,
     )
-    tell(without_effect(arguments))
+    tell(without_effect(exporter, arguments))
     try:
         notes = exporter.export(project, arguments.out, options)
     except LossyExport as refusal:
@@ -93,24 +99,41 @@ def run(arguments: argparse.Namespace) -> int:
         files = [str(path) for path, _ in targets]
         print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})
         return 0
-    written = [path.name for path, _ in targets]
-    place = arguments.out if arguments.out.name in written or arguments.out.is_dir() else ", ".join(written)
+    place = place_of(arguments.out, [path for path, _ in targets])
     print(f"Wrote {len(project.shapes)} shape(s) to {place}.", file=sys.stderr)
     for note in notes:
         print(note, file=sys.stderr)
     return 0
 
 
-def without_effect(arguments: argparse.Namespace) -> str:
+def without_effect(exporter: Exporter, arguments: argparse.Namespace) -> str:
     """That options were given which are for something else than what is written, in a sentence; "" for none."""
     idle = []
     if arguments.tolerance is not None and arguments.keys != KeyChoice.REDUCED:
         idle.append("--tolerance is for --keys reduced")
-    if arguments.frame is not None and arguments.to != SvgFormat.name:
+    if arguments.frame is not None and exporter.name != SvgFormat.name:
         idle.append(f"--frame is for {SvgFormat.name}")
-    if arguments.to != MatteExporter.name and (given := given_matte_options(arguments)):
+    if exporter.name != MatteExporter.name and (given := matte_options(arguments)):
         idle.append(f"{', '.join(given)} {'is' if len(given) == 1 else 'are'} for {MatteExporter.name}")
     return f"Without effect here: {'; '.join(idle)}." if idle else ""
+
+
+def place_of(out: Path, written: Sequence[Path]) -> str:
+    """Where the files lie: what was asked for, their names, or of many how many there are, with the first and last."""
+    if out.name in [path.name for path in written] or out.is_dir():
+        return str(out)
+    if len(written) <= MOST_NAMES:
+        return ", ".join(path.name for path in written)
+    return f"{len(written)} files, {written[0]} to {written[-1]}"
+
+
+def require_one_drawing(exporter: Exporter, arguments: argparse.Namespace) -> None:
+    """Refuse one frame for a pattern of names for every frame."""
+    if arguments.frame is not None and exporter.name == SvgFormat.name and is_numbered(arguments.out.name):
+        raise RoamError(
+            f"{arguments.out.name} is a pattern for every frame, and --frame asks for one; "
+            f"say --frames {arguments.frame} {arguments.frame}."
+        )
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:

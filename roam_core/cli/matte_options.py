@@ -39,6 +39,13 @@ def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--resume", action="store_true", help="skip frames whose files are there")
 
 
+def matte_options(arguments: argparse.Namespace) -> list[str]:
+    """Those of the options that were given another value than their own."""
+    plain: dict[str, object] = dict.fromkeys(("file", "depth", "compression"))
+    plain |= {"per": Parts.ALL, "channels": False, "tight": False, "resume": False}
+    return [f"--{option}" for option, value in plain.items() if getattr(arguments, option) != value]
+
+
 def matte_style(arguments: argparse.Namespace) -> MatteStyle:
     """The style that the options ask for; a `RoamError` when the kind of file cannot hold it."""
     asks_for_exr = arguments.channels or arguments.tight or arguments.depth == Depth.HALF
@@ -53,13 +60,6 @@ def matte_style(arguments: argparse.Namespace) -> MatteStyle:
         window=DataWindow.TIGHT if arguments.tight else DataWindow.FULL,
         resumes=arguments.resume,
     )
-
-
-def given_matte_options(arguments: argparse.Namespace) -> list[str]:
-    """Those of the options of pictures that were given."""
-    values = {"per": Parts.ALL, "channels": False, "tight": False, "resume": False}
-    names = ("file", "depth", "compression", *values)
-    return [f"--{name}" for name in names if getattr(arguments, name) != values.get(name)]
 
 
 def require_no_picture(folder: Path, advice: str) -> None:

@@ -21,7 +21,7 @@ from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.matte_style import SUFFIXES, MatteStyle, Parts
-from roam_core.interchange.mattes.exporter import planned, require_places, style_for, write_mattes
+from roam_core.interchange.mattes.exporter import NAME, planned, require_places, style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
@@ -62,6 +62,8 @@ def run(arguments: argparse.Namespace) -> int:
         pattern += style.suffix
     if pattern:
         require_places(pattern, style)
+    if NAME in arguments.out.name and not arguments.out.is_dir():
+        raise RoamError(f"{arguments.out} is the folder of all mattes; {NAME} stands for a layer or shape in --name.")
     tell(other_content_now(clip))
     tell(black_because(project, arguments.project, style))
     names = frame_names(project)

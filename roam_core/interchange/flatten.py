@@ -75,7 +75,7 @@ def hidden_notes(project: Project, root: Branch) -> list[str]:
     """A sentence for each visible shape that lies above nothing and takes from it: it shows nothing, and is hidden."""
     written = {shape.id: shape for shape in root.shapes()}
     return [
-        sentence("{name!r} takes away where nothing lies under it: it was written as hidden.", name=shape.name)
+        sentence("{name!r} takes away where nothing lies under it: it is written as hidden.", name=shape.name)
         for shape in shown_shapes(project.root)
         if shape.id in written and not written[shape.id].visible
     ]

@@ -1,13 +1,14 @@
 """Natron `.py`: a script for Natron's script editor that builds a Roto node with layers, shapes and feather points.
 
 Positions are pixels from the image's lower left corner, y up; handles and feather points are absolute. Layers of a Roto
-node only group. Where a layer acts as one it is a Roto node of its own, joined by Merge nodes.
+node only group. Where a layer acts as one it is a Roto node of its own, joined by Merge nodes. Sums go beyond 1; where
+something is taken from one, a Merge node with what is white everywhere cuts it off there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.flatten import (
+    TAKING,
     Branch,
     branched,
     dimmed_first,
@@ -70,8 +72,9 @@ def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[
     clip = project.require_clip()
     root = branched(readied(project, options))
     shapes = list(root.shapes())
-    writer = _Writer(clip, options, max(len(shapes), 1), flat={shape.id: shape for shape in shapes})
-    if root.is_flat:
+    flat, cuts_sums = {shape.id: shape for shape in shapes}, takes_from_sums(root)
+    writer = _Writer(clip, options, max(len(shapes), 1), flat=flat, cuts_sums=cuts_sums)
+    if root.is_flat and not cuts_sums:
         parts = [writer.part("ROAM", writer.children(project.root))]
     else:
         parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
@@ -81,11 +84,22 @@ def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[
     )
 
 
+def takes_from_sums(root: Branch) -> bool:
+    """True where a sum is inverted, dimmed, or has something over it that takes from it: it must not be beyond 1."""
+    modes = [item.blend for item in root.items if takes_part(item)]
+    if root.is_flat:
+        after = modes[modes.index(BlendMode.PLUS) :] if BlendMode.PLUS in modes else []
+        return any(mode in TAKING or mode is BlendMode.DIFFERENCE for mode in after)
+    inner = (takes_from_sums(replace(item, invert=True)) for item in root.items if isinstance(item, Branch))
+    return BlendMode.PLUS in modes or any(inner)
+
+
 @dataclass
 class _Writer(ShapeWriter):
     """Turns layers and shapes into the plain values from which the script builds items and nodes."""
 
     flat: dict[str, RotoShape] = field(default_factory=dict)
+    cuts_sums: bool = False
 
     def part(self, name: str, items: list[dict[str, Any]], blend: BlendMode = BlendMode.ADD) -> dict[str, Any]:
         """A Roto node, and how it is merged with what lies under it."""
@@ -93,26 +107,33 @@ class _Writer(ShapeWriter):
 
     def parts(self, branch: Branch) -> list[dict[str, Any]]:
         """What Merge nodes join, bottom first: Roto nodes and branches."""
-        parts = []
-        for part in parts_of(branch):
+        parts: list[dict[str, Any]] = []
+        for part in parts_of(branch, lambda shape: shape.blend is not BlendMode.PLUS):
+            is_sum = bool(parts) and part.blend is BlendMode.PLUS
             if isinstance(part.content, Branch):
-                parts.append(self.branch(part.content))
+                parts += [self.branch(part.content), *self._cut(is_sum)]
                 continue
             name = next((shape.name for shape in part.content if takes_part(shape)), "ROAM")
             # What is merged by a node is drawn above nothing in its own.
             mode = BlendMode.ADD if parts else None
             items = [self._shape(shape, mode) for shape in reversed(part.content)]
-            parts.append(self.part(name, items, part.blend))
+            parts += [self.part(name, items, part.blend), *self._cut(is_sum)]
         return parts
+
+    def _cut(self, is_sum: bool) -> list[dict[str, Any]]:
+        """What cuts a sum off at 1: the lesser of it and of a shape around everything."""
+        return [self.part("Everything", [self._everything()]) | {"operation": "min"}] if is_sum else []
+
+    def _everything(self) -> dict[str, Any]:
+        return self._shape(everything("Everything", self.clip.size, self.clip.first), None)
 
     def branch(self, branch: Branch) -> dict[str, Any]:
         """A branch and its parts; an inverted one is taken from a shape around everything."""
         branch = dimmed_first(branch)
         inner = self.parts(branch)
         if branch.invert:
-            full = self._shape(everything("Everything", self.clip.size, self.clip.first), None)
             taken = {"name": whole(branch.name), "parts": inner, "operation": "stencil", "mix": [1.0, []]}
-            inner = [self.part("Everything", [full]), taken]
+            inner = [self.part("Everything", [self._everything()]), taken]
         mix = self._keyed(branch.opacity, straight_keys(branch.opacity))
         return {"name": whole(branch.name), "parts": inner, "operation": OPERATIONS[branch.blend], "mix": mix}
 
@@ -141,7 +162,7 @@ class _Writer(ShapeWriter):
                     "{name!r} has a feather curve and a uniform feather; Natron adds one to the other.", name=shape.name
                 )
             )
-        if shape.blend is BlendMode.PLUS and takes_part(shape):
+        if shape.blend is BlendMode.PLUS and takes_part(shape) and not self.cuts_sums:
             self.notes.append(
                 sentence("Natron's Plus goes beyond 1 where {name!r} overlaps what lies under it.", name=shape.name)
             )

@@ -47,6 +47,9 @@ Kind = TypeVar("Kind", BlendMode, Interpolation, Origin, Spline)
 
 FORMAT, VERSION = "roam-shapes", 2
 
+ROUNDING = 1e-9
+"""What the last digits of a share may be beyond its bounds: it is read as the bound."""
+
 
 class JsonFormat(TextExporter):
     """Writes and reads all layers and shapes of a project as plain JSON."""
@@ -317,9 +320,9 @@ class JsonReader(ShapeReader):
 
     def _share(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
         value = self._number(values, field, place, default)
-        if not 0.0 <= value <= 1.0:
+        if not -ROUNDING <= value <= 1.0 + ROUNDING:
             raise self._refusal(place, f'"{field}" must lie between 0 and 1')
-        return value
+        return min(max(value, 0.0), 1.0)
 
     def _choice(self, kind: type[Kind], values: dict[str, Any], field: str, default: Kind, place: str) -> Kind:
         value = values.get(field, default)

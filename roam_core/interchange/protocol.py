@@ -20,6 +20,8 @@ from roam_core.interchange.out_of_sight import without_points
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.roto.bounds import is_near
+from roam_core.roto.control_points import is_of_its_kind
+from roam_core.roto.value_curves import opacity_as_seen
 from roam_core.translatable import sentence
 
 MAX_FRAMES = 1 << 24
@@ -195,12 +197,13 @@ class ShapeWriter:
         """As `begun`, for a format that moves points by `motion`; and the slopes of reduced cubic spans, or nothing."""
         self.options.advance(self.done / self.total, f"Shape {shape.name}")
         self.done += 1
-        if shape.spline not in self.KINDS:
+        if shape.spline not in self.KINDS or not is_of_its_kind(shape):
             self.notes.append(
                 sentence(
-                    "The B-spline {name!r} was written as Bezier: the same curve, with other handles.", name=shape.name
+                    "The B-spline {name!r} is written as Bezier: the same curve, with other handles.", name=shape.name
                 )
             )
+            shape = replace(shape, spline=Spline.BEZIER)
         shape = exported_keys(shape, self.options, self.notes)
         if self.options.keys is not KeyChoice.REDUCED:
             return shape, ()
@@ -210,16 +213,28 @@ class ShapeWriter:
 
 
 def readied(project: Project, options: ExportOptions) -> Project:
-    """What all writers begin with: layers that stand still, and opacities and feathers on the chosen frames only; where
-    there is motion blur, feathers as far beyond them as the shutter reaches.
+    """What all writers begin with: layers that stand still, opacities between none and full, and these and feathers on
+    the chosen frames only; where there is motion blur, feathers as far beyond them as the shutter reaches.
 
     The keys of outlines are chosen as each shape is begun. Where the engine's are among them, the opacity tells which
     shapes are out of sight.
     """
     project = bake_layers(project)
+    project = replace(project, root=_opacities_as_seen(project.root))
     if options.keys is not KeyChoice.ARTIST:
         project = replace(project, root=without_points(project.root, options.smoothing > 0.0))
     return project if options.frames is None else replace(project, root=_values_within(project.root, options.frames))
+
+
+def _opacities_as_seen(layer: Layer) -> Layer:
+    """The layer with opacities between none and full everywhere, as mattes take them: programs refuse others."""
+    children = (
+        _opacities_as_seen(child)
+        if isinstance(child, Layer)
+        else replace(child, opacity=opacity_as_seen(child.opacity))
+        for child in layer.children
+    )
+    return replace(layer, children=tuple(children), opacity=opacity_as_seen(layer.opacity))
 
 
 def _values_within(layer: Layer, frames: range) -> Layer:

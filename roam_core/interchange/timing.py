@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 
 import numpy as np
 
 from roam_core.roto import Animated, Interpolation, Keyframe, Layer, RotoShape, ValueKey
 from roam_core.roto.animated import Animatable, has_tangents, value_at, value_keys, without_tangents
+from roam_core.translatable import sentence
 
 STEP = 1.0 / 1024.0
 """Frames before the next key at which a held one stands once more: no sample of motion blur falls in between."""
@@ -76,10 +78,28 @@ def straight_keys(value: Animatable) -> tuple[ValueKey, ...]:
     return tuple(result)
 
 
+def beside_zeros(value: Animatable) -> Animatable:
+    """The value with straight keys on the frames around each zero that it passes through between two of its keys.
+
+    For programs that hold the size of a width apart from its side: from 6 outside to 4 inside the size alone would go
+    from 6 to 4. What passes through no zero stays as it is.
+    """
+    if not isinstance(value, Animated):
+        return value
+    keys, added = straight_keys(value), list[ValueKey]()
+    for key, following in pairwise(keys):
+        if key.interpolation is Interpolation.HOLD or key.value * following.value >= 0.0:
+            continue
+        zero = key.frame + (following.frame - key.frame) * key.value / (key.value - following.value)
+        around = {math.floor(zero), math.ceil(zero)} - {key.frame, following.frame}
+        added += (ValueKey(frame, value.at(frame)) for frame in around)
+    return Animated((*keys, *added)) if added else value
+
+
 def tangent_notes(root: Layer) -> list[str]:
     """A sentence for each shape or layer with tangents in its values, for formats that know straight spans only."""
     return [
-        f"The tangents in opacity or feather of {item.name!r} became linear keys on every frame."
+        sentence("The tangents in opacity or feather of {name!r} become linear keys on every frame.", name=item.name)
         for item in (root, *root.items())
         if has_tangents(item.opacity) or (isinstance(item, RotoShape) and has_tangents(item.feather))
     ]

@@ -135,7 +135,8 @@ def _handles(before: ValueKey, after: ValueKey, slopes: Slopes) -> tuple[float, 
 
 def _bezier(u: float, a: float, b: float, c: float, d: float) -> float:
     s = 1.0 - u
-    return s * s * s * a + 3.0 * s * s * u * b + 3.0 * s * u * u * c + u * u * u * d
+    value = s * s * s * a + 3.0 * s * s * u * b + 3.0 * s * u * u * c + u * u * u * d
+    return min(max(value, min(a, b, c, d)), max(a, b, c, d))  # rounding leaves no bounds
 
 
 Animatable = float | Animated

@@ -33,6 +33,16 @@ def settled(points: Array, shape: RotoShape) -> Array:
     return bspline.bezier_points(bspline.control_polygon(points, shape.closed), shape.closed)
 
 
+def is_of_its_kind(shape: RotoShape, tolerance: float = 1e-3) -> bool:
+    """False for a B-spline shape with a key that is none, by more than `tolerance` pixels.
+
+    Perspective makes such keys: the spline of the carried control points is another curve than the carried spline.
+    """
+    return shape.spline is Spline.BEZIER or all(
+        bspline.is_bspline(key.points, shape.closed, tolerance) for key in shape.keys
+    )
+
+
 def with_spline(shape: RotoShape, spline: Spline) -> RotoShape:
     """The shape as one of the other kind.
 

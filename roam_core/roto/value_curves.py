@@ -6,7 +6,17 @@ import math
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 
-from roam_core.roto.animated import Animatable, Animated, Interpolation, Slopes, ValueKey, cubic_slopes, value_keys
+from roam_core.roto.animated import (
+    Animatable,
+    Animated,
+    Interpolation,
+    Slopes,
+    ValueKey,
+    cubic_slopes,
+    held_within,
+    value_keys,
+    values_of,
+)
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import RotoShape
 
@@ -18,6 +28,9 @@ BOUNDS: Mapping[str, tuple[float, float]] = {"opacity": (0.0, 1.0)}
 
 ROUNDING = 1e-12
 """What a bound may be passed by: a slope that was held comes back so much beside it."""
+
+SLIGHTLY = 1e-4
+"""By how much single precision, and what is fitted to it, may move the end of a tangent that lies on a bound."""
 
 SHAPE_VALUES = ("opacity", "feather")
 LAYER_VALUES = ("opacity",)
@@ -174,6 +187,17 @@ def with_tangents(value: Animated, frames: Collection[int]) -> Animated:
 def sloped(value: Animated, frames: Collection[int], slopes: Slopes) -> Animated:
     """The value with tangents of these slopes at its keys on `frames`."""
     return _changed(value, frames, lambda key: replace(key, slopes=slopes))
+
+
+def opacity_as_seen(value: Animatable) -> Animatable:
+    """An opacity that lies between none and full everywhere, as mattes take it.
+
+    Tangents that lead beyond by no more than `SLIGHTLY` are bent back; a span that leads farther has a key on every
+    frame, held within the bounds.
+    """
+    if all(-SLIGHTLY <= each <= 1.0 + SLIGHTLY for each in values_of(value)):
+        return bounded(value, "opacity")
+    return held_within(value, 0.0, 1.0)
 
 
 def bounded(value: Animatable, name: str) -> Animatable:

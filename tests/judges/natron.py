@@ -16,6 +16,7 @@ OPERATIONS = {
     "mask": lambda under, own: under * own,
     "difference": lambda under, own: np.abs(under - own),
     "max": np.maximum,
+    "min": np.minimum,
 }
 """What becomes of the alphas of B, which lies under, and of A."""
 

@@ -165,11 +165,18 @@ def test_nuke_gives_everything_back(project: Project) -> None:
             check_motion(was, item, feather=True)
 
 
+def _untimed(shape: RotoShape) -> RotoShape:
+    """An intersecting shape of a lifetime comes back as one that subtracts its inverse; a second takes the rest."""
+    is_timed = shape.blend is BlendMode.INTERSECT and shape.lifetime is not None and shape.visible and shape.closed
+    return replace(shape, blend=BlendMode.SUBTRACT, invert=not shape.invert) if is_timed else shape
+
+
 @settings(deadline=None, max_examples=25, phases=[Phase.explicit, Phase.reuse, Phase.generate])
 @given(projects)
 def test_silhouette_gives_back_what_it_holds(project: Project) -> None:
     imported = returned(project, "silhouette", ExportOptions(lossy=True))
-    found, expected = list(imported.layer.shapes()), list(project.shapes)
+    found = [shape for shape in imported.layer.shapes() if not shape.name.endswith(" rest")]
+    expected = [_untimed(shape) for shape in project.shapes]
     assert [shape.name for shape in found] == [xml_text(shape.name) for shape in expected]
     for shape, was in zip(found, expected, strict=True):
         assert (shape.visible, shape.locked, shape.invert) == (was.visible, was.locked, was.invert)

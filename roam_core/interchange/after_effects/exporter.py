@@ -32,7 +32,7 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import javascript_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import opacity_keys, straight_keys, tangent_notes
+from roam_core.interchange.timing import beside_zeros, opacity_keys, straight_keys, tangent_notes
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.translatable import N_, sentence
@@ -157,7 +157,7 @@ class _Writer(ShapeWriter):
         """One mask."""
         shape = self.begun(shape)
         self._note_losses(shape)
-        is_feathered = has_feather_curve(shape)
+        is_feathered, feather = has_feather_curve(shape), beside_zeros(shape.feather)
         return {
             "name": shape.name,
             "mode": MODES.get(shape.blend, "ADD") if shape.visible else HIDDEN,
@@ -166,8 +166,8 @@ class _Writer(ShapeWriter):
             "locked": shape.locked,
             "blurred": shape.motion_blur is not None,
             "color": list(shape.colour),
-            "feather": self._value(mapped(shape.feather, abs)),
-            "expansion": self._value(mapped(shape.feather, lambda width: width / 2.0)),
+            "feather": self._value(mapped(feather, abs)),
+            "expansion": self._value(mapped(feather, lambda width: width / 2.0)),
             "opacity": self._keyed(opacity_keys(shape), shape.opacity, 100.0),
             "keys": [self._key(key, shape.closed, is_feathered) for key in shape.keys],
         }
@@ -209,14 +209,14 @@ class _Writer(ShapeWriter):
         if any(values_of(shape.feather)):
             self.notes.append(
                 sentence(
-                    "The feather of {name!r} became a feather and an expansion of half its width, which "
+                    "The feather of {name!r} becomes a feather and an expansion of half its width, which "
                     "together cover the same ground.",
                     name=shape.name,
                 )
             )
         if shape.motion_blur is not None:
             self.notes.append(
-                sentence("After Effects' shutter is the composition's: that of {name!r} was left out.", name=shape.name)
+                sentence("After Effects' shutter is the composition's: that of {name!r} is left out.", name=shape.name)
             )
         if not shape.visible:
             self.notes.append(

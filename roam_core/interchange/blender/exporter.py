@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -32,7 +33,7 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import opacity_keys, straight_keys, tangent_notes, without_holds
+from roam_core.interchange.timing import beside_zeros, opacity_keys, straight_keys, tangent_notes, without_holds
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at
 from roam_core.translatable import N_, sentence
@@ -234,11 +235,17 @@ class _Writer(ShapeWriter):
                     name=shape.name,
                 )
             )
-        if shape.motion_blur is not None:
+        if feather_steps(shape):
             self.notes.append(
                 sentence(
-                    "Blender blurs masks in its compositor: the shutter of {name!r} was left out.", name=shape.name
+                    "Blender's feather slides from key to key: that of {name!r}, which steps, does so during the last "
+                    "frame before each step.",
+                    name=shape.name,
                 )
+            )
+        if shape.motion_blur is not None:
+            self.notes.append(
+                sentence("Blender blurs masks in its compositor: the shutter of {name!r} is left out.", name=shape.name)
             )
         if len(shape.name.encode("utf-8", "replace")) > LONGEST_NAME:
             self.notes.append(
@@ -250,9 +257,23 @@ class _Writer(ShapeWriter):
             )
 
 
+def feather_steps(shape: RotoShape) -> list[int]:
+    """The frames on which the uniform feather jumps from what was held to a key."""
+    return [
+        after.frame
+        for before, after in pairwise(straight_keys(shape.feather))
+        if before.interpolation is Interpolation.HOLD and before.value != after.value
+    ]
+
+
 def with_feather_keys(shape: RotoShape) -> RotoShape:
-    """The shape with keys where its uniform feather has some, for programs that keep the two together."""
-    frames = [key.frame for key in straight_keys(shape.feather) if key.frame not in shape.frames]
+    """The shape with keys where its uniform feather has some, for programs that keep the two together.
+
+    They move straight from key to key: a feather that is held has one right before its step, too.
+    """
+    steps = feather_steps(shape)
+    soft = {*(key.frame for key in straight_keys(beside_zeros(shape.feather))), *(frame - 1 for frame in steps)}
+    frames = sorted(soft.difference(shape.frames))
     if not frames:
         return shape
     keys = []

@@ -46,7 +46,8 @@ def new_layer(mask, data):
     layer.invert = data["invert"]
     layer.falloff = "LINEAR"
     layer.use_fill_overlap = True
-    layer.hide = layer.hide_render = data["hidden"]
+    layer.hide = data["hidden"]
+    layer.hide_render = data["hidden"] or not data["closed"]  # an open spline shows its feather, and inverted all
     spline = layer.splines.new()
     spline.use_cyclic = data["closed"]
     spline.use_fill = data["closed"]

@@ -37,7 +37,7 @@ def stepped(branch: Branch, clip: Clip, notes: list[str]) -> Branch:
         elif steps:
             notes.append(
                 sentence(
-                    "Blender's masks slide from key to key: {name!r}, which steps, became {layers} layers, "
+                    "Blender's masks slide from key to key: {name!r}, which steps, becomes {layers} layers, "
                     "one for each stretch between steps.",
                     name=item.name,
                     layers=len(steps) + 1,

@@ -26,7 +26,14 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import lua_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import moments, opacity_keys, straight_keys, tangent_notes, value_moments
+from roam_core.interchange.timing import (
+    beside_zeros,
+    moments,
+    opacity_keys,
+    straight_keys,
+    tangent_notes,
+    value_moments,
+)
 from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.translatable import N_, sentence
@@ -164,10 +171,10 @@ class _Writer(ShapeWriter):
         tool = self._tool_name(shape.name)
         values = [*self._joint(below, mode, shape.invert), *self._frame_format("MaskWidth", "MaskHeight"), CLIPPING]
         splines = self._keyed(values, tool, "Level", shape.opacity, opacity_keys(shape), 1.0)
-        width = self.clip.size[0]
+        width, soft = self.clip.size[0], beside_zeros(shape.feather)
         for name, feather in (
-            ("SoftEdge", mapped(shape.feather, lambda wide: abs(wide) / width)),
-            ("BorderWidth", mapped(shape.feather, lambda wide: wide / 2.0 / width)),
+            ("SoftEdge", mapped(soft, lambda wide: abs(wide) / width)),
+            ("BorderWidth", mapped(soft, lambda wide: wide / 2.0 / width)),
         ):
             splines += self._keyed(values, tool, name, feather, straight_keys(feather), 0.0)
         values += [

@@ -75,7 +75,7 @@ class _Writer(ShapeWriter):
             shape = self.begun(child)
             if not shape.closed or not shape.visible:
                 self.notes.append(
-                    sentence("{name!r} is open or invisible, no object: it was left out.", name=shape.name)
+                    sentence("{name!r} is open or invisible, no object: it is left out.", name=shape.name)
                 )
                 continue
             self._tell(shape)
@@ -99,7 +99,7 @@ class _Writer(ShapeWriter):
                 sentence("Objects are hard, without the {left} of {name!r}.", left=listed(left), name=shape.name)
             )
         if not is_always(shape.opacity, 1.0):
-            self.notes.append(sentence("Objects are opaque: the opacity of {name!r} was left out.", name=shape.name))
+            self.notes.append(sentence("Objects are opaque: the opacity of {name!r} is left out.", name=shape.name))
 
     def document(self, root: Layer, told_to: ExportOptions) -> dict[str, Any]:
         """The data set; `told_to` hears of each frame."""

@@ -99,7 +99,7 @@ class _Writer(ShapeWriter):
     def _add_track(self, shape: RotoShape, label: str) -> None:
         shape = self.begun(shape)
         if shape.point_count < (3 if shape.closed else 2):
-            self.notes.append(sentence("{name!r} has too few points for CVAT: it was left out.", name=shape.name))
+            self.notes.append(sentence("{name!r} has too few points for CVAT: it is left out.", name=shape.name))
             return
         self._tell(shape)
         moving = without_holds(without_smooth_keys(shape))
@@ -127,7 +127,7 @@ class _Writer(ShapeWriter):
         start, stop = max(start, frames[0]), min(stop, frames[-1] + 1)
         if start >= stop:
             self.notes.append(
-                sentence("{name!r} does not exist on the frames that are written: it was left out.", name=shape.name)
+                sentence("{name!r} does not exist on the frames that are written: it is left out.", name=shape.name)
             )
             return {}
         found = dict.fromkeys((frame for frame in shape.frames if start <= frame < stop), True)

@@ -16,7 +16,7 @@ TOLERANCE = 0.1
 """Pixels by which a polygon's side may stray from the curve."""
 
 BELONG = sentence(
-    "Curves were written as polygons that stray from them by at most {tolerance:g} px.", tolerance=TOLERANCE
+    "Curves are written as polygons that stray from them by at most {tolerance:g} px.", tolerance=TOLERANCE
 )
 
 

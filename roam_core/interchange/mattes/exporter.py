@@ -39,8 +39,8 @@ class MatteExporter:
         A `path` without the suffix of a picture is a folder, made when missing, for `matte.1001.png` and so on; one
         that says where a frame's number goes, and is no folder yet, gets the suffix of the style. With a suffix, that
         says what kind of file is written, and the frame's number goes in place of `####` or `%04d` in the file's name,
-        or before the suffix where there is neither; the name of a layer or shape goes in place of `{name}`, or makes a
-        folder of its own.
+        or before the suffix where there is neither; the name of a layer or shape goes in place of `{name}`, there or in
+        the folder's, or makes a folder of its own.
         """
         clip = project.require_clip()
         folder, name_for, style = self._place(path, options)
@@ -77,6 +77,8 @@ class MatteExporter:
             folder, pattern = path.parent, path.name
             style = style_for(path, style)
             require_places(pattern, style)
+            if not folder.is_dir():
+                require_places(str(folder), style)
         else:
             folder, pattern = path, f"matte.####{style.suffix}"
         return folder, numbering(pattern, options.frame_offset), style
@@ -184,7 +186,7 @@ def write_mattes(
     frames : the plate's frame numbers.
     folder : made when it is missing.
     name_for : gives the file name of a frame. Where every layer or shape has files of its own, its word goes in place
-        of `{name}`, or is the name of a folder in `folder`.
+        of `{name}` there or in `folder`, or is the name of a folder in `folder`.
     size : (h, w) of the pictures.
     style : kind, depth and compression of the files, and what has one.
     pixel_aspect : of the pictures, noted in EXR and TIFF files.
@@ -205,7 +207,8 @@ def write_mattes(
     """
     parts = parts_of(shapes, style.parts)
     plan = _plan(frames, folder, name_for, parts, style)
-    for place in sorted({path.parent for paths in plan.values() for path in paths} | {folder}):
+    folders = {path.parent for paths in plan.values() for path in paths}
+    for place in sorted(folders if NAME in str(folder) and not _is_single(style) else folders | {folder}):
         _make(place)
     made: list[Path] = []
     kept: list[Path] = []
@@ -295,8 +298,8 @@ def _plan(
             raise RoamError(f"{name!r} is no file name for the matte of frame {frame}.")
         if is_single:
             paths = [folder / name]
-        elif NAME in name:
-            paths = [folder / name.replace(NAME, part.word) for part in parts]
+        elif NAME in str(folder / name):
+            paths = [Path(str(folder / name).replace(NAME, part.word)) for part in parts]
         else:
             paths = [folder / part.word / name for part in parts]
         for path in paths:

@@ -90,7 +90,7 @@ class _Writer(ShapeWriter):
     def _add_shape(self, shape: RotoShape) -> None:
         shape = self.begun(shape)
         if not shape.closed:
-            self.notes.append(sentence("MLT's splines are closed: the open {name!r} was left out.", name=shape.name))
+            self.notes.append(sentence("MLT's splines are closed: the open {name!r} is left out.", name=shape.name))
             return
         self._tell_shape(shape)
         moving = without_holds(without_smooth_keys(shape))
@@ -136,7 +136,7 @@ class _Writer(ShapeWriter):
             lost = self.losses if shape.visible else self.notes
             lost.append(sentence("MLT has one feather all around: the feather curve of {name} is lost.", name=name))
         if shape.motion_blur is not None:
-            self.notes.append(sentence("MLT has no motion blur: that of {name} was left out.", name=name))
+            self.notes.append(sentence("MLT has no motion blur: that of {name} is left out.", name=name))
 
 
 def is_mlt(document: Any) -> bool:

@@ -15,8 +15,9 @@ from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import ShapeReader
 from roam_core.interchange.timing import right_before
 from roam_core.roto import Animated, BlendMode, Clip, MotionBlur, RotoShape, ValueKey
-from roam_core.roto.animated import Animatable, held_within
+from roam_core.roto.animated import Animatable
 from roam_core.roto.shape import NO_COLOUR
+from roam_core.roto.value_curves import opacity_as_seen
 
 BLEND_MODES = {
     BlendMode.ADD: 0,
@@ -121,7 +122,7 @@ class Attributes:
 
     def opacity(self, reader: ShapeReader) -> Animatable:
         """The opacity of a shape or layer, in [0, 1]."""
-        return held_within(self.animatable(("opc",), 1.0, reader), 0.0, 1.0)
+        return opacity_as_seen(self.animatable(("opc",), 1.0, reader))
 
     def shape_fields(self, reader: ShapeReader) -> dict[str, Any]:
         """What the attributes make of a `RotoShape`."""

@@ -83,7 +83,7 @@ class NukeTracksExporter:
             writer.done += 1
             shape = exported_keys(shape, options, writer.notes)
             if len(shape.keys) < 2:
-                writer.notes.append(sentence("{name!r} has one key and no motion; it was left out.", name=shape.name))
+                writer.notes.append(sentence("{name!r} has one key and no motion; it is left out.", name=shape.name))
                 continue
             corners, frames = box_motion(shape)
             reference = reference_frame(shape)

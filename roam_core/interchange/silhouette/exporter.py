@@ -99,7 +99,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
         names = ", ".join(sums[:6])
         some = sentence("{names} and others", names=names) if len(sums) > 6 else names
         writer.notes.append(
-            sentence("Silhouette has one Add for ROAM's add and plus: that is what {some} became.", some=some)
+            sentence("Silhouette has one Add for ROAM's add and plus: that is what {some} becomes.", some=some)
         )
     return text, settled(writer.notes, writer.losses, options)
 
@@ -144,7 +144,7 @@ class _Writer(ShapeWriter):
         opacity = product(opacity, layer.opacity)
         if layer.opacity != 1.0:
             self.notes.append(
-                sentence("Silhouette layers have no opacity: that of {name!r} went into its shapes.", name=layer.name)
+                sentence("Silhouette layers have no opacity: that of {name!r} goes into its shapes.", name=layer.name)
             )
         properties = ET.SubElement(element, "Properties")
         _constant(properties, "color", "(1.000000,1.000000,1.000000)")
@@ -163,7 +163,7 @@ class _Writer(ShapeWriter):
         shape = without_smooth_keys(self.begun(shape))
         if shape.point_count < 2:
             self.notes.append(
-                sentence("Silhouette refuses shapes of a single point: {name!r} was left out.", name=shape.name)
+                sentence("Silhouette refuses shapes of a single point: {name!r} is left out.", name=shape.name)
             )
             return
         self._note_losses(shape)
@@ -191,7 +191,7 @@ class _Writer(ShapeWriter):
             )
         if shape.motion_blur is not None:
             self.notes.append(
-                sentence("Silhouette's shutter is the session's: that of {name!r} was left out.", name=shape.name)
+                sentence("Silhouette's shutter is the session's: that of {name!r} is left out.", name=shape.name)
             )
 
     def _add_opacity(self, properties: ET.Element, shape: RotoShape, opacity: Animatable) -> None:

@@ -21,7 +21,7 @@ from roam_core.interchange.svg.painting import Painter
 from roam_core.interchange.svg.reading import SvgReader
 from roam_core.interchange.svg.words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
 from roam_core.roto import Clip, Project
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 PAGE = "#404040"
 """The page's colour in Inkscape, before which white shapes are seen."""
@@ -120,6 +120,10 @@ def _absence(name: str, frames: Iterable[int]) -> str:
         else:
             spans.append([frame, frame])
     told = [str(first) if first == last else f"{first} to {last}" for first, last in spans[:4]]
-    more = " and on others" if len(spans) > 4 else ""
-    word = "frame" if len(spans) == 1 and spans[0][0] == spans[0][1] else "frames"
-    return f"{name!r} does not exist on {word} {', '.join(told)}{more}: it was left out."
+    where = ", ".join(told)
+    if len(spans) == 1 and spans[0][0] == spans[0][1]:
+        return sentence("{name!r} does not exist on frame {frame}: it is left out.", name=name, frame=where)
+    more = sentence(" and on others") if len(spans) > 4 else ""
+    return sentence(
+        "{name!r} does not exist on frames {frames}{more}: it is left out.", name=name, frames=where, more=more
+    )

@@ -266,7 +266,7 @@ class Painter(ShapeWriter):
             more = ", and joins its even feather roughly" if shape.feather_at(self.frame) else ""
             self.notes.append(
                 sentence(
-                    "The feather curve of {name!r} was written as outlines between it and the shape{more}: "
+                    "The feather curve of {name!r} is written as outlines between it and the shape{more}: "
                     "who moves the shape's path in another program does not move them.",
                     name=shape.name,
                     more=more,
@@ -274,7 +274,7 @@ class Painter(ShapeWriter):
             )
         if shape.motion_blur is not None:
             self.notes.append(
-                sentence("A still picture has no shutter: that of {name!r} was left out.", name=shape.name)
+                sentence("A still picture has no shutter: that of {name!r} is left out.", name=shape.name)
             )
 
     # ---- aids --------------------------------------------------------------------------------------------------------

@@ -192,3 +192,33 @@ def test_frames_without_a_picture_are_named_where_they_get_no_matte(roam: Roam, 
     done = roam("render", project, "--out", tmp_path / "out")
     assert (done.status, names(tmp_path / "out")) == (0, ["p.7.png", "p.9.png"])
     assert "The plate has no picture of frame(s) 8: no matte is written there" in done.err
+
+
+def test_many_files_are_counted_and_few_are_named(roam: Roam, project: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    mattes = out / "m.####.png"
+    done = roam("export", project, "--to", "mattes", mattes, "--frames", 7, 8)
+    assert done.err == "Wrote 2 shape(s) to m.0007.png, m.0008.png.\n"
+    done = roam("export", project, "--to", "mattes", mattes, "--per", "shape")
+    assert (
+        done.err
+        == f"Wrote 2 shape(s) to 6 files, {out / 'Left_arm' / 'm.0007.png'} to {out / 'Right' / 'm.0009.png'}.\n"
+    )
+
+
+def test_a_name_stands_in_a_folder_too(roam: Roam, project: Path, tmp_path: Path) -> None:
+    pattern = tmp_path / "out" / "{name}" / "{name}.####.png"
+    assert roam("export", project, "--to", "mattes", pattern, "--per", "shape", "--frames", 7, 7).status == 0
+    made = sorted(str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*"))
+    assert made == ["Left_arm", "Left_arm/Left_arm.0007.png", "Right", "Right/Right.0007.png"]
+    done = roam("export", project, "--to", "mattes", pattern)
+    assert "{name} stands for a layer or shape, but there is one matte of all" in done.err
+    done = roam("render", project, "--out", tmp_path / "{name}", "--per", "shape")
+    assert (done.status, done.err.count("{name} stands for a layer or shape in --name")) == (1, 1)
+    assert not list(tmp_path.glob("{*"))
+
+
+def test_one_frame_for_a_pattern_of_drawings_is_refused(roam: Roam, project: Path, tmp_path: Path) -> None:
+    done = roam("export", project, "--to", "svg", tmp_path / "p.####.svg", "--frame", "8")
+    assert (done.status, done.err.count("--frame asks for one; say --frames 8 8.")) == (1, 1)
+    assert not list(tmp_path.glob("*.svg"))

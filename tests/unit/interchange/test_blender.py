@@ -145,7 +145,7 @@ def test_a_shape_that_steps_often_stays_one_and_is_told() -> None:
     layers = data(blender_script(only(seldom))[0])
     assert [each["name"] for each in layers] == ["Often"] * 3
     assert [[key[0] for key in each["alpha"][1]] for each in layers] == [[0, 1, 2], [1, 2, 3], [2, 3, 1041]]
-    assert "became 3 layers" in blender_script(only(seldom))[1][0]
+    assert "becomes 3 layers" in blender_script(only(seldom))[1][0]
 
 
 def test_masks_that_blender_cuts_off_are_a_loss() -> None:
@@ -206,3 +206,18 @@ def test_blender_joins_and_feathers_as_we_do(tmp_path: Path) -> None:
     for shape, layer in zip(shapes, made.layers, strict=True):
         held = whole(shape.name).partition("\0")[0][:20]
         assert layer["name"].startswith(held)
+
+
+def test_open_shapes_make_no_matte_in_blender_whatever_their_look(tmp_path: Path) -> None:
+    """Of an open spline Blender shows the feather, and of an inverted one everything."""
+    clip = replace(CLIP, size=(192, 108))
+    still = bent_leaf(clip.size)
+    frame = still.frames[0]
+    line = replace(still, closed=False)
+    looks = ({"invert": True}, {"feather": 9.0}, {"invert": True, "opacity": 0.5}, {"blend": BlendMode.INTERSECT})
+    opened = (replace(line, id=f"shape-{k}", name=f"Line {k}", **look) for k, look in enumerate(looks, 2))
+    project = only(still, *opened, clip=clip)
+    ours = render_matte(project, frame, (108, 192))
+    theirs = rendered(blender_script(project)[0], tmp_path, clip.size, 1.0, [frame])
+    assert np.abs(theirs.mattes[frame] - ours).mean() < 0.005
+    assert not any(layer["hidden"] for layer in data(blender_script(project)[0]))

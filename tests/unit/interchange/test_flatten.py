@@ -120,6 +120,6 @@ def test_shapes_that_take_from_nothing_are_hidden_and_named() -> None:
     one = Project(None, Layer("root", "Root", (hole, block(1, 2.0))))
     root = branched(one)
     assert [shape.visible for shape in root.shapes()] == [False, True]
-    assert hidden_notes(one, root) == ["'Hole' takes away where nothing lies under it: it was written as hidden."]
+    assert hidden_notes(one, root) == ["'Hole' takes away where nothing lies under it: it is written as hidden."]
     other = Project(None, Layer("root", "Root", (block(1, 2.0), hole, replace(HOLE, id="shape-7", visible=False))))
     assert hidden_notes(other, branched(other)) == []

@@ -264,7 +264,7 @@ def test_a_cvat_file_without_outlines_is_told_and_one_with_some_is_not(tmp_path:
 def test_a_shape_that_exists_on_no_frame_that_is_written_is_left_out_of_cvat_and_told(tmp_path: Path) -> None:
     gone = replace(car(), id="gone", name="Gone", lifetime=(CLIP.last + 1, CLIP.last + 9))
     notes = EXPORTERS["cvat"].export(project(car(), gone), tmp_path / "p.xml")
-    assert "'Gone' does not exist on the frames that are written: it was left out." in notes
+    assert "'Gone' does not exist on the frames that are written: it is left out." in notes
     assert [shape.name for shape in read_shapes(tmp_path / "p.xml", CLIP).layer.shapes()] == ["Car"]
     last = replace(gone, lifetime=(CLIP.last, CLIP.last + 9))
     assert not any("left out" in note for note in EXPORTERS["cvat"].export(project(last), tmp_path / "p.xml"))

@@ -13,9 +13,9 @@ from roam_core.interchange.keys.reduction import reduced
 from roam_core.interchange.matte_style import Parts
 from roam_core.interchange.mattes.exporter import parts_of
 from roam_core.interchange.protocol import ExportOptions, KeyChoice, exported_keys
-from roam_core.interchange.registry import EXPORTERS
+from roam_core.interchange.registry import EXPORTERS, read_shapes
 from roam_core.matte import render_matte
-from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
+from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, Spline, control_points, edit
 from tests.unit.interchange.conftest import CLIP
 
 TILT = np.array([[1.05, 0.02, 30.0], [-0.03, 0.98, -12.0], [1e-5, 2e-5, 1.0]])
@@ -65,3 +65,23 @@ def test_keys_that_only_a_layer_asks_for_are_left_out_or_kept_as_the_motion_want
     frames = {choice: exported_keys(carried, ExportOptions(keys=choice), []).frames for choice in KeyChoice}
     assert frames[KeyChoice.ARTIST] == frames[KeyChoice.EVERY] == tuple(range(1001, 1032))
     assert reduced(carried, 0.5).shape.frames == (1001, 1031)
+
+
+@pytest.mark.parametrize("name", ["json", "silhouette"])
+@pytest.mark.parametrize("tilt", [0.0, 4e-4])
+def test_a_b_spline_that_is_none_in_perspective_comes_back_as_the_same_curve(
+    name: str, tilt: float, tmp_path: Path
+) -> None:
+    hull = bezier.polygon_points([(100.0, 100.0), (900.0, 80.0), (950.0, 700.0), (500.0, 900.0), (80.0, 600.0)])
+    shape = RotoShape("shape-1", "Sign", (Keyframe(CLIP.first, hull),))
+    shape = control_points.with_spline(shape, Spline.BSPLINE)
+    moves = LayerTransform.of({CLIP.first: np.eye(3), CLIP.last: [[1.1, 0.1, 9.0], [-0.1, 1.0, 3.0], [tilt, 0.0, 1.0]]})
+    project = Project(CLIP, Layer("root", "Root", (Layer("layer-1", "Wall", (shape,), transform=moves),)))
+    path = tmp_path / f"shapes{EXPORTERS[name].suffix}"
+    notes = EXPORTERS[name].export(project, path, ExportOptions())
+    assert any("'Sign' is written as Bezier" in note for note in notes) is bool(tilt)
+    (back,) = read_shapes(path, CLIP).layer.shapes()
+    assert back.spline is (Spline.BEZIER if tilt else Spline.BSPLINE)
+    placed = project.shape("shape-1")
+    for frame in (CLIP.first, CLIP.last):
+        np.testing.assert_allclose(back.at(frame).points, placed.at(frame).points, atol=0.01)

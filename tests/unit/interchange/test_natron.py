@@ -5,9 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from roam_core.interchange.natron import natron_script
-from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, ValueKey
+from roam_core.matte import render_matte
+from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
+from tests.judges import natron
+from tests.judges.coverage import overlap
+from tests.judges.scenes import FIRST, LAST, SIZE, _project, blob
 from tests.unit.interchange.conftest import CLIP, animated
 from tests.unit.interchange.natron_judge import judge
 
@@ -45,9 +50,10 @@ def test_feather_points_are_those_of_the_feather_curve(project: Project) -> None
 
 
 def test_operators_are_those_of_the_modes() -> None:
-    shapes = tuple(replace(animated("x"), id=f"shape-{k}", blend=mode) for k, mode in enumerate(BlendMode))
+    modes = sorted(BlendMode, key=lambda mode: mode is BlendMode.PLUS)  # a sum on top, from which nothing is taken
+    shapes = tuple(replace(animated("x"), id=f"shape-{k}", blend=mode) for k, mode in enumerate(modes))
     masks, _ = judge(natron_script(Project(CLIP, Layer("root", "Root", shapes)))[0], 1080)
-    operators = ["Over", "Plus", "Stencil", "Mask", "Difference", "Max"]
+    operators = ["Over", "Stencil", "Mask", "Difference", "Max", "Plus"]
     assert [mask.values["item"].operator for mask in masks] == operators
 
 
@@ -80,3 +86,29 @@ def test_a_sum_that_goes_beyond_one_in_natron_is_told() -> None:
     note = "Natron's Plus goes beyond 1 where 'upper' overlaps what lies under it."
     assert note in natron_script(project)[1]
     assert note not in natron_script(project.with_shape(replace(upper, visible=False)))[1]
+
+
+SUM = (blob("lower", 120.0, 120.0), blob("upper", 150.0, 120.0, blend=BlendMode.PLUS))
+
+
+@pytest.mark.parametrize(
+    "items",
+    [
+        (*SUM, blob("cut", 140.0, 120.0, 20.0, 15.0, blend=BlendMode.SUBTRACT, opacity=0.5)),
+        (*SUM, blob("apart", 140.0, 120.0, 20.0, 15.0, blend=BlendMode.DIFFERENCE)),
+        (Layer("l", "Out", SUM, invert=True),),
+        (Layer("l", "Dim", SUM, opacity=0.5),),
+        (
+            blob("Ground", 60.0, 100.0),
+            Layer("l", "Sum", (*SUM, Layer("m", "In", SUM, invert=True)), blend=BlendMode.PLUS),
+        ),
+    ],
+    ids=["cut", "apart", "inverted", "dimmed", "in a layer"],
+)
+def test_a_sum_from_which_something_is_taken_is_cut_off_at_one(items: tuple[Layer | RotoShape, ...]) -> None:
+    project = _project(*items)
+    text, notes = natron_script(project)
+    assert not any("beyond 1" in note for note in notes)
+    for frame in (FIRST, LAST):
+        ours = render_matte(project, frame, (SIZE[1], SIZE[0]))
+        assert overlap(ours, natron.matte(text, frame, (SIZE[1], SIZE[0]))) > 0.999

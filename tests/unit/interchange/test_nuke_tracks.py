@@ -121,7 +121,7 @@ def test_names_are_inert(tmp_path: Path, name: str) -> None:
 def test_a_shape_that_does_not_move_is_named(tmp_path: Path) -> None:
     still = RotoShape("shape-1", "Still", (Keyframe(1001, polygon_points(BOX)),))
     notes = EXPORTERS["nuke-tracks"].export(Project(CLIP, Layer("root", "Root", (still,))), tmp_path / "a.nk")
-    assert notes == ("'Still' has one key and no motion; it was left out.",)
+    assert notes == ("'Still' has one key and no motion; it is left out.",)
 
 
 def test_tracks_may_have_gaps_and_must_have_points() -> None:

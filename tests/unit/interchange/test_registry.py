@@ -74,7 +74,7 @@ def test_a_b_spline_stays_one_or_becomes_the_bezier_that_it_is(project: Project,
     spline = control_points.with_spline(arm, Spline.BSPLINE)
     path = tmp_path / f"p{EXPORTERS[name].suffix}"
     notes = EXPORTERS[name].export(project.with_shape(spline), path, ExportOptions(lossy=True))
-    told = "The B-spline 'Arm' was written as Bezier: the same curve, with other handles." in notes
+    told = "The B-spline 'Arm' is written as Bezier: the same curve, with other handles." in notes
     assert told is (name not in ("silhouette", "json", "svg"))
 
 

@@ -117,7 +117,7 @@ def test_a_layers_opacity_goes_into_the_shapes_that_it_scales(blend: BlendMode, 
     project = only(replace(animated("A"), blend=blend, opacity=0.4), opacity=0.5)
     shape = judged(project)["A"]
     assert (shape.properties["mode"], shape.properties["opacity"]) == (mode, percent)
-    assert "'Body' went into its shapes" in silhouette_document(project)[1][0]
+    assert "'Body' goes into its shapes" in silhouette_document(project)[1][0]
 
 
 def test_an_inverted_layers_opacity_is_a_shape_inside() -> None:
@@ -204,7 +204,7 @@ def test_layers_have_their_modes() -> None:
     text, notes = silhouette_document(Project(CLIP, Layer("root", "Root", tuple(layers))))
     written = [layer.properties["mode"] for layer in judge(text)[1].children]
     assert written == [MODES[mode] for mode in BlendMode]
-    assert notes == ("Silhouette has one Add for ROAM's add and plus: that is what 'plus' became.",)
+    assert notes == ("Silhouette has one Add for ROAM's add and plus: that is what 'plus' becomes.",)
 
 
 def test_an_opacity_that_varies_is_keyed() -> None:
@@ -258,7 +258,7 @@ def test_what_is_lost_is_told(project: Project, tmp_path: Path) -> None:
 def test_a_single_point_is_left_out_and_told() -> None:
     text, notes = silhouette_document(only(RotoShape("a", "Dot", (Keyframe(1001, points(1, 1)),))))
     assert judge(text)[1].shapes() == []
-    assert notes == ("Silhouette refuses shapes of a single point: 'Dot' was left out.",)
+    assert notes == ("Silhouette refuses shapes of a single point: 'Dot' is left out.",)
 
 
 def test_nothing_is_lost_of_a_plain_shape() -> None:

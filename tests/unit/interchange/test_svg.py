@@ -83,9 +83,9 @@ def test_names_come_back_but_for_what_xml_cannot_hold(tmp_path: Path) -> None:
 
 def test_what_is_lost_is_told(project: Project) -> None:
     notes = " ".join(svg_document(project, 1010)[1])
-    for words in ("The feather curve of 'Soft' was written as outlines", "no shutter: that of 'Soft'"):
+    for words in ("The feather curve of 'Soft' is written as outlines", "no shutter: that of 'Soft'"):
         assert words in notes
-    assert svg_document(project, 1020)[1] == ("'Soft' does not exist on frame 1020: it was left out.",)
+    assert svg_document(project, 1020)[1] == ("'Soft' does not exist on frame 1020: it is left out.",)
 
 
 # ---- reading ---------------------------------------------------------------------------------------------------------

@@ -91,4 +91,4 @@ def test_a_lifetime_is_one_sentence_for_all_frames(tmp_path: Path) -> None:
     shape = replace(disc("Brief", 200.0), lifetime=(5, 9))
     project = Project(CLIP, Layer("root", "Root", (disc("Base", 200.0), shape)))
     notes = EXPORTERS["svg"].export(project, tmp_path / "p.####.svg")
-    assert notes == ("'Brief' does not exist on frames 1 to 4, 9 to 21: it was left out.",)
+    assert notes == ("'Brief' does not exist on frames 1 to 4, 9 to 21: it is left out.",)

@@ -191,3 +191,9 @@ def test_a_share_stays_one_where_tangents_lead_beyond_it() -> None:
     dip = Animated((ValueKey(0, 0.2, slopes=(0.0, -1.0)), ValueKey(10, 0.2, slopes=(1.0, 0.0))))
     assert [share_at(dip, frame) for frame in (0, 5, 10)] == [0.2, 0.0, 0.2]
     assert share_at(0.25, 3) == 0.25
+
+
+def test_rounding_leads_a_cubic_nowhere_beyond_its_ends_and_handles() -> None:
+    for span in range(2, 12):
+        full = Animated((ValueKey(0, 1.0, slopes=(0.0, 0.0)), ValueKey(span, 1.0)))
+        assert {full.at(frame) for frame in range(span + 1)} == {1.0}
