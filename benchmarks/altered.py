@@ -1,4 +1,4 @@
-"""Altered shots: the object beside its own copy or in haze, the camera zooming, shaken, or out of focus.
+"""Altered shots: the object beside its own copy, in haze or in shadow, the camera zooming, shaken, or out of focus.
 
 A copy, as one of two players of a team or two cars of a kind, lies behind the object, so what is true of that stays
 true. It goes beside it, or comes near from far off until the two touch. The same frames are tracked as they are, too.
@@ -35,6 +35,9 @@ DEFOCUS = 4.0
 """Standard deviation, in pixels, of the blur on the last frame."""
 HAZE = 0.7, 0.75
 """How much of the last frame is haze, and how bright that is."""
+
+SHADOW = 0.55, 3.0
+"""How much darker a shadow is, and how softly it ends, in pixels."""
 
 Frames = tuple[list[Image], list[Bools]]
 """The pictures of a run, and their true masks."""
@@ -96,6 +99,17 @@ def hazy(pictures: Sequence[Image], masks: Sequence[Bools]) -> Frames:
     return found, list(masks)
 
 
+def shadowed(pictures: Sequence[Image], masks: Sequence[Bools]) -> Frames:
+    """As a shadow comes in from the left, until it lies over all of the picture; none is on the first."""
+    darker, soft = SHADOW
+    columns, found = np.arange(masks[0].shape[1]) + 0.5, []
+    for picture, edge in zip(pictures, np.linspace(-4.0 * soft, len(columns) + 4.0 * soft, len(pictures)), strict=True):
+        light = 1.0 - darker / (1.0 + np.exp((columns - edge) / soft))
+        lit = light[:, None] * picture
+        found.append(np.asarray(np.round(lit) if picture.dtype == np.uint8 else lit, dtype=picture.dtype))
+    return found, list(masks)
+
+
 ALTERATIONS: dict[str, Callable[[Sequence[Image], Sequence[Bools]], Frames]] = {
     "as it is": lambda pictures, masks: (list(pictures), list(masks)),
     "a copy beside it": lambda pictures, masks: beside_its_copy(pictures, masks, [BESIDE] * len(masks)),
@@ -105,6 +119,7 @@ ALTERATIONS: dict[str, Callable[[Sequence[Image], Sequence[Bools]], Frames]] = {
     "shaken": shaken,
     "out of focus": defocused,
     "in haze": hazy,
+    "in shadow": shadowed,
 }
 """By name what becomes of the pictures and the masks of a run, the key first."""
 

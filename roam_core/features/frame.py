@@ -130,6 +130,18 @@ class PreparedFrame:
         values = np.clip(np.round(by * np.arange(256.0)[:, None] + plus), 0.0, 255.0).astype(np.uint8)
         return _MappedFrame(self.plate, self.given.table[values], self.given)
 
+    def divided(self, by: Float32, region: Region) -> PreparedFrame:
+        """The picture as it was given, the values of its plate divided in a region: rounded, and cut at both ends.
+
+        `by (rows, columns)`: of cells that cover the region.
+        """
+        plate, (rows, columns) = self.plate.image.copy(), region.slices
+        pixels = plate[rows, columns]
+        divisor = cv2.resize(by, pixels.shape[1::-1], interpolation=cv2.INTER_LINEAR)
+        plate[rows, columns] = np.clip(np.round(pixels / divisor[..., None]), 0.0, 255.0)
+        divided = PreparedFrame(plate)
+        return divided if self.given is self.plate else divided.levelled(self.given.table)
+
     def levelled(self, table: UInt8) -> PreparedFrame:
         """The plate with every value replaced by that of a `table (256,)`; it counts as given so."""
         with self._deriving:

@@ -139,6 +139,31 @@ class BlankParams:
 
 
 @dataclass(frozen=True)
+class ShadowParams:
+    """Parameters of a light that lies over a part of the picture only, a shadow (`proposal.cues.shadow`). Differences
+    of colour are means over the channels of 8 bits.
+
+    Attributes
+    ----------
+    apart : difference of the logarithm of brightness from which a patch lies in another light than most.
+    share, least : share of the patches, and how many at least, that must.
+    within, agreed : share of those that must agree on a change, and within what difference.
+    window : side, cells, of the squares in which it is decided in which light they lie. edge : cells (sigma) over which
+        one goes over into another.
+    unlike : difference of colour that counts no more.
+    """
+
+    apart: float = 0.25
+    share: float = 0.1
+    least: int = 60
+    within: float = 0.15
+    agreed: float = 0.6
+    window: int = 15
+    edge: float = 1.0
+    unlike: float = 60.0
+
+
+@dataclass(frozen=True)
 class ExposureParams:
     """Parameters of how the light has changed since the key (`proposal.cues.exposure`).
 
@@ -152,6 +177,7 @@ class ExposureParams:
     within : difference of the logarithm of brightness that two patches of one light may show, and of a channel's
         besides. agreed : share of the cells that must agree on a change within that.
     veiled : share of the cells by which a veil must explain more than a factor to come up.
+    shadow : of another light over a part of the picture.
     """
 
     window: int = 7
@@ -164,6 +190,7 @@ class ExposureParams:
     within: float = 0.06
     agreed: float = 0.5
     veiled: float = later(0.2)
+    shadow: ShadowParams = later(ShadowParams())
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,7 @@ from roam_core.proposal.cues.exposure import light_since
 from roam_core.proposal.cues.key_view import KeyView, lab
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import MotionMisfit
+from roam_core.proposal.cues.shadow import relit
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,12 +58,16 @@ def observed(
     params: RegionParams,
     token: CancelToken | None = None,
     surroundings: Array | None = None,
+    is_relit: bool = False,
 ) -> Observation | None:
     """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture.
 
     So has one of which the key shows nothing: there is nothing to know it by.
 
-    `surroundings (3, 3)`: the motion of the key's to `frame`, where it is known already.
+    Parameters
+    ----------
+    surroundings : (3, 3) the motion of the key's to `frame`, where it is known already.
+    is_relit : what lies in a shadow was brought into the light. Where it was not, and there is one, all is seen anew.
     """
     if not state.key.region.inside.any():
         return None
@@ -96,6 +101,10 @@ def observed(
         misfit.left_behind(agreement, params),
     )
     key, view = _drawn_to(frame, key, expected.possible, grid, params)
+    if key.light.shades and not is_relit:
+        again = _relit(state, frame, key, view, (moved, back), expected, params)
+        if again is not None:
+            return observed(state, again, params, token, surroundings, is_relit=True)
     frame = key.in_its_light(frame)
     pictures = grid.colours_of(state.frame), grid.colours_of(frame)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
@@ -131,6 +140,31 @@ def _drawn_to(
     if params.exposure is not None:
         key = replace(key, light=light_since(view, frame, possible, key.light, params.exposure))
     return key, view
+
+
+def _relit(
+    state: RegionState,
+    frame: PreparedFrame,
+    key: KeyMemory,
+    view: KeyView,
+    motion: tuple[Array, Float32],
+    expected: Expectation,
+    params: RegionParams,
+) -> PreparedFrame | None:
+    """A frame with what lies in a shadow in the light of all else; None where nothing does.
+
+    `motion`: the similarity `(3, 3)` by which the object went, and the flow back `(rows, columns, 2)`.
+    """
+    assert params.exposure is not None
+    grid, (moved, back) = view.grid, motion
+    everywhere = np.ones(grid.shape, np.bool_)
+    pictures = (
+        (view.seen, view.in_sight & (view.coverage < params.exposure.beside)),
+        (KeyView(key.frame, key.to_now, grid, expected.remembered).seen, expected.remembered > 0.5),
+        (carried_by_flow(grid.colours_of(state.frame), back, is_continued=True), everywhere),
+        (grid.warped(state.frame.image, moved), everywhere),
+    )
+    return relit(frame, key.light, grid, pictures, params.exposure.shadow)
 
 
 def _displacement(state: RegionState, frame: PreparedFrame, spots: Array, params: FastMotionParams) -> Array | None:

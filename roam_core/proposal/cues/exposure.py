@@ -1,12 +1,13 @@
 """How the light has changed since the key, told by the background that both pictures show.
 
 It has become brighter or darker, warmer or colder; or a veil lies over all of the picture and lifts its blacks: haze,
-glare, a fade to white. On a plate that is seen in its log encoding another exposure is one, too.
+glare, a fade to white. On a plate that is seen in its log encoding another exposure is one, too. A shadow lies over a
+part of it (`proposal.cues.shadow`).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import cv2
@@ -14,7 +15,7 @@ import numpy as np
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
-from roam_core.params.evidence import ExposureParams
+from roam_core.params.evidence import ExposureParams, ShadowParams
 from roam_core.proposal.cues.key_view import KeyView
 
 
@@ -27,16 +28,23 @@ class Light:
     exposure : factor by which it has become brighter. tint : (3,) factors of red, green and blue besides.
     veil : (3,) levels, in [0, 255], of red, green and blue that lie over all of it besides; less than 0 where the key
         had more of it.
+    shades : factors by which parts of the picture are darker besides, or brighter; none where all lies in one light.
     """
 
     exposure: float = 1.0
     tint: Array = field(default_factory=lambda: np.ones(3))
     veil: Array = field(default_factory=lambda: np.zeros(3))
+    shades: tuple[float, ...] = ()
 
     @property
     def gains(self) -> Array:
         """By what red, green and blue `(3,)` of the key are multiplied to look as they do now."""
         return self.exposure * self.tint
+
+    @property
+    def in_parts(self) -> tuple[Light, ...]:
+        """The light in those parts."""
+        return tuple(replace(self, exposure=self.exposure * shade, shades=()) for shade in self.shades)
 
     def after(self, first: Light) -> Light:
         """The light since a key, where this is that since another picture and `first` that picture's since the key."""
@@ -80,7 +88,9 @@ def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light,
     usable &= _is_exposed(before, now, params)
     colours_before, colours = (_means(each, params.window)[usable] for each in (seen, picture))
     patches = _Patches(before[usable], now[usable], colours_before, colours, contrast)
-    return _veiled(patches, last, params) or _multiplied(patches, last, params)
+    light = _veiled(patches, last, params) or _multiplied(patches, last, params)
+    shades = _shades(patches, light, params.shadow)
+    return light if shades == light.shades else replace(light, shades=shades)
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,6 +185,23 @@ def _multiplied(patches: _Patches, last: Light, params: ExposureParams) -> Light
     shifts = np.log(patches.colours[coloured].astype(np.float64) / patches.colours_then[coloured])
     tint = _agreed(shifts - patches.brighter[coloured, None], patches.contrast, params)
     return Light(last.exposure if exposure is None else float(exposure), last.tint if tint is None else tint)
+
+
+def _shades(patches: _Patches, light: Light, params: ShadowParams) -> tuple[float, ...]:
+    """The factors by which patches are darker than in a `light`, and by which others are brighter.
+
+    Each is told where enough patches are that far off, and most of them by as much. Under a veil it is not asked.
+    """
+    if light.veil.any():
+        return ()
+    changes, told = patches.brighter - np.log(light.exposure), []
+    for beyond in (changes[changes < -params.apart], changes[changes > params.apart]):
+        if len(beyond) < max(params.least, params.share * len(changes)):
+            continue
+        median = np.median(beyond)
+        if np.mean(np.abs(beyond - median) < params.within) >= params.agreed:
+            told.append(float(np.exp(median)))
+    return tuple(told)
 
 
 def _known_again(then: UInt8, now: UInt8, known: Bools, flat: float, params: ExposureParams) -> Bools:

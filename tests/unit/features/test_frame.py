@@ -144,6 +144,19 @@ def test_a_part_of_a_multiplied_picture_is_that_of_the_whole() -> None:
     np.testing.assert_array_equal(frame.within(part), frame.image[part.slices[0], part.slices[1]])
 
 
+def test_a_divided_region_counts_as_given_by_the_same_levels() -> None:
+    table, region = np.arange(255, -1, -1).astype(np.uint8), Region(4, 6, 24, 16)
+    frame = PreparedFrame(picture())
+    rows, columns = region.slices
+    expected = picture().astype(float)
+    expected[rows, columns] = np.clip(np.round(expected[rows, columns] / 0.5), 0, 255)
+    by = np.full((5, 10), 0.5, np.float32)
+    np.testing.assert_array_equal(frame.divided(by, region).image, expected)
+    levelled = frame.levelled(table).multiplied(np.full(3, 0.8), np.zeros(3)).divided(by, region)
+    np.testing.assert_array_equal(levelled.image, table[expected.astype(int)])
+    assert levelled.given is levelled
+
+
 @pytest.mark.parametrize("channels", [1, 3])
 def test_an_array_that_is_decoded_into_again_changes_nothing(channels: int) -> None:
     buffer = picture()[..., :channels].squeeze()

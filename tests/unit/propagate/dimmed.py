@@ -1,4 +1,6 @@
-"""A drawn shot whose light falls: a dark body that bends, before a wall that becomes as dark as it was."""
+"""Drawn shots whose light falls: a dark body that bends before a wall that becomes as dark as it was; and a body that
+goes through the shadow of a line that goes over all of the picture.
+"""
 
 from __future__ import annotations
 
@@ -21,6 +23,23 @@ def dimmed_body(count: int, by: float) -> tuple[list[UInt8], list[UInt8]]:
         angle, distance = np.arctan2(from_middle[1], from_middle[0]), np.hypot(*from_middle)
         inside = distance < 40.0 + 12.0 * np.sin(2.0 * angle + 0.15 * k) + 6.0 * np.cos(3.0 * angle - 0.1 * k)
         picture = np.where(inside[..., None], np.roll(cloth, 5 * k, axis=1), wall) * (1.0 - by * k / (count - 1))
+        grain = np.random.default_rng(k).normal(0.0, 2.0, picture.shape)
+        pictures.append(np.uint8(np.clip(picture + grain, 0.0, 255.0)))
+        masks.append(np.uint8(255) * inside)
+    return pictures, masks
+
+
+def shaded_body(count: int, by: float) -> tuple[list[UInt8], list[UInt8]]:
+    """Its pictures and masks. A shadow, darker by the share `by`, comes in from the left and lies over all at last."""
+    wall, cloth = _texture(1, (150, 150, 140)), _texture(2, (90, 80, 75))
+    height, width = SIZE
+    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    pictures, masks = [], []
+    for k in range(count):
+        from_middle = np.stack([x - 110.0 - 5.0 * k, y - 100.0])
+        inside = np.hypot(*from_middle) < 40.0 + 6.0 * np.sin(3.0 * np.arctan2(from_middle[1], from_middle[0]))
+        shadow = 1.0 / (1.0 + np.exp((x - width * k / (count - 1)) / 3.0))
+        picture = np.where(inside[..., None], np.roll(cloth, 5 * k, axis=1), wall) * (1.0 - by * shadow[..., None])
         grain = np.random.default_rng(k).normal(0.0, 2.0, picture.shape)
         pictures.append(np.uint8(np.clip(picture + grain, 0.0, 255.0)))
         masks.append(np.uint8(255) * inside)

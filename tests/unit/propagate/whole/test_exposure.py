@@ -16,7 +16,7 @@ from roam_core.propagate import TrackMemory
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.whole.region import step
 from roam_core.propagate.whole.state import begin
-from tests.unit.propagate.dimmed import SIZE, dimmed_body
+from tests.unit.propagate.dimmed import SIZE, dimmed_body, shaded_body
 
 BEST = params_for("best+region.levels=none")
 """As they are: a wall in haze would be told from the body by its levels alone."""
@@ -118,3 +118,16 @@ def test_light_that_falls_in_haze_is_told_beneath_the_levels() -> None:
     known, unknown = (np.mean(overlaps(tracked((hazy, masks), each), masks, ends)) for each in (levelled, plain))
     assert known > 0.93
     assert known > unknown + 0.3
+
+
+def test_a_shadow_whose_edge_crosses_the_body_changes_nothing_of_it() -> None:
+    pictures, masks = shaded_body(COUNT, 0.55)
+    assert BEST.region is not None
+    assert BEST.region.exposure is not None
+    none = replace(BEST.region.exposure, shadow=replace(BEST.region.exposure.shadow, share=2.0))
+    without = replace(BEST, region=replace(BEST.region, exposure=none))
+    known, unknown = (
+        min(overlaps(tracked((pictures, masks), params), masks, range(1, COUNT))) for params in (BEST, without)
+    )
+    assert known > 0.97
+    assert known > unknown + 0.1
