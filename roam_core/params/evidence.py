@@ -146,18 +146,17 @@ class ShadowParams:
     Attributes
     ----------
     apart : difference of the logarithm of brightness from which a patch lies in another light than most.
-    share, least : share of the patches, and how many at least, that must.
-    within, agreed : share of those that must agree on a change, and within what difference.
+    share : of the patches that must. within, agreed : share of all patches that must lie in one of the lights, and
+        within what difference.
     window : side, cells, of the squares in which it is decided in which light they lie. edge : cells (sigma) over which
         one goes over into another.
     unlike : difference of colour that counts no more.
     """
 
-    apart: float = 0.25
+    apart: float = 0.4
     share: float = 0.1
-    least: int = 60
     within: float = 0.15
-    agreed: float = 0.6
+    agreed: float = 0.65
     window: int = 15
     edge: float = 1.0
     unlike: float = 60.0

@@ -15,7 +15,7 @@ import numpy as np
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
-from roam_core.params.evidence import ExposureParams, ShadowParams
+from roam_core.params.evidence import ExposureParams
 from roam_core.proposal.cues.key_view import KeyView
 
 
@@ -89,7 +89,7 @@ def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light,
     colours_before, colours = (_means(each, params.window)[usable] for each in (seen, picture))
     patches = _Patches(before[usable], now[usable], colours_before, colours, contrast)
     light = _veiled(patches, last, params) or _multiplied(patches, last, params)
-    shades = _shades(patches, light, params.shadow)
+    shades = _shades(patches, light, params)
     return light if shades == light.shades else replace(light, shades=shades)
 
 
@@ -187,21 +187,22 @@ def _multiplied(patches: _Patches, last: Light, params: ExposureParams) -> Light
     return Light(last.exposure if exposure is None else float(exposure), last.tint if tint is None else tint)
 
 
-def _shades(patches: _Patches, light: Light, params: ShadowParams) -> tuple[float, ...]:
+def _shades(patches: _Patches, light: Light, params: ExposureParams) -> tuple[float, ...]:
     """The factors by which patches are darker than in a `light`, and by which others are brighter.
 
-    Each is told where enough patches are that far off, and most of them by as much. Under a veil it is not asked.
+    They are told where enough patches are that far off, and nearly all lie in one of the lights: where water glitters,
+    or what is no more the same is taken for known again, patches are off by anything. Under a veil it is not asked.
     """
-    if light.veil.any():
+    shadow = params.shadow
+    if light.veil.any() or len(patches.luma) < params.least:
         return ()
-    changes, told = patches.brighter - np.log(light.exposure), []
-    for beyond in (changes[changes < -params.apart], changes[changes > params.apart]):
-        if len(beyond) < max(params.least, params.share * len(changes)):
-            continue
-        median = np.median(beyond)
-        if np.mean(np.abs(beyond - median) < params.within) >= params.agreed:
-            told.append(float(np.exp(median)))
-    return tuple(told)
+    changes = patches.brighter - np.log(light.exposure)
+    beyond = changes[changes < -shadow.apart], changes[changes > shadow.apart]
+    told = [np.median(each) for each in beyond if len(each) >= shadow.share * len(changes)]
+    nearest = np.min([np.abs(changes - each) for each in (0.0, *told)], axis=0)
+    if np.mean(nearest < shadow.within) < shadow.agreed:
+        return ()
+    return tuple(float(np.exp(each)) for each in told)
 
 
 def _known_again(then: UInt8, now: UInt8, known: Bools, flat: float, params: ExposureParams) -> Bools:
