@@ -61,7 +61,7 @@ def test_shadows_that_moved_on_leave_darker_and_brighter_parts() -> None:
 
 def test_what_is_little_or_of_no_one_light_is_no_shadow() -> None:
     assert not told(under(ground(), half(0.5, SIDE - 8)), ground()).shades
-    patches = np.kron(np.random.default_rng(5).uniform(0.3, 0.75, (12, 12)), np.ones((10, 10)))
+    patches = np.kron(np.random.default_rng(5).uniform(0.25, 0.66, (6, 6)), np.ones((20, 20)))
     factors = np.where(np.arange(SIDE) < SIDE // 3, 1.0, patches)
     assert not told(under(ground(), factors), ground()).shades
     assert not told(ground(), ground()).shades
