@@ -18,11 +18,11 @@ from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.engines.view import EngineView
-from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termination, TrackResult
+from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termination, TrackResult, engine_key
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import cuts, near, stacked, units
-from roam_core.roto import Keyframe, Origin, RotoShape
+from roam_core.roto import Origin, RotoShape
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
 
@@ -154,7 +154,9 @@ class GroupTracker:
         solved = tuple(result.unseen for result in step.results) if is_unseen else step.results
         stamped = self._stamp(frame, forward=frame > standing.frame)
         shapes = tuple(
-            shape if key or not shape.exists_at(frame) else _keyed(shape, standing.frame, frame, each, stamped)
+            shape
+            if key or not shape.exists_at(frame)
+            else set_engine_keys(shape, [engine_key(frame, each, shape.at(standing.frame).feather, stamped)])
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
         )
         by_hand = [key or part for key, part in zip(given, set_in_part, strict=True)]
@@ -230,20 +232,6 @@ def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -
         Part(outline, is_hole, shape.attached)
         for shape, outline, is_hole in zip(shapes, outlines, cuts(shapes), strict=True)
     )
-
-
-def _keyed(shape: RotoShape, before: int, frame: int, solved: StepResult, stamped: str) -> RotoShape:
-    """The shape with an ENGINE key, so `stamped`, for what was solved; feather goes on as it was."""
-    key = Keyframe(
-        frame,
-        solved.points,
-        feather=shape.at(before).feather,
-        origin=Origin.ENGINE,
-        confidence=solved.confidence,
-        vertex_confidence=solved.vertex_confidence,
-        inputs=stamped,
-    )
-    return set_engine_keys(shape, [key])
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

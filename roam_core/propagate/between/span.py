@@ -29,7 +29,7 @@ from roam_core.propagate.between.merged_region import Colours
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.engines.view import EngineView
-from roam_core.propagate.frame.result import Part
+from roam_core.propagate.frame.result import Part, engine_key
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.propagate.shapes.provenance import Stamps
@@ -234,8 +234,13 @@ class Filling:
             found = list(zip(between, each(partial(self.solved, span, ours, view), between), strict=True))
             for place, k in enumerate(members):
                 inputs = stamps.filled(k, gap, self.params, self.alone, span.asked_beyond) if k in asked else ""
-                outlines = [(frame, solved[place]) for frame, solved in found]
-                made[k] = [_engine_key(shapes[k], frame, each, inputs) for frame, each in outlines if each is not None]
+                # Feather goes over from the one artist key to the other.
+                drawn = RotoShape(shapes[k].id, shapes[k].name, shapes[k].artist_keys)
+                made[k] = [
+                    engine_key(frame, outline, drawn.at(frame).feather, inputs)
+                    for frame, solved in found
+                    if (outline := solved[place]) is not None
+                ]
             made |= self._steadied({k: shapes[k] for k in members if made[k]}, made, gap)
         return {k: keys for k, keys in made.items() if k in asked}
 
@@ -368,17 +373,3 @@ def _key(shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Key:
     for k, key in drawn.items():
         parts[k] = Part(view.points(key.points), is_hole[k], shapes[k].attached)
     return Key(frame, tuple(parts))
-
-
-def _engine_key(shape: RotoShape, frame: int, merged: Merged, inputs: str) -> Keyframe:
-    """The key for a merged outline; feather goes over from the one artist key to the other."""
-    artist = RotoShape(shape.id, shape.name, shape.artist_keys)
-    return Keyframe(
-        frame,
-        merged.points,
-        feather=artist.at(frame).feather,
-        origin=Origin.ENGINE,
-        confidence=merged.confidence,
-        vertex_confidence=merged.vertex_confidence,
-        inputs=inputs,
-    )

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from roam_core.geometry import bezier
 from roam_core.params import is_doubtful
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.proposal.reshaping.topology import TopologyChange
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import Keyframe, Origin, RotoShape
 
 
 class Termination(StrEnum):
@@ -72,6 +73,32 @@ class StepResult:
         termination = self.termination if self.termination is Termination.LEFT_FRAME else Termination.of(0.0)
         none = np.zeros_like(self.vertex_confidence)
         return replace(self, confidence=0.0, vertex_confidence=none, termination=termination, proposals=())
+
+
+class Solved(Protocol):
+    """An outline that was carried or filled: `points (P, 3, 2)`, and how far they are trusted, each `(P,)` and all."""
+
+    @property
+    def points(self) -> Array: ...
+
+    @property
+    def confidence(self) -> float: ...
+
+    @property
+    def vertex_confidence(self) -> Array: ...
+
+
+def engine_key(frame: int, solved: Solved, feather: Array | None, inputs: str) -> Keyframe:
+    """The engine's key of what was solved on a frame, with the artist's `feather (P, 2)`, stamped `inputs`."""
+    return Keyframe(
+        frame,
+        solved.points,
+        feather=feather,
+        origin=Origin.ENGINE,
+        confidence=solved.confidence,
+        vertex_confidence=solved.vertex_confidence,
+        inputs=inputs,
+    )
 
 
 @dataclass(frozen=True, eq=False)
