@@ -5,20 +5,23 @@ The engine has as many threads as OpenCV (`cv2.setNumThreads`).
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from threading import Thread, local
-from typing import Any, TypeVar
+from functools import cache
+from threading import local
+from typing import TypeVar
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
+
+from roam_core.arrays import Bools
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 WORTH_A_THREAD = 2000
-"""Pixels below which starting a thread takes longer than it saves."""
+"""Pixels below which handing work to another thread takes longer than it saves."""
 
 
 _here = local()
@@ -48,18 +51,30 @@ def each(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
         return list(pool.map(shared, items))
 
 
-def in_halves(work: Callable[[int, int], object], wanted: NDArray[Any]) -> None:
+def in_halves(work: Callable[[int, int], object], wanted: Bools) -> None:
     """Call `work(first, stop)` for all rows of `wanted (h, w)`: in two parts of as many wanted pixels at the same time.
 
     In one part where little is wanted. `work` must release the interpreter's lock, treat each row alone and raise
     nothing.
     """
-    rows, pixels = len(wanted), np.cumsum(np.count_nonzero(wanted, axis=1))
-    if _is_alone() or rows == 0 or pixels[-1] < WORTH_A_THREAD:
+    rows = len(wanted)
+    if _is_alone() or wanted.size == 0:
+        work(0, rows)
+        return
+    pixels = np.cumsum(cv2.reduce(wanted.view(np.uint8), 1, cv2.REDUCE_SUM, dtype=cv2.CV_32S))
+    if pixels[-1] < WORTH_A_THREAD:
         work(0, rows)
         return
     middle = int(np.searchsorted(pixels, pixels[-1] / 2)) + 1
-    other = Thread(target=work, args=(middle, rows), name="rows")
-    other.start()
+    other = _others(os.getpid()).submit(work, middle, rows)
     work(0, middle)
-    other.join()
+    other.result()
+
+
+@cache
+def _others(process: int) -> ThreadPoolExecutor:
+    """Threads that wait for work, of a process: one that is begun for each piece waits for a busy machine first.
+
+    A process that was forked has none of those of its parent.
+    """
+    return ThreadPoolExecutor(2, thread_name_prefix="rows")

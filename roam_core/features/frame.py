@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import threading
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import cv2
@@ -93,6 +92,8 @@ class PreparedFrame:
         self._box = Region(0, 0, self._known.shape[1], self._known.shape[0])
         self.size: tuple[int, int] = image.size if isinstance(image, PartialPicture) else (self._box.y1, self._box.x1)
         self._lock = threading.Lock()
+        self._greying = threading.Lock()
+        self._grey_box, self._grey = Region(0, 0, 0, 0), np.empty((0, 0), np.uint8)
         self._gradients: dict[tuple[Region, float, float, float], Float32] = {}
         self._deriving = threading.Lock()
         self._levelled: dict[bytes, PreparedFrame] = {}
@@ -155,10 +156,10 @@ class PreparedFrame:
         """All of it `(h, w, 3)`."""
         return self.within(Region(0, 0, self.size[1], self.size[0]))
 
-    @cached_property
+    @property
     def grey(self) -> UInt8:
         """Luma (h, w)."""
-        return _luma(self.image)
+        return self.grey_within(Region(0, 0, self.size[1], self.size[0]))
 
     def within(self, region: Region) -> UInt8:
         """The pixels `(rows, columns, 3)` of a part of it: a view.
@@ -177,8 +178,13 @@ class PreparedFrame:
             return self._known[rows, columns]
 
     def grey_within(self, region: Region) -> UInt8:
-        """Luma `(rows, columns)` of a part of it."""
-        return _luma(self.within(region))
+        """Luma `(rows, columns)` of a part of it: a view."""
+        with self._greying:
+            if not self._grey_box.holds(region):
+                box = region if self._grey_box.is_empty else self._grey_box.joined(region)
+                self._grey, self._grey_box = _luma(self.within(box)), box
+            rows, columns = region.shifted(-self._grey_box.x0, -self._grey_box.y0).slices
+            return self._grey[rows, columns]
 
     def resized(self, size: tuple[int, int]) -> PreparedFrame:
         """The same picture at another size (h, w), bicubic."""

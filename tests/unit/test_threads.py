@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from threading import get_ident
 
@@ -9,6 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
+from roam_core import threads
 from roam_core.kernels.local_match import nearest_colours
 from roam_core.threads import WORTH_A_THREAD, each, in_halves
 
@@ -68,3 +70,22 @@ def test_the_first_exception_comes_out(two_threads: object) -> None:
 
     with pytest.raises(ValueError, match="item 0"):
         each(refuse, range(4))
+
+
+def test_what_fails_in_the_other_half_is_heard(two_threads: object) -> None:
+    def work(first: int, stop: int) -> None:
+        if first > 0:
+            raise ValueError("the other half")
+
+    with pytest.raises(ValueError, match="the other half"):
+        in_halves(work, np.ones((2, WORTH_A_THREAD), dtype=bool))
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="Windows begins processes afresh")
+def test_a_forked_process_has_threads_of_its_own() -> None:
+    """Those of its parent are not there: it would wait for them for ever."""
+    assert threads._others(os.getpid()).submit(int, 7).result() == 7
+    child = os.fork()
+    if child == 0:
+        os._exit(threads._others(os.getpid()).submit(int, 7).result(timeout=30))
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7

@@ -229,7 +229,7 @@ def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Fl
     if is_key_asked:
         view = KeyView(sources.key.frame, sources.key.to_now, sources.grid, expected.remembered)
         flow: KeyFlow = "fast" if params.key_aged > 0 else "none"
-        there = view.nearest(sources.after, band, params.key_radius, params.key_spread, flow)
+        there = view.nearest(sources.after, sources.lab, band, params.key_radius, params.key_spread, flow)
     if params.key_aged > 0:
         aged = np.float32(params.key_aged)
         inside, outside = np.minimum(inside, aged * there[0]), np.minimum(outside, aged * there[1])

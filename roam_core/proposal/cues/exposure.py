@@ -13,7 +13,7 @@ from functools import cached_property
 import cv2
 import numpy as np
 
-from roam_core.arrays import Array, Bools, Float32, UInt8
+from roam_core.arrays import Array, Bools, Float32, UInt8, UInt16
 from roam_core.features import PreparedFrame
 from roam_core.params.evidence import ExposureParams
 from roam_core.proposal.cues.key_view import KeyView
@@ -83,8 +83,8 @@ def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light,
     seen = view.plate.seen
     known = view.in_sight & ~inside & (view.coverage < params.beside)
     seen_luma = np.asarray(cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), np.uint8)
-    usable = _known_again(seen_luma, luma, known, params.flat / contrast, params)
     before, now = _means(seen_luma, params.window), _means(luma, params.window)
+    usable = _known_again((seen_luma, luma), (before, now), known, params.flat / contrast, params)
     usable &= _is_exposed(before, now, params)
     colours_before, colours = (_means(each, params.window)[usable] for each in (seen, picture))
     patches = _Patches(before[usable], now[usable], colours_before, colours, contrast)
@@ -205,27 +205,26 @@ def _shades(patches: _Patches, light: Light, params: ExposureParams) -> tuple[fl
     return tuple(float(np.exp(each)) for each in told)
 
 
-def _known_again(then: UInt8, now: UInt8, known: Bools, flat: float, params: ExposureParams) -> Bools:
-    """The cells `(rows, columns)` around which both lumas show the same, and nothing but what is `known`.
+def _known_again(
+    lumas: tuple[UInt8, UInt8], means: tuple[Float32, Float32], known: Bools, flat: float, params: ExposureParams
+) -> Bools:
+    """The cells `(rows, columns)` around which two lumas of these means show the same, and nothing but what is `known`.
 
     Those of a deviation under `flat` count for less.
     """
-    window = (params.window, params.window)
-    whole = cv2.erode(known.astype(np.uint8), np.ones(window, np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
-    then32, now32 = np.asarray(then, np.float32), np.asarray(now, np.float32)
-    mean_then, mean = cv2.blur(then32, window), cv2.blur(now32, window)
-    variance_then, variance = (
-        cv2.blur(then32 * then32, window) - mean_then**2,
-        cv2.blur(now32 * now32, window) - mean**2,
+    window = np.ones((params.window, params.window), np.uint8)
+    whole = cv2.erode(known.astype(np.uint8), window, borderType=cv2.BORDER_CONSTANT, borderValue=0)
+    variance_then, covariance, variance = (
+        _means(cv2.multiply(lumas[i], lumas[j], dtype=cv2.CV_16U), params.window) - means[i] * means[j]
+        for i, j in ((0, 0), (0, 1), (1, 1))
     )
-    covariance = cv2.blur(then32 * now32, window) - mean_then * mean
     least = np.sqrt(np.maximum(variance_then * variance, np.float32(flat**4)))
     return np.asarray((whole > 0) & (covariance > params.alike * least))
 
 
-def _means(picture: UInt8, window: int) -> Float32:
-    """The mean of each channel around each cell."""
-    return np.asarray(cv2.blur(np.asarray(picture, np.float32), (window, window)))
+def _means(picture: UInt8 | UInt16, window: int) -> Float32:
+    """The mean of each channel around each cell: sums of whole numbers, and so exact."""
+    return np.asarray(cv2.boxFilter(picture, cv2.CV_32F, (window, window)), dtype=np.float32)
 
 
 def _is_exposed(before: Float32, now: Float32, params: ExposureParams) -> Bools:

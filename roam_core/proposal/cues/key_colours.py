@@ -14,7 +14,7 @@ import numpy as np
 from roam_core.arrays import Bools, Float32, UInt8
 from roam_core.kernels.local_match import log_ratio
 from roam_core.params import KeyColoursParams
-from roam_core.proposal.cues.key_view import KeyView
+from roam_core.proposal.cues.key_view import KeyView, lab
 
 
 def key_colours(
@@ -25,9 +25,9 @@ def key_colours(
     `picture (rows, columns, 3)` is the frame's, RGB in the cells of the views; each comes with how far from the frame
     its key is, as a share of the span. Zero where no key has anything like it, and where none was asked.
     """
-    distances = []
+    distances, colours = [], lab(picture)
     for view, away in views:
-        sides = view.nearest(picture, wanted, params.radius, params.spread, "exact")
+        sides = view.nearest(picture, colours, wanted, params.radius, params.spread, "exact")
         distances.append([np.float32(1.0 + params.aged * away) * side for side in sides])
     inside, outside = np.min(distances, axis=0)
     return log_ratio(inside, outside, params.sigma, params.clip)

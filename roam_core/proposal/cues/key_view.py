@@ -12,6 +12,7 @@ import numpy as np
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
+from roam_core.geometry import similarity
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, UNKNOWN, nearest_colours
 from roam_core.motion.flow import cell_flow
 
@@ -63,7 +64,17 @@ class KeyView:
     @cached_property
     def in_sight(self) -> Bools:
         """Which cells `(rows, columns)` its picture reaches."""
+        if self._is_wholly_in_sight():
+            return np.ones(self.grid.shape, np.bool_)
         return np.asarray(self.grid.warped(_everywhere(self.picture.size), self.carried) == 255)
+
+    def _is_wholly_in_sight(self) -> bool:
+        """Whether its picture reaches a pixel beyond all cells: told by their corners, it takes no picture."""
+        rows, columns = self.grid.shape
+        corners = self.grid.to_image(np.array([[0.0, 0.0], [columns, 0.0], [columns, rows], [0.0, rows]]))
+        there = similarity.apply(np.asarray(np.linalg.inv(self.carried))[:2], corners)
+        height, width = self.picture.size
+        return bool(np.all((there >= 1.0) & (there <= (width - 1.0, height - 1.0))))
 
     @property
     def plate(self) -> KeyView:
@@ -72,10 +83,11 @@ class KeyView:
         return self if plate is self.picture else replace(self, picture=plate)
 
     def nearest(
-        self, picture: UInt8, wanted: Bools, radius: int, spread: float, flow: KeyFlow
+        self, picture: UInt8, colours: UInt8, wanted: Bools, radius: int, spread: float, flow: KeyFlow
     ) -> tuple[Float32, Float32]:
         """`nearest_colours` of `picture (rows, columns, 3)`, RGB in these cells, inside and outside of the key.
 
+        `colours` are the same in Lab.
         Each wanted cell looks around its own place in the carried key, or around the one that the `flow` between the
         two leads it to. What lies beyond the key's picture is like nothing.
         """
@@ -84,4 +96,4 @@ class KeyView:
         if flow != "none":
             grey, grey_there = (cv2.cvtColor(each, cv2.COLOR_RGB2GRAY) for each in (picture, self.seen))
             backward = cell_flow(np.asarray(grey, np.uint8), np.asarray(grey_there, np.uint8), flow == "exact")
-        return nearest_colours(lab(picture), lab(self.seen), labels, wanted, backward, radius, spread)
+        return nearest_colours(colours, lab(self.seen), labels, wanted, backward, radius, spread)

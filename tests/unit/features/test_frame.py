@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 
@@ -164,3 +165,16 @@ def test_an_array_that_is_decoded_into_again_changes_nothing(channels: int) -> N
     frame = PreparedFrame(buffer)
     buffer[:] = 0
     np.testing.assert_array_equal(frame.image, np.broadcast_to(before.reshape(40, 60, -1), (40, 60, 3)))
+
+
+def test_luma_is_that_of_the_picture_whatever_part_was_asked_for_before() -> None:
+    """It is kept for all that was looked at; also of one whose values a table replaces."""
+    image = picture()
+    for frame, shown in (
+        (PreparedFrame(image), image),
+        (PreparedFrame(image).levelled(LEVELS[::-1].copy()), 255 - image),
+    ):
+        for region in (Region(10, 5, 20, 15), Region(12, 6, 18, 9), Region(40, 30, 60, 40), Region(0, 0, 60, 40)):
+            expected = cv2.cvtColor(np.ascontiguousarray(shown[region.slices]), cv2.COLOR_RGB2GRAY)
+            np.testing.assert_array_equal(frame.grey_within(region), expected)
+        np.testing.assert_array_equal(frame.grey, cv2.cvtColor(shown, cv2.COLOR_RGB2GRAY))
