@@ -86,8 +86,10 @@ def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light,
     before, now = _means(seen_luma, params.window), _means(luma, params.window)
     usable = _known_again((seen_luma, luma), (before, now), known, params.flat / contrast, params)
     usable &= _is_exposed(before, now, params)
-    colours_before, colours = (_means(each, params.window)[usable] for each in (seen, picture))
-    patches = _Patches(before[usable], now[usable], colours_before, colours, contrast)
+    chosen = np.flatnonzero(usable)
+    channels = [cv2.split(_means(each, params.window)) for each in (seen, picture)]
+    colours_then, colours = (np.stack([channel.ravel()[chosen] for channel in each]) for each in channels)
+    patches = _Patches(before.ravel()[chosen], now.ravel()[chosen], colours_then, colours, contrast)
     light = _veiled(patches, last, params) or _multiplied(patches, last, params)
     shades = _shades(patches, light, params)
     return light if shades == light.shades else replace(light, shades=shades)
@@ -95,7 +97,7 @@ def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light,
 
 @dataclass(frozen=True, eq=False)
 class _Patches:
-    """Patches of the background, known again: their mean luma `(N,)` and colours `(N, 3)` on the key and now.
+    """Patches of the background, known again: their mean luma `(N,)` and colours `(3, N)` on the key and now.
 
     contrast : by how much the plate's differences are stretched in what is seen of it.
     """
@@ -161,7 +163,7 @@ def _veiled(patches: _Patches, last: Light, params: ExposureParams) -> Light | N
         alike = float(np.corrcoef(patches.luma_then, patches.luma)[0, 1])
     if by_line > 1.0 - params.agreed or line.factor <= 0.0 or not alike >= params.alike:
         return last if is_there else None
-    middles = (np.median(each, axis=0) for each in (patches.colours_then, patches.colours))
+    middles = (np.median(each, axis=1) for each in (patches.colours_then, patches.colours))
     then, now = (each.astype(np.float64) for each in middles)
     return Light(line.factor, veil=now - line.factor * then)
 
@@ -181,9 +183,9 @@ def _multiplied(patches: _Patches, last: Light, params: ExposureParams) -> Light
     exposure = _agreed(patches.brighter, patches.contrast, params)
     if exposure is None and last.veil.any():
         return last
-    coloured = np.all(_is_exposed(patches.colours_then, patches.colours, params), axis=1)
-    shifts = np.log(patches.colours[coloured].astype(np.float64) / patches.colours_then[coloured])
-    tint = _agreed(shifts - patches.brighter[coloured, None], patches.contrast, params)
+    coloured = np.flatnonzero(np.all(_is_exposed(patches.colours_then, patches.colours, params), axis=0))
+    then, now = (each[:, coloured] for each in (patches.colours_then, patches.colours))
+    tint = _agreed(np.log(now.astype(np.float64) / then) - patches.brighter[coloured], patches.contrast, params)
     return Light(last.exposure if exposure is None else float(exposure), last.tint if tint is None else tint)
 
 
@@ -234,14 +236,15 @@ def _is_exposed(before: Float32, now: Float32, params: ExposureParams) -> Bools:
 
 
 def _agreed(changes: Array, contrast: float, params: ExposureParams) -> Array | None:
-    """The factors `(...)` that cells tell by the logarithms of theirs `(N, ...)`; None where they do not agree.
+    """The factors `(...)` that cells tell by the logarithms of theirs `(..., N)`; None where they do not agree.
 
     Left out of the factors is what two patches of one light may differ by, in a picture whose contrast was not raised.
     """
-    if len(changes) < params.least:
+    if changes.shape[-1] < params.least:
         return None
-    median = np.median(changes, axis=0)
-    if np.any(np.mean(np.abs(changes - median) < params.within, axis=0) < params.agreed):
+    median = np.median(changes, axis=-1)
+    agreeing = np.count_nonzero(np.abs(changes - median[..., None]) < params.within, axis=-1)
+    if np.any(agreeing < params.agreed * changes.shape[-1]):
         return None
     left = params.within / contrast
     return np.asarray(np.exp(median - np.clip(median, -left, left)))
