@@ -1947,6 +1947,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ebene invertieren</translation>
     </message>
     <message>
+        <source>It goes on after what begins now.</source>
+        <translation>Es geht nach dem weiter, was jetzt beginnt.</translation>
+    </message>
+    <message>
         <source>It has a key on this frame. Click to delete it</source>
         <translation>Keyframe auf diesem Frame. Klicken löscht ihn</translation>
     </message>
