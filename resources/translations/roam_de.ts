@@ -4179,6 +4179,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Frames pro Sekunde des Clips; beim Abspielen die gezeigten und die Geschwindigkeit</translation>
     </message>
     <message>
+        <source>The copied keys are of other shapes: select those, or as many shapes as were copied.</source>
+        <translation>Die kopierten Keyframes sind von anderen Formen: diese auswählen, oder so viele Formen, wie kopiert wurden.</translation>
+    </message>
+    <message>
         <source>The copied keys fit no shape here: shapes may be locked, or have other points.</source>
         <translation>Die kopierten Keyframes passen hier zu keiner Form: Formen sind vielleicht gesperrt oder haben andere Punkte.</translation>
     </message>
