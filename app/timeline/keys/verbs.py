@@ -106,7 +106,7 @@ class KeyVerbs:
             return
         project, copied = self._document.project, self._targets()
         offset = self._view.frame - min(key.frame for keys in copied.values() for key in keys)
-        pasted = timing.paste_keys(project, _inside(project, copied, offset), offset)
+        pasted = timing.paste_keys(project, _inside(project, copied, offset), offset, self._copied)
         places = timing.artist_places(pasted) & {
             (shape_id, key.frame + offset) for shape_id, keys in copied.items() for key in keys
         }

@@ -157,7 +157,7 @@ class ValueVerbs:
             for shape_id, keys in copied.outlines.items()
             if shape_id in goes_to
         }
-        pasted = timing.paste_keys(paste_values(project, values, offset), outlines, offset)
+        pasted = timing.paste_keys(paste_values(project, values, offset), outlines, offset, copied.outlines)
         if pasted == project:
             self._view.say(tr(FITS_NOTHING))
             return

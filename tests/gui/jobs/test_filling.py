@@ -271,7 +271,10 @@ def test_a_run_that_takes_the_place_of_a_fill_leaves_those_of_other_shapes_waiti
     qtbot.waitUntil(lambda: not propagation.is_running and not propagation._waiting, timeout=WAIT)
     made = engine_frames(document), engine_frames(document, "shape-2")
     assert (
-        made == {"": ([5, 6], [2, 3, 4, 5, 6]), "shape-1": ([8, 9], [2, 3, 4, 5, 6]), "shape-2": ([2, 3, 5, 6], [8, 9])}[tracked]
+        made
+        == {"": ([5, 6], [2, 3, 4, 5, 6]), "shape-1": ([8, 9], [2, 3, 4, 5, 6]), "shape-2": ([2, 3, 5, 6], [8, 9])}[
+            tracked
+        ]
     )
 
 
