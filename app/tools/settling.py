@@ -12,12 +12,13 @@ from roam_core.roto.keying import Keying
 def settled(before: Project, after: Project, shape_ids: Iterable[str], frame: int, keying: Keying) -> Project:
     """The project `after` an edit at `frame` of these shapes, with what follows from it.
 
-    Tracked frames go along with a feather that was set on a key of the artist's. What a ripple changed alike with all
-    that it was tracked from is not stale.
+    Tracked frames go along with a feather that was set on a key of the artist's; in the range of a ripple they took the
+    change themselves, as all keys did. What a ripple changed alike with all that it was tracked from is not stale.
     """
     ids = [shape_id for shape_id in shape_ids if after.shape(shape_id) is not before.shape(shape_id)]
+    is_rippled = keying.ripple is not None and frame in keying.ripple
     for shape_id in ids:
         shape = after.shape(shape_id)
-        if not feather.is_same(before.shape(shape_id).at(frame).feather, shape.at(frame).feather):
+        if not is_rippled and not feather.is_same(before.shape(shape_id).at(frame).feather, shape.at(frame).feather):
             after = after.with_shape(feather.carried_on(shape, frame))
     return after if keying.ripple is None else restamped(before, after, ids, keying.ripple)
