@@ -121,14 +121,16 @@ class ShapeVerbs:
         self._document.apply(tr("Show all"), project)
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
-        project = self._document.project
-        try:
-            for shape_id in self._free(self._selected()):
+        """Do it with each of the selected shapes that are not locked; says of the first why it cannot be done."""
+        project, refused = self._document.project, ""
+        for shape_id in self._free(self._selected()):
+            try:
                 project = project.with_shape(verb(project.shape(shape_id)))
-        except RoamError as error:
-            self._view.say(str(error))
-            return
+            except RoamError as error:
+                refused = refused or str(error)
         self._document.apply(text, project)
+        if refused:
+            self._view.say(refused)
 
     def _free(self, selected: list[str]) -> list[str]:
         """Those of the selected shapes that are not locked; says so when all are."""

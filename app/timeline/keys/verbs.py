@@ -117,9 +117,20 @@ class KeyVerbs:
         self._keys.select(places)
 
     def delete(self) -> None:
-        """Delete the chosen keys; the engine's stay, and are shown as stale."""
-        if places := self._unlocked(self._keys.places):
-            self._apply(tr("Delete keys"), lambda project: timing.delete_keys(project, places))
+        """Delete the chosen keys; the engine's stay, and are shown as stale.
+
+        A shape that would have no key left keeps its own, and that is said.
+        """
+        project, refused = self._document.project, ""
+        places = self._unlocked(self._keys.places)
+        for shape_id in sorted({shape_id for shape_id, _ in places}):
+            try:
+                project = timing.delete_keys(project, [place for place in places if place[0] == shape_id])
+            except RoamError as error:
+                refused = refused or str(error)
+        self._document.apply(tr("Delete keys"), project)
+        if refused:
+            self._view.say(refused)
 
     def nudge(self, frames: int, merge_key: str = "") -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
@@ -132,10 +143,8 @@ class KeyVerbs:
         if not chosen:
             self._view.say(tr(NOTHING_HERE))
         elif places := self._unlocked(chosen):
-            self._apply(
-                tr(WAYS[interpolation]),
-                lambda project: timing.set_interpolation(project, places, interpolation),
-            )
+            project = timing.set_interpolation(self._document.project, places, interpolation)
+            self._document.apply(tr(WAYS[interpolation]), project)
 
     def select_all(self) -> None:
         """Choose every artist's key of the selected shapes, or of all where none is selected."""
@@ -145,12 +154,6 @@ class KeyVerbs:
         )
 
     # ---- the rest is private
-
-    def _apply(self, text: str, verb: Callable[[Project], Project]) -> None:
-        try:
-            self._document.apply(text, verb(self._document.project))
-        except RoamError as error:
-            self._view.say(str(error))
 
     def _unlocked(self, places: Iterable[Place]) -> frozenset[Place]:
         """The places of shapes that may be edited; says why when there is none."""

@@ -161,6 +161,21 @@ def test_where_there_is_no_key_to_delete_it_is_said(document: Document, view_sta
     assert document.project.shape(plain).frames == (1,)
 
 
+def test_a_shape_with_one_key_keeps_no_other_from_losing_theirs(document: Document, view_state: ViewState) -> None:
+    """As where a figure's parts are selected, and one of them is new."""
+    first, single, last = opened(document, 3)
+    project = document.project
+    for shape_id in (first, last):
+        project = project.with_shape(edit.key_here(project.shape(shape_id), 7))
+    document.open(project, None)
+    view_state.select(frozenset({first, single, last}))
+    view_state.set_frame(1)
+    ShapeVerbs(document, view_state).delete_key()
+    assert [shape.frames for shape in document.project.shapes] == [(7,), (1,), (7,)]
+    name = document.project.shape(single).name
+    assert view_state.message == f"{name!r} needs at least one key; delete the shape instead."
+
+
 def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_state: ViewState) -> None:
     (only,) = opened(document, 1)
     document.open(edit.set_properties(document.project, only, locked=True), None)

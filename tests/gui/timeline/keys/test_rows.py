@@ -248,6 +248,18 @@ def test_del_and_ctrl_x_delete_the_chosen_keys_but_not_the_last_one(
     assert "at least one key" in view_state.message
 
 
+def test_a_shape_that_would_have_no_key_left_keeps_no_other_from_losing_theirs(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    for shape in document.project.shapes:
+        document.apply("Clear", document.project.with_shape(edit.delete_engine_keys(shape)))
+    kept = artist(document, "shape-1")
+    timeline.keys.select(frozenset({("shape-2", 1030), *(("shape-1", frame) for frame in kept)}))
+    timeline.verbs.delete()
+    assert (artist(document, "shape-1"), artist(document, "shape-2")) == (kept, (1010,))
+    assert "at least one key" in view_state.message
+
+
 def test_alt_with_arrows_moves_the_chosen_keys_inside_the_clip(
     qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:
