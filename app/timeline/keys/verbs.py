@@ -121,13 +121,7 @@ class KeyVerbs:
 
         A shape that would have no key left keeps its own, and that is said.
         """
-        project, refused = self._document.project, ""
-        places = self._unlocked(self._keys.places)
-        for shape_id in sorted({shape_id for shape_id, _ in places}):
-            try:
-                project = timing.delete_keys(project, [place for place in places if place[0] == shape_id])
-            except RoamError as error:
-                refused = refused or str(error)
+        project, refused = without_keys(self._document.project, self._unlocked(self._keys.places))
         self._document.apply(tr("Delete keys"), project)
         if refused:
             self._view.say(refused)
@@ -189,6 +183,17 @@ def unlocked(project: Project, places: Iterable[Place]) -> frozenset[Place]:
     """Those places whose shapes are not locked, nor lie in a locked layer."""
     free = set(_unlocked_ids(project.root))
     return frozenset(place for place in places if place[0] in free)
+
+
+def without_keys(project: Project, places: Iterable[Place]) -> tuple[Project, str]:
+    """The project without the artist's keys at these places, and why the first shape that keeps its own does so."""
+    refused, chosen = "", frozenset(places)
+    for shape_id in sorted({shape_id for shape_id, _ in chosen}):
+        try:
+            project = timing.delete_keys(project, [place for place in chosen if place[0] == shape_id])
+        except RoamError as error:
+            refused = refused or str(error)
+    return project, refused
 
 
 def count_of(places: Iterable[object]) -> str:

@@ -26,7 +26,7 @@ from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
 from ..keys.nudging import Nudges
-from ..keys.verbs import count_of
+from ..keys.verbs import count_of, without_keys
 from .selection import CopiedKeys, ValueSelection
 from .shown import OUTLINES, Kind
 
@@ -170,7 +170,10 @@ class ValueVerbs:
         values, outlines = _parted(self._free())
         keys = {(item_id, frame) for item_id, _, frame in outlines}
         if values or keys:
-            self._apply(tr("Delete keys"), lambda project: timing.delete_keys(delete_values(project, values), keys))
+            project, refused = without_keys(delete_values(self._document.project, values), keys)
+            self._document.apply(tr("Delete keys"), project)
+            if refused:
+                self._view.say(refused)
 
     def nudge(self, frames: int, merge_key: str) -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
