@@ -100,7 +100,7 @@ class KeyVerbs:
             self.delete()
 
     def paste(self) -> None:
-        """Put the copied keys into their shapes, or those of one shape into the selected one; the first one here."""
+        """Put the copied keys into their shapes, or those of one shape into the selected ones; the first one here."""
         if not self._copied:
             self._view.say(tr(NOTHING_COPIED))
             return
@@ -159,8 +159,8 @@ class KeyVerbs:
     def _targets(self) -> dict[str, tuple[Keyframe, ...]]:
         """The copied keys by the shape that they go to."""
         selected = self._view.selection.shapes
-        if len(self._copied) == len(selected) == 1 and not selected & self._copied.keys():
-            return {next(iter(selected)): next(iter(self._copied.values()))}
+        if len(self._copied) == 1 and selected and not selected & self._copied.keys():
+            return dict.fromkeys(selected, next(iter(self._copied.values())))
         return self._copied
 
     def _meant(self) -> frozenset[Place]:
