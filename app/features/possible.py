@@ -31,6 +31,10 @@ def _has_key(shapes: Shapes, frame: int) -> bool:
     return any(len(shape.keys) > 1 and shape.key_at(frame) is not None for shape in shapes)
 
 
+def _is_there(shapes: Shapes, frame: int) -> bool:
+    return any(shape.exists_at(frame) for shape in shapes)
+
+
 def _is_tracked(shapes: Shapes, _frame: int) -> bool:
     return any(key.origin is Origin.ENGINE for shape in shapes for key in shape.keys)
 
@@ -44,6 +48,8 @@ def _is(spline: Spline) -> Callable[[Shapes, int], bool]:
 
 
 _OF_SHAPES: Mapping[str, Callable[[Shapes, int], bool]] = {
+    "key.set": _is_there,
+    "key.set_points": _is_there,
     "key.delete": _has_key,
     "track.delete_engine_keys": _is_tracked,
     "track.fill": lambda shapes, _: any(len(shape.artist_keys) > 1 for shape in shapes),

@@ -122,9 +122,9 @@ class Tracking:
         self._run(-1, max(self._view.frame - 2, self._clip().start - 1))
 
     def to_next_key(self) -> None:
-        """Track up to the next artist key of the shapes, or to the end where there is none."""
-        frame = self._view.frame
-        later = [key for shape in self.in_scope() for key in shape.artist_frames if key > frame]
+        """Track up to the next artist key, on the clip, of the shapes that are tracked; to the end if there is none."""
+        frame, clip = self._view.frame, self._clip()
+        later = [key for shape in self._able() for key in shape.artist_frames if key > frame and key in clip]
         if not later:
             self.forward()
         elif min(later) == frame + 1:
@@ -155,7 +155,7 @@ class Tracking:
         tracked = [
             (key.confidence, key.frame, shape)
             for shape in self._shapes()
-            for key in shape.keys
+            for key in shape.living_keys
             if key.confidence is not None and key.frame in self._clip()
         ]
         if not tracked:
@@ -204,11 +204,14 @@ class Tracking:
         """The shapes that a run would take, whether they can be tracked or not."""
         return list(self._document.project.shapes) if self.scope is Scope.ALL else self._shapes()
 
+    def _able(self) -> list[RotoShape]:
+        """Those in scope that can be tracked: outlines that are not locked."""
+        outlines = [shape for shape in self.in_scope() if shape.closed and shape.point_count >= MIN_POINTS]
+        return [shape for shape in outlines if not self._document.project.is_locked(shape.id)]
+
     def _trackable(self) -> list[RotoShape]:
         """Those that can be tracked; says why when there is none."""
-        shapes, project = self.in_scope(), self._document.project
-        outlines = [shape for shape in shapes if shape.closed and shape.point_count >= MIN_POINTS]
-        able = [shape for shape in outlines if not project.is_locked(shape.id)]
+        shapes, able, project = self.in_scope(), self._able(), self._document.project
         if not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able and project.is_locked(shapes[0].id):
@@ -229,7 +232,7 @@ class Tracking:
         doubtful = [
             (abs(key.frame - here), key.confidence, key.frame, doubt_sentence(shape, key.frame))
             for shape in shapes
-            for key in shape.keys
+            for key in shape.living_keys
             if is_doubtful(key.confidence) and (key.frame - here) * step > 0
         ]
         doubtful += [

@@ -68,6 +68,12 @@ class WaitingFills:
         """Have a fill of these shapes wait, which `begin` begins."""
         self._fills.append((shape_ids, gaps, begin))
 
+    def add_first(
+        self, shape_ids: Sequence[str], gaps: Sequence[Gap], begin: Callable[[Sequence[str], Sequence[Gap]], None]
+    ) -> None:
+        """Have a fill of these shapes wait before all others: it had begun already."""
+        self._fills.insert(0, (shape_ids, gaps, begin))
+
     def clear(self) -> None:
         self._fills.clear()
 
@@ -77,14 +83,13 @@ class WaitingFills:
         self._fills = [fill for fill in rest if fill[0]]
 
     def begin_next(self, project: Project) -> None:
-        """Begin the first one that is still wanted: none of its shapes is gone or locked, and gaps of it are there."""
+        """Begin the first one that is still wanted: of its shapes that are there and not locked gaps are left."""
         while self._fills:
             ids, gaps, begin = self._fills.pop(0)
-            if not all(project.has(shape_id) and not project.is_locked(shape_id) for shape_id in ids):
-                continue
-            there = gaps_of([shape for shape_id in ids if (shape := project.shape(shape_id)).closed])
+            free = [shape_id for shape_id in ids if project.has(shape_id) and not project.is_locked(shape_id)]
+            there = gaps_of([shape for shape_id in free if (shape := project.shape(shape_id)).closed])
             if still := [gap for gap in gaps if gap in there]:
-                begin(ids, still)
+                begin(free, still)
                 return
 
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from roam_core.params import DEFAULT_CONFIG, is_doubtful
+from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate.frame.result import FrameResult, Termination
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.shapes.objects import decisive
@@ -21,14 +21,13 @@ from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
 from .filling import Filled, FillRequest, Gap, WaitingFills, fill
-from .runner import Ending, Job, Report, Runner
+from .propagation_run import FILL, TRACK, Run
+from .runner import Ending, Report, Runner
 
 ReadFrame = Callable[[int], Any]
 PATIENCE = 200
 """Milliseconds that a run that was told to stop may take to end by itself."""
 
-TRACK, FILL = N_("Track"), N_("Fill")
-"""What the two kinds of run are called in the undo list."""
 FORWARD = N_("Tracking {names} forward: {place} · {pace}")
 BACKWARD = N_("Tracking {names} backward: {place} · {pace}")
 NO_WAY_FORWARD, NO_WAY_BACKWARD = (
@@ -64,7 +63,7 @@ class Propagation(QObject):
         super().__init__(parent)
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
         self.processes = 1
-        self._run: _Run | None = None
+        self._run: Run | None = None
         self._waiting = WaitingFills()
         self._memory = TrackMemory()
         # The very first frame compiles kernels, which nobody can interrupt: the artist need not wait for that.
@@ -83,13 +82,13 @@ class Propagation(QObject):
         """Track shapes along `frames`: the first is where they start from, the step +1 or -1 the direction.
 
         The others of their objects are solved with them, unless each is to be solved `alone`. It ends the run under
-        way; of the fills that wait those of other shapes begin after it.
+        way; fills of other shapes, that one among them, go on after it.
         """
         self._make_way(shape_ids)
         self._start_tracking(shape_ids, frames, config, f"track-{next(_run_numbers)}", alone=alone)
 
     def _start_tracking(
-        self, shape_ids: Sequence[str], frames: range, config: str, merge_key: str, before: _Run | None = None,
+        self, shape_ids: Sequence[str], frames: range, config: str, merge_key: str, before: Run | None = None,
         *, alone: bool = False,
     ) -> None:  # fmt: skip
         project = self._document.project
@@ -99,7 +98,7 @@ class Propagation(QObject):
         request = _Request(self._read, others, asked, frames, config, clip_stamp(project.clip), self._memory, alone)
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
-        run = _Run(job, TRACK, shapes, self._view.frame, merge_key, frames, config, alone=alone)
+        run = Run(job, TRACK, shapes, self._view.frame, merge_key, frames, config, alone=alone)
         if not alone:
             stamps = Stamps.of(others, project.clip)
             together = {other.id: other for shape in shapes for other in stamps.together(shape)}
@@ -116,7 +115,7 @@ class Propagation(QObject):
         While other shapes are filled it waits for its turn.
         """
         keeps_undone = not self._document.undo_stack.canRedo()
-        begin = partial(self._start_filling, config, alone, keeps_undone)
+        begin = partial(self._start_filling, config, alone, keeps_undone, f"track-{next(_run_numbers)}")
         if self._run is not None and self._run.verb == FILL and not self._run.expected.keys() & set(shape_ids):
             self._waiting.add(shape_ids, gaps, begin)
             names = _names([self._document.project.shape(shape_id) for shape_id in shape_ids])
@@ -126,14 +125,30 @@ class Propagation(QObject):
         begin(shape_ids, gaps)
 
     def _make_way(self, shape_ids: Sequence[str]) -> None:
-        """End the run under way; of the fills that wait those of other shapes begin after the one that comes now."""
+        """End the run under way; fills of other shapes, that one among them, go on after the one that comes now."""
+        run = self._run
+        is_wanted = run is not None and not run.job.token.is_cancelled and not run.expected.keys() <= set(shape_ids)
+        if run is not None and run.begin_again is not None and is_wanted:
+            self._waiting.add_first(list(run.expected), run.gaps, run.begin_again)
+            run.ended_by = tr("It goes on after what begins now.")
         self._waiting.leave_out(shape_ids)
-        if self._run is not None:
-            self._run.job.drop()
+        if run is not None:
+            run.job.drop()
+
+    def _fill_on(
+        self, begin: Callable[[Sequence[str], Sequence[Gap]], None], merge_key: str, shape_ids: Sequence[str],
+        gaps: Sequence[Gap],
+    ) -> None:  # fmt: skip
+        """Go on with a fill whose place another run took, unless what it had filled was undone meanwhile."""
+        if self._document.is_undone(merge_key):
+            self._go_on()
+        else:
+            begin(shape_ids, gaps)
 
     def _start_filling(
-        self, config: str, alone: bool, keeps_undone: bool, shape_ids: Sequence[str], gaps: Sequence[Gap]
-    ) -> None:
+        self, config: str, alone: bool, keeps_undone: bool, merge_key: str, shape_ids: Sequence[str],
+        gaps: Sequence[Gap],
+    ) -> None:  # fmt: skip
         project = self._document.project
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
         size = None if project.clip is None else (project.clip.size[1], project.clip.size[0])
@@ -143,7 +158,9 @@ class Propagation(QObject):
         )
         job = self._runner.start("track", lambda report: fill(report, request))
         job.partial.connect(self._put_in)
-        run = _Run(job, FILL, shapes, self._view.frame, f"track-{next(_run_numbers)}")
+        run = Run(job, FILL, shapes, self._view.frame, merge_key)
+        begin = partial(self._start_filling, config, alone, keeps_undone, merge_key)
+        run.gaps, run.begin_again = gaps, partial(self._fill_on, begin, merge_key)
         self._begin(run, tr("Starting to fill {names} …", names=_names(shapes)))
         run.keeps_undone = keeps_undone
 
@@ -197,7 +214,7 @@ class Propagation(QObject):
         self.drop()
         self._memory = TrackMemory()
 
-    def _begin(self, run: _Run, sentence: str) -> None:
+    def _begin(self, run: Run, sentence: str) -> None:
         self._run = run
         run.keeps_undone = not self._document.undo_stack.canRedo()
         run.job.progress.connect(self.progress)
@@ -221,7 +238,7 @@ class Propagation(QObject):
             self._write(run, filled.keys)
             run.reached = filled.gap[1]
 
-    def _write(self, run: _Run, keys: Mapping[str, Sequence[Keyframe]]) -> None:
+    def _write(self, run: Run, keys: Mapping[str, Sequence[Keyframe]]) -> None:
         """Put the engine's keys into the document, as part of the run's one undo step."""
         made = {shape_id: [key for key in found if _is_solved(key)] for shape_id, found in keys.items()}
         project = _with_engine_keys(self._document.project, made)
@@ -235,7 +252,7 @@ class Propagation(QObject):
             keeps_undone=run.keeps_undone,
         )
 
-    def _follow(self, run: _Run, frame: int) -> None:
+    def _follow(self, run: Run, frame: int) -> None:
         """Take the playhead along, unless the artist went to look at another frame, plays, or is busy on this one."""
         if self._view.frame == run.shown_frame and not self._view.keeps_frame:
             run.shown_frame = frame
@@ -286,59 +303,6 @@ class Propagation(QObject):
         """Fill what waits, once all have heard of what ended."""
         if self._waiting:
             QTimer.singleShot(0, self, self._fill_next)
-
-
-class _Run:
-    """What is known of the run under way.
-
-    `expected` are the shapes as the run left them in the document, `beside` the others that are solved with them.
-    """
-
-    def __init__(
-        self,
-        job: Job,
-        verb: str,
-        shapes: Sequence[RotoShape],
-        shown_frame: int,
-        merge_key: str,
-        frames: range = range(0),
-        config: str = "",
-        *,
-        alone: bool = False,
-    ) -> None:
-        self.job, self.verb, self.shown_frame = job, verb, shown_frame
-        self.expected = {shape.id: shape for shape in shapes}
-        self.merge_key, self.frames, self.config, self.alone = merge_key, frames, config, alone
-        self.beside: dict[str, RotoShape] = {}
-        self.reached: int | None = None
-        self.keeps_undone = False
-        """Whether nothing was undone when it began: then what is, is so since, and the artist's to do again."""
-        self.ended_by = ""
-        """What was done to which shape that ended the run; empty where nothing was."""
-        self._doubtful: set[int] = set()
-
-    def take_over(self, before: _Run) -> None:
-        """Go on as the run before this one: what it reached and doubts, and the frame that it showed."""
-        self.shown_frame, self.reached, self._doubtful = before.shown_frame, before.reached, before._doubtful
-
-    def note(self, keys: Iterable[Keyframe]) -> None:
-        """Remember the frames that the engine doubts."""
-        self._doubtful |= {key.frame for key in keys if is_doubtful(key.confidence)}
-
-    def stopped_sentence(self) -> str:
-        if self.verb == TRACK:
-            if self.reached is None:
-                return tr("Tracking stopped before a frame was finished.")
-            return tr("Tracking stopped at frame {frame}; the finished frames stay.", frame=self.reached)
-        if self.reached is None:
-            return tr("Filling stopped before a gap was finished.")
-        return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
-
-    def doubt_sentence(self) -> str:
-        doubtful = len(self._doubtful)
-        if not doubtful:
-            return ""
-        return tr("%n doubtful frame(s): <track.next_doubtful> goes to the next one.", "", doubtful)
 
 
 @dataclass(frozen=True)

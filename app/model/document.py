@@ -102,6 +102,12 @@ class Document(QObject):
         self._show(once(self._project))
         self._forget_oldest()
 
+    def is_undone(self, merge_key: str) -> bool:
+        """Whether the step with `merge_key` was undone, and could be done again."""
+        stack = self.undo_stack
+        undone = (stack.command(index) for index in range(stack.index(), stack.count()))
+        return any(isinstance(step, ProjectEdit) and step.merge_key == merge_key for step in undone)
+
     def open(self, project: Project, path: Path | None, fingerprint: Fingerprint | None = None) -> None:
         """Show another project; the undo stack starts anew."""
         self.begun += 1

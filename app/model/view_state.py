@@ -49,7 +49,7 @@ class ViewState(QObject):
         self.is_playing = False
         """Whether the clip is played: the playhead goes its own way."""
         self._message = self._hint = self._advice = ""
-        self._is_said_just_now = False
+        self._is_said_just_now = self._is_said_in_drag = False
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
@@ -163,7 +163,7 @@ class ViewState(QObject):
     def say(self, sentence: str) -> None:
         """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
         self._message = told(sentence, self._keymap)
-        self._is_said_just_now = True
+        self._is_said_just_now, self._is_said_in_drag = True, self._preview is not None
         QTimer.singleShot(0, self, self._age)
         self.message_changed.emit()
 
@@ -175,10 +175,10 @@ class ViewState(QObject):
     def go_on(self) -> None:
         """The artist edits something: what was told of something before that goes.
 
-        The tool's hint and advice stay, and so does what was said just now, or while that was dragged.
+        The tool's hint and advice stay, and so does what was said just now, or in the drag that ends with this edit.
         """
-        is_of_before = not self._is_said_just_now and self._preview is None
-        if is_of_before and self._message not in (self._hint, self._advice):
+        is_of_drag = self._is_said_in_drag and self._preview is not None
+        if not self._is_said_just_now and not is_of_drag and self._message not in (self._hint, self._advice):
             self.say(self._hint)
 
     def _age(self) -> None:

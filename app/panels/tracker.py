@@ -128,7 +128,7 @@ class TrackerPanel(QWidget):
         tracked = {
             shape: key.confidence
             for shape in shapes_in_hand(self._document.project, self._view.selection)
-            if (key := shape.key_at(frame)) is not None and key.confidence is not None
+            if shape.exists_at(frame) and (key := shape.key_at(frame)) is not None and key.confidence is not None
         }
         if not tracked:
             self._confidence.setText("–")

@@ -23,6 +23,7 @@ class KeyMarks:
     `smooth` and `held` are those of the artist's keys from which the shape does not move on evenly; `partial` those on
     which the artist set some of the points. `confidence` are
     pairs (frame, confidence) `(K, 2)` of all engine frames but those of a file that was read, in the order of time.
+    On a frame on which the shape does not exist nothing is in doubt.
     """
 
     artist: Int64
@@ -54,11 +55,12 @@ def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
             artist.append(key.frame)
             continue
         trust = 1.0 if key.confidence is None else key.confidence
-        if not is_import(key):  # nobody looked for it in the plate
+        is_there = shape.exists_at(key.frame)
+        if is_there and not is_import(key):  # nobody looked for it in the plate
             confidence.append((key.frame, trust))
         if stamps.is_stale(shape, key):
             stale.append(key.frame)
-        elif is_doubtful(key.confidence):
+        elif is_there and is_doubtful(key.confidence):
             doubtful.append(key.frame)
         else:
             engine.append(key.frame)

@@ -4,20 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.restamping import restamped
-from roam_core.roto import Project, feather
+from roam_core.roto import Project, RotoShape, feather
 from roam_core.roto.keying import Keying
+from roam_core.roto.shape import EVER
 
 
 def settled(before: Project, after: Project, shape_ids: Iterable[str], frame: int, keying: Keying) -> Project:
     """The project `after` an edit at `frame` of these shapes, with what follows from it.
 
-    Tracked frames go along with a feather that was set on a key of the artist's. What a ripple changed alike with all
-    that it was tracked from is not stale.
+    Tracked frames go along with a feather that was set on a key of the artist's; in the range of a ripple they took the
+    change themselves, as all keys did. What a ripple changed alike with all that it was tracked from is not stale.
     """
     ids = [shape_id for shape_id in shape_ids if after.shape(shape_id) is not before.shape(shape_id)]
+    is_rippled = keying.ripple is not None and frame in keying.ripple
     for shape_id in ids:
         shape = after.shape(shape_id)
-        if not feather.is_same(before.shape(shape_id).at(frame).feather, shape.at(frame).feather):
+        if not is_rippled and not feather.is_same(before.shape(shape_id).at(frame).feather, shape.at(frame).feather):
             after = after.with_shape(feather.carried_on(shape, frame))
     return after if keying.ripple is None else restamped(before, after, ids, keying.ripple)
+
+
+def with_same_outline(before: Project, after: RotoShape) -> Project:
+    """The project with a shape whose outline is on every key as it was `before`, told by other points.
+
+    No tracked frame of it, or of the others of its object, is stale for that.
+    """
+    together = Stamps.of(before.shapes, before.clip).together(before.shape(after.id))
+    return restamped(before, before.with_shape(after), [shape.id for shape in together], range(-EVER, EVER))

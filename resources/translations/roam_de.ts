@@ -1947,6 +1947,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ebene invertieren</translation>
     </message>
     <message>
+        <source>It goes on after what begins now.</source>
+        <translation>Es geht nach dem weiter, was jetzt beginnt.</translation>
+    </message>
+    <message>
         <source>It has a key on this frame. Click to delete it</source>
         <translation>Keyframe auf diesem Frame. Klicken löscht ihn</translation>
     </message>
@@ -4173,6 +4177,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>The clip&apos;s frames a second; while it plays, those that are shown, and the speed</source>
         <translation>Frames pro Sekunde des Clips; beim Abspielen die gezeigten und die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The copied keys are of other shapes: select those, or as many shapes as were copied.</source>
+        <translation>Die kopierten Keyframes sind von anderen Formen: diese auswählen, oder so viele Formen, wie kopiert wurden.</translation>
     </message>
     <message>
         <source>The copied keys fit no shape here: shapes may be locked, or have other points.</source>

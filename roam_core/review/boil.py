@@ -39,12 +39,13 @@ def boil(shape: RotoShape) -> Array:
 
 
 def triples(shape: RotoShape) -> list[Triple]:
-    """The keys from which the boil of each frame is told, in the order of time."""
+    """The keys from which the boil of each frame is told, in the order of time: the shape exists on all of them."""
     if shape.point_count < LEAST_POINTS:
         return []
+    there = shape.living_keys
     return [
         keys
-        for keys in zip(shape.keys, shape.keys[1:], shape.keys[2:], strict=False)
+        for keys in zip(there, there[1:], there[2:], strict=False)
         if keys[2].frame - keys[0].frame == 2 and any(key.origin is Origin.ENGINE for key in keys)
     ]
 

@@ -44,11 +44,11 @@ class Finding:
 
 
 def doubtful(shapes: Iterable[RotoShape]) -> tuple[Finding, ...]:
-    """The frames of shapes whose confidence is low, in the order of time."""
+    """The frames of shapes whose confidence is low, in the order of time; none on which they do not exist."""
     return _sorted(
         Finding(FindingKind.DOUBT, key.frame, shape.id, shape.name, key.confidence)
         for shape in shapes
-        for key in shape.keys
+        for key in shape.living_keys
         if key.confidence is not None and is_doubtful(key.confidence)
     )
 

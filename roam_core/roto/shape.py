@@ -282,6 +282,11 @@ class RotoShape:
         """False outside the shape's lifetime."""
         return self.lifetime is None or self.lifetime[0] <= frame < self.lifetime[1]
 
+    @property
+    def living_keys(self) -> tuple[Keyframe, ...]:
+        """The keys on frames on which it exists; those that a shortened lifetime left beside it are not seen."""
+        return self.keys if self.lifetime is None else tuple(key for key in self.keys if self.exists_at(key.frame))
+
     def opacity_at(self, frame: float) -> float:
         """The opacity at `frame`, in [0, 1]."""
         return share_at(self.opacity, frame)

@@ -1,9 +1,14 @@
-"""Edit verbs in time: keys of several shapes at once, moved, copied, deleted, interpolated; marks on frames."""
+"""Edit verbs in time: keys of several shapes at once, moved, copied, deleted, interpolated; marks on frames.
+
+A key that goes to another frame stays where it lies in its layer: with one that moves, as by a planar track, it goes
+along.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 
 from roam_core.arrays import Array
 from roam_core.roto import edit
@@ -11,7 +16,7 @@ from roam_core.roto.animated import Interpolation
 from roam_core.roto.control_points import settled
 from roam_core.roto.keying import reshape
 from roam_core.roto.project import Mark, Project
-from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape, unplaced
 
 Place = tuple[str, int]
 """Where a key lies: (shape id, frame)."""
@@ -29,7 +34,7 @@ def move_keys(project: Project, places: Iterable[Place], offset: int) -> Project
     A key that lay where one arrives gives way to it, as the hand that put it there wanted. The engine's keys stay where
     they are: those that depend on a key that moved bear another stamp than they should, and so are shown as stale.
     """
-    return _each_shape(project, places, lambda shape, frames: _moved(shape, frames, offset))
+    return _each_held(project, places, partial(_moved, offset=offset))
 
 
 def shift_keys(
@@ -57,16 +62,17 @@ def shift_keys(
 
 def copy_keys(project: Project, places: Iterable[Place], offset: int) -> Project:
     """The project with copies of the artist's keys at `places`, `offset` frames on; what lies there gives way."""
-    return _each_shape(
-        project, places, lambda shape, frames: shape.with_keys(_shifted(_artist_keys(shape, frames), offset))
-    )
+    return _each_held(project, places, partial(_with_copies, offset=offset))
 
 
-def paste_keys(project: Project, keys: Mapping[str, Iterable[Keyframe]], offset: int = 0) -> Project:
-    """The project with keys put into its shapes, `offset` frames on, as the artist's; what lies there gives way.
+def paste_keys(
+    project: Project, keys: Mapping[str, Iterable[Keyframe]], offset: int = 0, own: Collection[str] = ()
+) -> Project:
+    """The project with keys, in plate space, put into its shapes, `offset` frames on, as the artist's.
 
-    Shapes that are gone, and keys of another number of points than their shape has, are left out. A B-spline takes the
-    key of a Bezier as the nearest B-spline.
+    What lies there gives way. Shapes that are gone, and keys of another number of points than their shape has, are left
+    out. A B-spline takes the key of a Bezier as the nearest B-spline. Shapes whose `own` keys these are, by their ids,
+    take them where they lie in their layers, others where they are seen.
     """
     for shape_id, copied in keys.items():
         if project.has(shape_id):
@@ -76,7 +82,11 @@ def paste_keys(project: Project, keys: Mapping[str, Iterable[Keyframe]], offset:
                 for key in copied
                 if len(key.points) == shape.point_count
             ]
-            project = project.with_shape(shape.with_keys(_shifted(fitting, offset)))
+            if shape.placement and shape_id in own and fitting:
+                inside = unplaced(replace(shape, keys=tuple(fitting))).keys
+                project = project.map_item(shape_id, partial(_with_shifted, inside, offset))
+            else:
+                project = project.with_shape(shape.with_keys(_shifted(fitting, offset)))
     return project
 
 
@@ -95,17 +105,36 @@ def set_interpolation(project: Project, places: Iterable[Place], interpolation: 
 
 
 def _each_shape(project: Project, places: Iterable[Place], verb: Callable[[RotoShape, set[int]], RotoShape]) -> Project:
+    for shape_id, own in _by_shape(project, places):
+        project = project.with_shape(verb(project.shape(shape_id), own))
+    return project
+
+
+def _each_held(project: Project, places: Iterable[Place], verb: Callable[..., RotoShape]) -> Project:
+    """As `_each_shape`, of the shapes as they lie in their layers."""
+    for shape_id, own in _by_shape(project, places):
+        project = project.map_item(shape_id, partial(verb, frames=own))
+    return project
+
+
+def _by_shape(project: Project, places: Iterable[Place]) -> list[tuple[str, set[int]]]:
+    """The frames of each of the shapes that are there."""
     frames: dict[str, set[int]] = {}
     for shape_id, frame in places:
         frames.setdefault(shape_id, set()).add(frame)
-    for shape_id, own in sorted(frames.items()):
-        if project.has(shape_id):
-            project = project.with_shape(verb(project.shape(shape_id), own))
-    return project
+    return [(shape_id, own) for shape_id, own in sorted(frames.items()) if project.has(shape_id)]
+
+
+def _with_shifted(keys: Iterable[Keyframe], offset: int, shape: RotoShape) -> RotoShape:
+    return shape.with_keys(_shifted(keys, offset))
 
 
 def _moved(shape: RotoShape, frames: set[int], offset: int) -> RotoShape:
     return edit.move_keys(shape, [key.frame for key in _artist_keys(shape, frames)], offset)
+
+
+def _with_copies(shape: RotoShape, frames: set[int], offset: int) -> RotoShape:
+    return shape.with_keys(_shifted(_artist_keys(shape, frames), offset))
 
 
 def _artist_keys(shape: RotoShape, frames: set[int]) -> list[Keyframe]:

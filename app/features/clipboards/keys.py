@@ -23,6 +23,7 @@ MARK = "clipboard"
 """The project's extra field that tells keys from whole shapes on the clipboard."""
 
 NOTHING_COPIED = N_("There is no key to paste; copy one first.")
+OF_OTHERS = N_("The copied keys are of other shapes: select those, or as many shapes as were copied.")
 
 
 class KeyClipboard:
@@ -80,7 +81,9 @@ class KeyClipboard:
         except RoamError as error:
             self._view.say(str(error))
             return
-        if not wanted.keys() & editable.keys():
+        if chosen and not wanted:
+            self._view.say(tr(OF_OTHERS))
+        elif not wanted.keys() & editable.keys():
             self._view.say(why_not(self._document.project, self._view))
         self._document.apply(text, project)
 

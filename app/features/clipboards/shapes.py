@@ -17,7 +17,7 @@ from ...model.document import Document
 from ...model.reasons import keys_beside, outdated_by
 from ...model.view_state import ViewState
 from ...translation import tr
-from ..verbs.shapes import delete, rows_in_hand, select_items
+from ..verbs.shapes import NOTHING_SELECTED, delete, rows_in_hand, select_items
 from .keys import KeyClipboard, copied_keys
 
 
@@ -47,11 +47,11 @@ class ShapeClipboard:
 
     def copy(self) -> None:
         """Copy the selected layers and shapes with all their keys."""
-        self._copy(self._selected())
+        self._copy(self._in_hand())
 
     def cut(self) -> None:
         """Copy the selected layers and shapes that are not locked, nor hold what is, and delete them."""
-        if rows := self._selected():
+        if rows := self._in_hand():
             self._copy([item_id for item_id in rows if not self._document.project.holds_locked(item_id)])
             delete(self._document, self._view, rows, tr("Cut"))
 
@@ -102,6 +102,12 @@ class ShapeClipboard:
         if project.root.id in around:
             return project.root
         return home_for_new(project, (rows - layers) | around)
+
+    def _in_hand(self) -> list[str]:
+        """The selected layers and shapes; says so when there is none."""
+        if not (rows := self._selected()):
+            self._view.say(tr(NOTHING_SELECTED))
+        return rows
 
     def _selected(self) -> list[str]:
         return rows_in_hand(self._document.project, self._view)

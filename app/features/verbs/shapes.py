@@ -10,7 +10,7 @@ from roam_core.roto.copies import duplicated
 from roam_core.roto.layers import top_items
 
 from ...model.document import Document
-from ...model.reasons import outdated_by
+from ...model.reasons import does_not_exist, outdated_by
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, tr
@@ -53,9 +53,12 @@ class ShapeVerbs:
         self._view.select(frozenset(), layers=frozenset())
 
     def set_key(self) -> None:
-        """Make the selected shapes, as they are on this frame, artist keys."""
+        """Make the selected shapes, as they are on this frame, artist keys; those that do not exist there get none."""
         frame = self._view.frame
-        self._edit_each(tr("Set key"), lambda shape: edit.key_here(shape, frame))
+        if self._is_any_there():
+            self._edit_each(
+                tr("Set key"), lambda shape: edit.key_here(shape, frame) if shape.exists_at(frame) else shape
+            )
 
     def set_key_of_points(self) -> None:
         """Make the selected points, as they are on this frame, the artist's; a run may derive the others anew."""
@@ -63,8 +66,12 @@ class ShapeVerbs:
         if not points and (not selected or self._free(selected)):
             self._view.say(tr("Select the points that are right here first; a run then derives the others anew."))
             return
+        if not self._is_any_there():
+            return
 
         def keyed(shape: RotoShape) -> RotoShape:
+            if not shape.exists_at(frame):
+                return shape
             return edit.key_points(shape, frame, [index for shape_id, index in points if shape_id == shape.id])
 
         self._edit_each(tr("Set key for points"), keyed)
@@ -121,14 +128,24 @@ class ShapeVerbs:
         self._document.apply(tr("Show all"), project)
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
-        project = self._document.project
-        try:
-            for shape_id in self._free(self._selected()):
+        """Do it with each of the selected shapes that are not locked; says of the first why it cannot be done."""
+        project, refused = self._document.project, ""
+        for shape_id in self._free(self._selected()):
+            try:
                 project = project.with_shape(verb(project.shape(shape_id)))
-        except RoamError as error:
-            self._view.say(str(error))
-            return
+            except RoamError as error:
+                refused = refused or str(error)
         self._document.apply(text, project)
+        if refused:
+            self._view.say(refused)
+
+    def _is_any_there(self) -> bool:
+        """Whether one of the selected shapes exists on this frame, or none is selected; says so where they do not."""
+        shapes, frame = selected_shapes(self._document.project, self._view.selection), self._view.frame
+        if not shapes or any(shape.exists_at(frame) for shape in shapes):
+            return True
+        self._view.say(does_not_exist(shapes[0], frame))
+        return False
 
     def _free(self, selected: list[str]) -> list[str]:
         """Those of the selected shapes that are not locked; says so when all are."""
@@ -164,8 +181,14 @@ def select_items(document: Document, view: ViewState, item_ids: Iterable[str]) -
 
 
 def delete(document: Document, view: ViewState, item_ids: Iterable[str], text: str = "") -> None:
-    """Delete layers and shapes, but for what is locked or holds what is; `text` names the step."""
+    """Delete layers and shapes, but for what is locked or holds what is; `text` names the step.
+
+    Says so where there is nothing to delete.
+    """
     ids = list(item_ids)
+    if not ids:
+        view.say(tr(NOTHING_SELECTED))
+        return
     free = [item_id for item_id in ids if not document.project.holds_locked(item_id)]
     before = document.project
     if free:

@@ -100,13 +100,13 @@ class KeyVerbs:
             self.delete()
 
     def paste(self) -> None:
-        """Put the copied keys into their shapes, or those of one shape into the selected one; the first one here."""
+        """Put the copied keys into their shapes, or those of one shape into the selected ones; the first one here."""
         if not self._copied:
             self._view.say(tr(NOTHING_COPIED))
             return
         project, copied = self._document.project, self._targets()
         offset = self._view.frame - min(key.frame for keys in copied.values() for key in keys)
-        pasted = timing.paste_keys(project, _inside(project, copied, offset), offset)
+        pasted = timing.paste_keys(project, _inside(project, copied, offset), offset, self._copied)
         places = timing.artist_places(pasted) & {
             (shape_id, key.frame + offset) for shape_id, keys in copied.items() for key in keys
         }
@@ -117,9 +117,14 @@ class KeyVerbs:
         self._keys.select(places)
 
     def delete(self) -> None:
-        """Delete the chosen keys; the engine's stay, and are shown as stale."""
-        if places := self._unlocked(self._keys.places):
-            self._apply(tr("Delete keys"), lambda project: timing.delete_keys(project, places))
+        """Delete the chosen keys; the engine's stay, and are shown as stale.
+
+        A shape that would have no key left keeps its own, and that is said.
+        """
+        project, refused = without_keys(self._document.project, self._unlocked(self._keys.places))
+        self._document.apply(tr("Delete keys"), project)
+        if refused:
+            self._view.say(refused)
 
     def nudge(self, frames: int, merge_key: str = "") -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
@@ -132,10 +137,8 @@ class KeyVerbs:
         if not chosen:
             self._view.say(tr(NOTHING_HERE))
         elif places := self._unlocked(chosen):
-            self._apply(
-                tr(WAYS[interpolation]),
-                lambda project: timing.set_interpolation(project, places, interpolation),
-            )
+            project = timing.set_interpolation(self._document.project, places, interpolation)
+            self._document.apply(tr(WAYS[interpolation]), project)
 
     def select_all(self) -> None:
         """Choose every artist's key of the selected shapes, or of all where none is selected."""
@@ -145,12 +148,6 @@ class KeyVerbs:
         )
 
     # ---- the rest is private
-
-    def _apply(self, text: str, verb: Callable[[Project], Project]) -> None:
-        try:
-            self._document.apply(text, verb(self._document.project))
-        except RoamError as error:
-            self._view.say(str(error))
 
     def _unlocked(self, places: Iterable[Place]) -> frozenset[Place]:
         """The places of shapes that may be edited; says why when there is none."""
@@ -162,8 +159,8 @@ class KeyVerbs:
     def _targets(self) -> dict[str, tuple[Keyframe, ...]]:
         """The copied keys by the shape that they go to."""
         selected = self._view.selection.shapes
-        if len(self._copied) == len(selected) == 1 and not selected & self._copied.keys():
-            return {next(iter(selected)): next(iter(self._copied.values()))}
+        if len(self._copied) == 1 and selected and not selected & self._copied.keys():
+            return dict.fromkeys(selected, next(iter(self._copied.values())))
         return self._copied
 
     def _meant(self) -> frozenset[Place]:
@@ -186,6 +183,17 @@ def unlocked(project: Project, places: Iterable[Place]) -> frozenset[Place]:
     """Those places whose shapes are not locked, nor lie in a locked layer."""
     free = set(_unlocked_ids(project.root))
     return frozenset(place for place in places if place[0] in free)
+
+
+def without_keys(project: Project, places: Iterable[Place]) -> tuple[Project, str]:
+    """The project without the artist's keys at these places, and why the first shape that keeps its own does so."""
+    refused, chosen = "", frozenset(places)
+    for shape_id in sorted({shape_id for shape_id, _ in chosen}):
+        try:
+            project = timing.delete_keys(project, [place for place in chosen if place[0] == shape_id])
+        except RoamError as error:
+            refused = refused or str(error)
+    return project, refused
 
 
 def count_of(places: Iterable[object]) -> str:

@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from roam_core.errors import RoamError
-from roam_core.roto import Interpolation, Keyframe, Project, ValueKey, timing
+from roam_core.roto import Interpolation, Keyframe, Project, RotoShape, ValueKey, timing
 from roam_core.roto.value_curves import (
     ValuePlace,
     bend_values,
@@ -26,7 +26,7 @@ from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, tr
 from ..keys.nudging import Nudges
-from ..keys.verbs import count_of
+from ..keys.verbs import count_of, without_keys
 from .selection import CopiedKeys, ValueSelection
 from .shown import OUTLINES, Kind
 
@@ -140,7 +140,7 @@ class ValueVerbs:
         self.delete()
 
     def paste(self) -> None:
-        """Put the copied keys where they came from, or those of one shape or layer into the selected one; the first
+        """Put the copied keys where they came from, or those of one shape or layer into the selected ones; the first
         one on the playhead's frame.
         """
         project, copied = self._document.project, self._chosen.copied
@@ -148,16 +148,17 @@ class ValueVerbs:
             return
         offset, goes_to = self._view.frame - min(copied.frames), self._targets(copied)
         values = {
-            (goes_to[item_id], name): _inside(project, keys, offset)
-            for (item_id, name), keys in copied.values.items()
-            if item_id in goes_to
+            (item_id, name): _inside(project, keys, offset)
+            for owner, item_id in goes_to
+            for (own, name), keys in copied.values.items()
+            if own == owner
         }
         outlines = {
-            goes_to[shape_id]: _inside(project, keys, offset)
-            for shape_id, keys in copied.outlines.items()
-            if shape_id in goes_to
+            item_id: _inside(project, copied.outlines[owner], offset)
+            for owner, item_id in goes_to
+            if owner in copied.outlines and isinstance(project.find(item_id), RotoShape)
         }
-        pasted = timing.paste_keys(paste_values(project, values, offset), outlines, offset)
+        pasted = timing.paste_keys(paste_values(project, values, offset), outlines, offset, copied.outlines)
         if pasted == project:
             self._view.say(tr(FITS_NOTHING))
             return
@@ -170,7 +171,10 @@ class ValueVerbs:
         values, outlines = _parted(self._free())
         keys = {(item_id, frame) for item_id, _, frame in outlines}
         if values or keys:
-            self._apply(tr("Delete keys"), lambda project: timing.delete_keys(delete_values(project, values), keys))
+            project, refused = without_keys(delete_values(self._document.project, values), keys)
+            self._document.apply(tr("Delete keys"), project)
+            if refused:
+                self._view.say(refused)
 
     def nudge(self, frames: int, merge_key: str) -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
@@ -220,16 +224,15 @@ class ValueVerbs:
         except RoamError as error:
             self._view.say(str(error))
 
-    def _targets(self, copied: CopiedKeys) -> dict[str, str]:
-        """Where copied keys go, by what they came from; without what is gone or locked."""
+    def _targets(self, copied: CopiedKeys) -> list[tuple[str, str]]:
+        """Where copied keys go, after what they came from; without what is gone or locked."""
         project, view = self._document.project, self._view
         owners, chosen = copied.owners, view.layers or view.selection.shapes
-        goes_to = {owner: owner for owner in owners}
-        if len(owners) == len(chosen) == 1 and not chosen & owners:
-            goes_to = dict(zip(owners, chosen, strict=True))
-        places = unlocked(project, [(item_id, "", 0) for item_id in goes_to.values()])
-        free = {item_id for item_id, _, _ in places}
-        return {owner: item_id for owner, item_id in goes_to.items() if item_id in free}
+        goes_to = [(owner, owner) for owner in sorted(owners)]
+        if len(owners) == 1 and chosen and not chosen & owners:
+            goes_to = [(owner, item_id) for owner in owners for item_id in sorted(chosen)]
+        free = {item_id for item_id, _, _ in unlocked(project, [(item_id, "", 0) for _, item_id in goes_to])}
+        return [pair for pair in goes_to if pair[1] in free]
 
     def _free(self) -> frozenset[ValuePlace]:
         """The chosen keys that may be changed; says why when there is none."""

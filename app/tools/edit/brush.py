@@ -15,6 +15,7 @@ from roam_core.roto import Outline, Project
 from roam_core.roto.transform import bell
 
 from ...model.document import Document
+from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState
 from ...paint.viewport import Viewport
@@ -59,7 +60,8 @@ class ReshapeTool(GestureTool):
         if grab.start:
             self._gesture = BrushDrag(self.document, view, pointer, grab)
         else:
-            view.say(tr("There is no shape here that can be reshaped; draw one, or unlock and show it."))
+            nothing = tr("There is no shape here that can be reshaped; draw one, or unlock and show it.")
+            view.say(why_not(self.document.project, view) if view.selection.shapes else nothing)
 
     def drag(self, pointer: Pointer) -> None:
         self._pointer = pointer
@@ -91,10 +93,10 @@ class ReshapeTool(GestureTool):
             paint_weights(painter, viewport, self.document.project, view.frame, covered)
 
     def _grab(self) -> Grab:
-        """The shapes that a drag may pull, as they are on the present frame."""
+        """The shapes that a drag may pull, as they are on the present frame: the selected ones; all if none is."""
         project, view = self.document.project, self.view_state
-        shapes = editable_shapes(project, view.frame)
-        chosen = [shape for shape in shapes if shape.id in view.selection.shapes] or shapes
+        selected, shapes = view.selection.shapes, editable_shapes(project, view.frame)
+        chosen = [shape for shape in shapes if shape.id in selected or not selected]
         nothing = {shape.id: np.zeros(shape.point_count) for shape in chosen}
         return Grab.of(project, view.frame, nothing, view.editing.keying(view.play_range))
 

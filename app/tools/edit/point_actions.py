@@ -111,7 +111,11 @@ class PointActions:
 
     def select_all(self) -> None:
         """Select all points of the selected shapes, or of every shape where none is selected."""
-        shapes = self._shapes() or editable_shapes(self._document.project, self._view.frame)
+        is_any_selected = bool(self._view.selection.shapes)
+        shapes = self._shapes() if is_any_selected else editable_shapes(self._document.project, self._view.frame)
+        if is_any_selected and not shapes:
+            self._say_why()
+            return
         points = frozenset((shape.id, index) for shape in shapes for index in range(shape.point_count))
         self._view.select(self._view.selection.shapes, points)
 

@@ -16,6 +16,7 @@ from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import INSERT, Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
 from ..hit_test import OutlineHit, PointHit, hit, hit_outline, outlines_under
 from ..reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
+from ..settling import with_same_outline
 from ..soft_marks import paint_reach, paint_weights
 from ..tool import Modifier, Pointer
 
@@ -183,6 +184,8 @@ class SelectTool(GestureTool):
             return False
         project = self.document.project
         shape = with_point_inserted(project.shape(found.shape_id), found.segment, found.t)
-        self.document.apply(tr("Insert point"), project.with_shape(shape))
+        is_exact = shape.spline is Spline.BEZIER  # a B-spline is fitted
+        after = with_same_outline(project, shape) if is_exact else project.with_shape(shape)
+        self.document.apply(tr("Insert point"), after)
         self.view_state.select(self.view_state.selection.shapes, frozenset({(shape.id, found.segment + 1)}))
         return True

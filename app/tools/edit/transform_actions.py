@@ -45,6 +45,7 @@ class TransformActions:
             dialog.changed.connect(lambda: self._preview(grab, dialog.numbers))
             dialog.accepted.connect(lambda: self.transform(dialog.numbers))
             dialog.finished.connect(lambda _: self._view.set_preview(None))
+            self._preview(grab, dialog.numbers)  # from now on no run takes the playhead to another frame
             dialog.open()
 
     def transform(self, numbers: Numbers) -> None:

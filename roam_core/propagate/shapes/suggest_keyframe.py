@@ -10,12 +10,14 @@ from roam_core.roto import Keyframe, Origin, RotoShape
 def suggest_keyframe(shape: RotoShape) -> int | None:
     """The frame of a shape on which a new artist's key would gain most; None where no frame is doubtful.
 
+    Frames on which the shape does not exist are passed over.
+
     Among the frames whose confidence is below `DOUBTFUL`, the one with the greatest doubt (1 - confidence) times the
     number of frames that depend on it: itself and what was carried on from it up to the next artist's key, or the whole
     gap between two keys where it was filled from both. So it is the beginning of a bad stretch rather than its worst
     frame: what comes after was carried from there. The earlier frame wins a tie.
     """
-    doubtful = [key for key in _engine_keys(shape) if is_doubtful(key.confidence)]
+    doubtful = [key for key in shape.living_keys if key.origin is Origin.ENGINE and is_doubtful(key.confidence)]
     return max(doubtful, key=lambda key: (_gain(shape, key), -key.frame)).frame if doubtful else None
 
 

@@ -68,3 +68,11 @@ def test_what_is_hidden_can_be_shown(view_state: ViewState) -> None:
 
 def test_what_needs_nothing_is_always_offered(view_state: ViewState) -> None:
     assert is_possible(Project(), view_state, "view.fit")
+
+
+@pytest.mark.parametrize("action", ["key.set", "key.set_points"])
+def test_a_key_is_offered_only_where_the_shape_exists(view_state: ViewState, action: str) -> None:
+    project, shape = edit.new_shape(Project(), SQUARE, 1)
+    view_state.select(frozenset({shape.id}))
+    assert is_possible(project, view_state, action)
+    assert not is_possible(edit.set_properties(project, shape.id, lifetime=(5, 9)), view_state, action)

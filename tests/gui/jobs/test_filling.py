@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -257,7 +258,7 @@ def test_a_run_that_takes_the_place_of_a_fill_leaves_those_of_other_shapes_waiti
     qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, monkeypatch: pytest.MonkeyPatch,
     tracked: str,
 ) -> None:  # fmt: skip
-    """What the new run is about waits no more: something else was asked of it since."""
+    """What the new run is about waits no more: something else was asked of it since. What was begun goes on first."""
     gliding = put_in(monkeypatch, GlidingEngine())
     propagation.fill(["shape-1"], GAPS)
     propagation.fill(["shape-2"], [(1, 7)])
@@ -266,12 +267,75 @@ def test_a_run_that_takes_the_place_of_a_fill_leaves_those_of_other_shapes_waiti
     else:
         propagation.fill(["shape-1"], [(4, 7)])
     gliding.allow(2)
-    engine.allow(2)
+    engine.allow(3)  # the fill that was ended may take one before it hears of that
     qtbot.waitUntil(lambda: not propagation.is_running and not propagation._waiting, timeout=WAIT)
     made = engine_frames(document), engine_frames(document, "shape-2")
     assert (
-        made == {"": ([5, 6], [2, 3, 4, 5, 6]), "shape-1": ([8, 9], [2, 3, 4, 5, 6]), "shape-2": ([], [8, 9])}[tracked]
+        made
+        == {"": ([5, 6], [2, 3, 4, 5, 6]), "shape-1": ([8, 9], [2, 3, 4, 5, 6]), "shape-2": ([2, 3, 5, 6], [8, 9])}[
+            tracked
+        ]
     )
+
+
+def test_a_fill_goes_on_in_its_undo_step_after_a_track_of_another_shape(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gliding = put_in(monkeypatch, GlidingEngine())
+    propagation.fill(["shape-1"], GAPS)
+    engine.allow(1)
+    qtbot.waitUntil(lambda: engine_frames(document) == [2, 3], timeout=WAIT)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.start(["shape-2"], range(7, 10))
+    assert finished.args[1] == (
+        "Filling stopped after the gap up to frame 4; the finished frames stay. It goes on after what begins now."
+    )
+    gliding.allow(2)
+    qtbot.waitUntil(lambda: engine_frames(document, "shape-2") == [8, 9], timeout=WAIT)
+    engine.allow(1)
+    qtbot.waitUntil(lambda: engine_frames(document) == [2, 3, 5, 6] and not propagation.is_running, timeout=WAIT)
+    assert engine_frames(document, "shape-2") == [8, 9]
+    stack = document.undo_stack
+    assert [stack.text(index) for index in range(stack.count())] == ["Fill", "Track"]
+    assert [gap for *gap, _ in engine.asked] == [[1, 4], [4, 7]]
+
+
+@pytest.mark.parametrize("way", ["undone", "stopped"])
+def test_a_fill_that_is_not_wanted_any_more_does_not_go_on(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, monkeypatch: pytest.MonkeyPatch,
+    way: str,
+) -> None:  # fmt: skip
+    gliding = put_in(monkeypatch, GlidingEngine())
+    propagation.fill(["shape-1"], GAPS)
+    engine.allow(1)
+    qtbot.waitUntil(lambda: engine_frames(document) == [2, 3], timeout=WAIT)
+    if way == "stopped":
+        propagation.stop()
+    propagation.start(["shape-2"], range(7, 10))
+    if way == "undone":
+        document.undo_stack.undo()
+    gliding.allow(2)
+    qtbot.waitUntil(lambda: engine_frames(document, "shape-2") == [8, 9], timeout=WAIT)
+    engine.allow(1)
+    qtbot.waitUntil(lambda: not propagation.is_running and not propagation._waiting, timeout=WAIT)
+    qtbot.wait(50)
+    assert (engine_frames(document), engine_frames(document, "shape-2")) == ([2, 3] if way == "stopped" else [], [8, 9])
+    assert len(engine.asked) == 1
+
+
+def test_of_a_fill_that_waits_shapes_that_are_locked_or_gone_are_left_out(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    project, _ = edit.new_shape(document.project, SQUARE, 1)
+    project = project.with_shape(edit.key_here(project.shape("shape-3"), 7))
+    document.apply("Third", edit.add_shape(project, replace(project.shape("shape-3"), id="shape-4")))
+    propagation.fill(["shape-1"], GAPS)
+    propagation.fill(["shape-2", "shape-3", "shape-4"], [(1, 7)])
+    document.apply("Lock", edit.set_properties(document.project, "shape-2", locked=True))
+    document.apply("Delete", edit.remove_items(document.project, ["shape-4"]))
+    engine.allow(3)
+    qtbot.waitUntil(lambda: bool(engine_frames(document, "shape-3")) and not propagation.is_running, timeout=WAIT)
+    assert engine_frames(document, "shape-2") == []
 
 
 def test_a_fill_that_waits_begins_after_a_planar_track_that_took_the_place_of_the_one_before(

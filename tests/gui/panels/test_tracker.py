@@ -125,6 +125,19 @@ def test_before_a_key_there_is_nothing_to_track_up_to_it(
     assert view_state.message == "The next frame is a key already: there is nothing to track before it."
 
 
+@pytest.mark.parametrize("way", ["locked", "open", "beside the clip"])
+def test_keys_of_shapes_that_are_not_tracked_or_beside_the_clip_are_no_next_key(
+    tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState, way: str
+) -> None:
+    frame = {"locked": 1011, "open": 1012, "beside the clip": 1090}[way]
+    view_state.set_frame(1010 if way != "beside the clip" else 1020)
+    project, _ = edit.new_shape(document.project, SQUARE, frame, name="Hat")
+    document.apply("Hat", edit.set_properties(project, "shape-2", locked=way == "locked", closed=way != "open"))
+    tracking.to_next_key()
+    ((_, frames, _),) = propagation.asked
+    assert frames == (range(1010, 1020) if way != "beside the clip" else range(1020, 1049))
+
+
 @pytest.mark.parametrize(
     ("frame", "play_range", "gaps"),
     [
@@ -218,6 +231,17 @@ def test_n_looks_at_the_selected_shapes_and_tells_the_least_sure_one(
     view_state.select(frozenset({"shape-1"}))
     tracking.next_doubtful()
     assert view_state.frame == 1010
+
+
+def test_no_doubt_is_told_of_frames_on_which_a_shape_does_not_exist(
+    tracking: Tracking, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Lifetime", edit.set_properties(document.project, "shape-1", lifetime=(1001, 1008)))
+    view_state.set_frame(1006)
+    tracking.next_doubtful()
+    assert (view_state.frame, view_state.message) == (1006, "No doubtful frame after frame 1006.")
+    tracking.most_doubtful()
+    assert view_state.frame == 1005
 
 
 def test_the_most_doubtful_frame_is_the_one_that_is_trusted_least(

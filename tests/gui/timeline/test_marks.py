@@ -45,6 +45,14 @@ def test_every_key_falls_into_its_kind() -> None:
     assert marks.confidence[2, 1] == 0.3
 
 
+def test_nothing_is_in_doubt_on_frames_on_which_the_shape_does_not_exist() -> None:
+    ended = replace(tracked(), lifetime=(1, 8))
+    marks = key_marks(ended, stamps(ended))
+    assert marks.doubtful.tolist() == []
+    assert marks.engine.tolist() == [2, 7, 8, 12, 16]
+    assert marks.confidence[:, 0].tolist() == [2, 7]
+
+
 def test_stale_keys_are_those_that_provenance_tells() -> None:
     moved = edit.set_key(tracked(), 5, SQUARE * 1.5)
     for shape in (tracked(), moved, edit.delete_keys(tracked(), [15]), replace(tracked(), closed=False)):

@@ -55,6 +55,14 @@ def test_a_bump_shows_on_its_frame_most() -> None:
     assert (values[values[:, 0] == 2][:, 1] < 1e-9).all()
 
 
+def test_nothing_is_found_on_frames_on_which_a_shape_does_not_exist() -> None:
+    """A lifetime that was shortened after tracking leaves keys beside it, which nobody sees."""
+    jittering = tracked([REST + 60.0 + np.random.default_rng(k).normal(0.0, 3.0, (len(REST), 1, 2)) for k in range(9)])
+    doubted = replace(jittering, keys=tuple(replace(key, confidence=0.2) for key in jittering.keys), lifetime=(3, 7))
+    assert [found.frame for found in doubtful([doubted])] == [3, 4, 5, 6]
+    assert [found.frame for found in boiling([doubted])] == [4, 5]
+
+
 def test_frames_without_both_neighbours_do_not_count_and_neither_do_keys_of_the_artist_alone() -> None:
     shape = tracked([REST + 60.0 + k % 2 for k in range(7)])
     gap = replace(shape, keys=shape.keys[:3] + shape.keys[4:])

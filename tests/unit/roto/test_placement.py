@@ -13,7 +13,20 @@ from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.interchange.flatten import branched
 from roam_core.interchange.plain_json import json_document
 from roam_core.matte import render_matte
-from roam_core.roto import Clip, Interpolation, Keyframe, Layer, LayerTransform, MotionBlur, Origin, Project, edit, file
+from roam_core.roto import (
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    LayerTransform,
+    MotionBlur,
+    Origin,
+    Project,
+    RotoShape,
+    edit,
+    file,
+    timing,
+)
 from roam_core.roto.baking import baked, without_transforms
 
 SQUARE = polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0), (10.0, 26.0)])
@@ -186,3 +199,26 @@ def test_a_matrix_is_told_with_one_in_its_corner() -> None:
     assert twice == LayerTransform.of({1: np.eye(3)})
     assert hash(twice) == hash(LayerTransform.of({1: np.eye(3)}))
     assert replace(Layer("a", "a"), transform=twice) == Layer("a", "a", transform=LayerTransform.of({1: np.eye(3)}))
+
+
+def test_keys_that_go_to_other_frames_stay_where_they_lie_in_a_moving_layer() -> None:
+    """As seen they would come off the surface that the layer follows: with its only key the whole shape would."""
+    one = project()
+    held, seen = one.find("shape-1"), one.shape("shape-1").key_at(1)
+    assert isinstance(held, RotoShape)
+    assert seen is not None
+    first = held.keys[0]
+    ways = {
+        "moved": timing.move_keys(one, [("shape-1", 1)], 2),
+        "copied": timing.copy_keys(one, [("shape-1", 1)], 2),
+        "pasted": timing.paste_keys(one, {"shape-1": [seen]}, 2, ["shape-1"]),
+    }
+    for way, after in ways.items():
+        arrived = after.find("shape-1")
+        assert isinstance(arrived, RotoShape)
+        key = arrived.key_at(3)
+        assert key is not None, way
+        np.testing.assert_allclose(key.points, first.points, atol=1e-12, err_msg=way)
+    as_seen = timing.paste_keys(one, {"shape-1": [seen]}, 2).shape("shape-1").key_at(3)
+    assert as_seen is not None
+    np.testing.assert_allclose(as_seen.points, seen.points, atol=1e-12)

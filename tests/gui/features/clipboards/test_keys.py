@@ -171,3 +171,21 @@ def test_feather_is_pasted_with_the_key(
     view_state.set_frame(9)
     paste_key(hand)
     np.testing.assert_array_equal(only().keys[-1].feather, feather)
+
+
+def test_keys_of_several_shapes_say_that_they_belong_to_others(
+    keys: None, hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    project = document.project
+    for _ in range(2):
+        project, _ = edit.new_shape(project, polygon_points(SQUARE), 1)
+    document.apply("Others", project)
+    ids = [shape.id for shape in project.shapes]
+    view_state.select(frozenset(ids[:2]))
+    copy_key(hand)
+    view_state.select(frozenset(ids[2:]))
+    paste_key(hand)
+    assert document.project is project
+    assert view_state.message == (
+        "The copied keys are of other shapes: select those, or as many shapes as were copied."
+    )

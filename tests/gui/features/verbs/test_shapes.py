@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -159,6 +160,46 @@ def test_where_there_is_no_key_to_delete_it_is_said(document: Document, view_sta
     view_state.set_frame(7)
     ShapeVerbs(document, view_state).delete_key()
     assert document.project.shape(plain).frames == (1,)
+
+
+def test_a_shape_with_one_key_keeps_no_other_from_losing_theirs(document: Document, view_state: ViewState) -> None:
+    """As where a figure's parts are selected, and one of them is new."""
+    first, single, last = opened(document, 3)
+    project = document.project
+    for shape_id in (first, last):
+        project = project.with_shape(edit.key_here(project.shape(shape_id), 7))
+    document.open(project, None)
+    view_state.select(frozenset({first, single, last}))
+    view_state.set_frame(1)
+    ShapeVerbs(document, view_state).delete_key()
+    assert [shape.frames for shape in document.project.shapes] == [(7,), (1,), (7,)]
+    name = document.project.shape(single).name
+    assert view_state.message == f"{name!r} needs at least one key; delete the shape instead."
+
+
+def test_shapes_get_no_key_where_they_do_not_exist_and_that_is_said(document: Document, view_state: ViewState) -> None:
+    lasting, ended = opened(document, 2)
+    document.open(edit.set_properties(document.project, ended, lifetime=(1, 5)), None)
+    view_state.set_frame(7)
+    verbs = ShapeVerbs(document, view_state)
+    view_state.select(frozenset({lasting, ended}))
+    verbs.set_key()
+    assert [shape.frames for shape in document.project.shapes] == [(1, 7), (1,)]
+    before = document.project
+    view_state.select(frozenset({ended}), frozenset({(ended, 0)}))
+    for verb in (verbs.set_key, verbs.set_key_of_points):
+        verb()
+        assert document.project is before
+        assert "does not exist on frame 7" in view_state.message
+
+
+def test_without_a_selection_copy_cut_and_delete_ask_for_one(document: Document, view_state: ViewState) -> None:
+    opened(document, 1)
+    clipboard = ShapeClipboard(document, view_state)
+    for verb in (clipboard.copy, clipboard.cut, partial(delete, document, view_state, [])):
+        view_state.say("")
+        verb()
+        assert view_state.message.startswith("Select a shape first")
 
 
 def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_state: ViewState) -> None:

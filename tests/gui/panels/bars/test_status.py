@@ -61,19 +61,23 @@ def test_what_was_said_before_goes_with_the_next_edit(
     status.follow(document)
     view_state.say_hint("Click an outline.")
 
-    def after(sentence: str, *, is_older: bool = True, preview: Project | None = None) -> str:
-        """What is said after an edit."""
+    def after(sentence: str, *, is_older: bool = True, is_drag: bool = False, tells: str = "") -> str:
+        """What is said after an edit, of a drag that may tell something itself."""
         view_state.say(sentence)
         if is_older:
             qapp.processEvents()
-        view_state.set_preview(preview)
+        view_state.set_preview(Project() if is_drag else None)
+        if tells:
+            view_state.say(tells)
+            qapp.processEvents()
         document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])
         view_state.set_preview(None)
         return status.sentence.text()
 
     assert after("Hat is locked; unlock it to track it.") == "Click an outline."
     assert after("Hat is a B-spline.", is_older=False) == "Hat is a B-spline."
-    assert after("Move +3.0, +2.0 px", preview=Project()) == "Move +3.0, +2.0 px"
+    assert after("Hat is a B-spline.", is_drag=True) == "Click an outline."
+    assert after("Hat is a B-spline.", is_drag=True, tells="Move +3.0, +2.0 px") == "Move +3.0, +2.0 px"
     view_state.advise("Hat is drawn: drag its points.")
     assert after(view_state.message) == "Hat is drawn: drag its points."
 

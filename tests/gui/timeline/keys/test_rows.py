@@ -229,6 +229,22 @@ def test_keys_of_one_shape_are_pasted_into_the_selected_one(
     assert artist(document, "shape-2") == (1010, 1030, 1040)
 
 
+def test_keys_of_one_shape_are_pasted_into_all_that_are_selected(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    """They went back to their own shape, which was not selected."""
+    project, third = edit.new_shape(document.project, document.project.shape("shape-1").at(1001).points, 1001)
+    document.apply("Third", project)
+    timeline.keys.select(frozenset({("shape-1", 1001)}))
+    timeline.verbs.copy()
+    view_state.select(frozenset({"shape-2", third.id}))
+    view_state.set_frame(1040)
+    timeline.verbs.paste()
+    assert artist(document, "shape-1") == (1001, 1030)
+    assert artist(document, "shape-2") == (1010, 1030, 1040)
+    assert artist(document, third.id) == (1001, 1040)
+
+
 def test_del_and_ctrl_x_delete_the_chosen_keys_but_not_the_last_one(
     qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:
@@ -245,6 +261,18 @@ def test_del_and_ctrl_x_delete_the_chosen_keys_but_not_the_last_one(
     qtbot.keyClick(timeline.rows, Qt.Key.Key_X, CTRL)
     assert artist(document, "shape-1") == (1001,)
     assert document.undo_stack.count() == steps
+    assert "at least one key" in view_state.message
+
+
+def test_a_shape_that_would_have_no_key_left_keeps_no_other_from_losing_theirs(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    for shape in document.project.shapes:
+        document.apply("Clear", document.project.with_shape(edit.delete_engine_keys(shape)))
+    kept = artist(document, "shape-1")
+    timeline.keys.select(frozenset({("shape-2", 1030), *(("shape-1", frame) for frame in kept)}))
+    timeline.verbs.delete()
+    assert (artist(document, "shape-1"), artist(document, "shape-2")) == (kept, (1010,))
     assert "at least one key" in view_state.message
 
 

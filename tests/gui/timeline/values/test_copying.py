@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.timeline import Timeline
+from app.timeline.values.verbs import FITS_NOTHING
 from roam_core.roto import Animated, Interpolation, Project, ValueKey, edit
 from tests.gui.timeline.places import CLIP, place
 
@@ -188,3 +189,33 @@ def test_keys_of_an_outline_are_copied_by_its_curve(
     view_state.set_frame(1025)
     verbs.paste()
     assert document.project.shape("shape-1").artist_frames == (1001, 1025, 1030)
+
+
+def test_keys_of_position_are_not_pasted_into_a_layer(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: None
+) -> None:
+    project, layer = edit.add_layer(document.project)
+    document.apply("Layer", project)
+    frame = document.project.shape("shape-1").artist_frames[0]
+    timeline.values.select(frozenset({("shape-1", "x", frame)}))
+    timeline.value_rows.verbs.copy()
+    view_state.select(frozenset(), layers=frozenset({layer.id}))
+    before = document.project
+    timeline.value_rows.verbs.paste()
+    assert document.project is before
+    assert view_state.message == FITS_NOTHING
+
+
+def test_values_of_one_shape_are_pasted_into_all_that_are_selected(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: None
+) -> None:
+    project, third = edit.new_shape(document.project, document.project.shape("shape-1").at(1001).points, 1001)
+    document.apply("Third", project)
+    timeline.value_rows.verbs.select_all()
+    timeline.value_rows.verbs.copy()
+    view_state.select(frozenset({"shape-2", third.id}))
+    view_state.set_frame(1001)
+    timeline.value_rows.verbs.paste()
+    assert fades(document.project) == {1005: 0.2, 1015: 0.8}
+    for shape_id in ("shape-2", third.id):
+        assert fades(document.project, shape_id) == {1001: 0.2, 1011: 0.8}

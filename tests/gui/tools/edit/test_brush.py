@@ -150,3 +150,19 @@ def test_the_brush_is_shown_where_the_pointer_is(
     with_brush = canvas.grab().toImage()
     hand.move((100.0, 120.0))
     assert canvas.grab().toImage().pixelColor(at) != with_brush.pixelColor(at)
+
+
+def test_the_brush_pulls_no_other_shape_where_the_selected_one_is_locked(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    """Parts of a figure overlap: what lies beside the selected one is not meant."""
+    project, _ = edit.new_shape(document.project, polygon_points(SQUARE), 1)
+    document.open(edit.set_properties(project, square, locked=True), None)
+    view_state.select(frozenset({square}))
+    take(view_state, 60.0)
+    hand.drag((120.0, 40.0), (125.0, 50.0))
+    assert document.undo_stack.count() == 0
+    assert "is locked or hidden" in view_state.message
+    view_state.select(frozenset())
+    hand.drag((120.0, 40.0), (125.0, 50.0))
+    assert document.undo_stack.count() == 1

@@ -193,6 +193,18 @@ def test_without_a_shape_there_is_no_feather_to_give(document: Document, view_st
     assert view_state.message == NOTHING_SELECTED
 
 
+def test_a_ripple_gives_a_feather_to_all_keys_of_its_range_alike_and_to_no_other(
+    tracked: Hand, only: OnlyShape, view_state: ViewState
+) -> None:
+    view_state.set_play_range(1, 4)
+    view_state.editing.set(ripple=True)
+    tracked.drag((120, 40), (130, 30))
+    given = {key.frame: key.feather for key in only().keys}
+    for frame in (1, 2, 3):
+        np.testing.assert_allclose(given[frame][1, ANCHOR], [10, -10], atol=1e-6)
+    assert given[4] is given[5] is None
+
+
 def test_a_ripple_of_all_keys_makes_nothing_stale(
     tracked: Hand, document: Document, only: OnlyShape, view_state: ViewState
 ) -> None:

@@ -276,3 +276,14 @@ def test_keys_of_the_points_rest_while_a_drag_is_under_way(hand: Hand, document:
     assert document.project.has(square)
     hand.release((130.0, 40.0))
     assert document.undo_stack.undoText() == "Move point"
+
+
+def test_where_the_selected_shape_is_locked_no_points_of_others_are_selected(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    project, _ = edit.new_shape(document.project, document.project.shape(square).at(1).points, 1)
+    document.open(edit.set_properties(project, square, locked=True), None)
+    view_state.select(frozenset({square}))
+    hand.key(Key.Key_A, CTRL)
+    assert view_state.selection.points == frozenset()
+    assert "is locked or hidden" in view_state.message

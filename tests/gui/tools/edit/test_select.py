@@ -11,7 +11,9 @@ from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, OUT, polygon_points
-from roam_core.roto import edit
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.roto import Keyframe, Origin, Project, edit
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape
 
@@ -270,6 +272,31 @@ def test_inserting_a_point_leaves_a_curved_outline_as_it_was_on_every_key(
     for frame in (1, 9):
         for position in only().at(frame).flatten(1.0):
             assert bezier.nearest(moved.at(frame).points, position)[2] < 1e-4
+
+
+def test_inserting_a_point_makes_no_tracked_frame_stale(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    """Neither of the shape nor of another one of its object, as the outline is the same on every key."""
+    project, other = edit.new_shape(document.project, document.project.shape(square).at(1).points + 20.0, 1)
+    for k, shape in enumerate(project.shapes):
+        inputs = Stamps.of(project.shapes, project.clip).tracked(k, 2, 1, CONFIGS[DEFAULT_CONFIG], True)
+        made = Keyframe(2, shape.keys[0].points + 1.0, origin=Origin.ENGINE, inputs=inputs)
+        project = project.with_shape(edit.set_engine_keys(shape, [made]))
+    document.open(project, None)
+    assert stale(document.project) == []
+    view_state.select(frozenset({square}))
+    hand.click((80.0, 40.0), CTRL | ALT)
+    assert document.project.shape(square).point_count == 5
+    assert stale(document.project) == []
+    moved = edit.set_key(document.project.shape(square), 1, document.project.shape(square).at(1).points + 1.0)
+    assert stale(document.project.with_shape(moved)) == [square, other.id]
+
+
+def stale(project: Project) -> list[str]:
+    """The shapes that have tracked frames which are out of date."""
+    stamps = Stamps.of(project.shapes, project.clip)
+    return [shape.id for shape in project.shapes if any(stamps.is_stale(shape, key) for key in shape.keys)]
 
 
 def test_insertion_beside_every_outline_says_what_to_do(

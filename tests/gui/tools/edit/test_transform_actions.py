@@ -111,3 +111,15 @@ def test_numbers_of_the_beginning_stand_for_nothing() -> None:
 def test_shear_keeps_the_middle() -> None:
     matrix = matrix_of(Numbers(shear=(50.0, 0.0)), (10.0, 10.0))
     np.testing.assert_allclose(affine.apply(matrix, [(10.0, 10.0), (10.0, 20.0)]), [(10.0, 10.0), (15.0, 20.0)])
+
+
+def test_no_run_takes_the_playhead_away_while_numbers_are_asked_for(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    """It would be transformed where the run has come to."""
+    view_state.select(frozenset({square}))
+    dialog = ask(hand)
+    assert view_state.keeps_frame
+    press(dialog, QDialogButtonBox.StandardButton.Cancel, qtbot)
+    assert not view_state.keeps_frame
+    assert document.undo_stack.count() == 0

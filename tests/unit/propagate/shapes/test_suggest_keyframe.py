@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from roam_core.geometry import bezier
@@ -36,6 +38,12 @@ def test_nothing_is_offered_where_nothing_is_doubtful() -> None:
 def test_the_beginning_of_a_bad_stretch_is_offered_not_its_worst_frame() -> None:
     falling = {2: 0.99, 3: 0.98, 4: BAD, 5: BAD, 6: BAD - 0.01, 7: BAD, 8: BAD}
     assert suggest_keyframe(shape(artist(1), *tracked(falling))) == 4
+
+
+def test_frames_on_which_the_shape_does_not_exist_are_not_offered() -> None:
+    ended = replace(shape(artist(1), *tracked({2: 0.99, 3: BAD + 0.1, 4: BAD, 5: BAD})), lifetime=(1, 4))
+    assert suggest_keyframe(ended) == 3
+    assert suggest_keyframe(replace(ended, lifetime=(1, 3))) is None
 
 
 def test_backwards_a_bad_stretch_begins_at_its_end() -> None:

@@ -1,0 +1,72 @@
+"""What is known of a run of the engine, a track or a fill, while it is under way; and what is said of how it ended."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from roam_core.params import is_doubtful
+from roam_core.roto import Keyframe, RotoShape
+
+from ..translation import N_, tr
+from .filling import Gap
+from .runner import Job
+
+TRACK, FILL = N_("Track"), N_("Fill")
+"""What the two kinds of run are called in the undo list."""
+
+
+class Run:
+    """What is known of the run under way.
+
+    `expected` are the shapes as the run left them in the document, `beside` the others that are solved with them.
+    """
+
+    def __init__(
+        self,
+        job: Job,
+        verb: str,
+        shapes: Sequence[RotoShape],
+        shown_frame: int,
+        merge_key: str,
+        frames: range = range(0),
+        config: str = "",
+        *,
+        alone: bool = False,
+    ) -> None:
+        self.job, self.verb, self.shown_frame = job, verb, shown_frame
+        self.expected = {shape.id: shape for shape in shapes}
+        self.merge_key, self.frames, self.config, self.alone = merge_key, frames, config, alone
+        self.beside: dict[str, RotoShape] = {}
+        self.reached: int | None = None
+        self.keeps_undone = False
+        """Whether nothing was undone when it began: then what is, is so since, and the artist's to do again."""
+        self.ended_by = ""
+        """What was done to which shape that ended the run, or what is to come of it; empty where nothing is."""
+        self.gaps: Sequence[Gap] = ()
+        """What a fill is to fill."""
+        self.begin_again: Callable[[Sequence[str], Sequence[Gap]], None] | None = None
+        """Goes on with a fill, as part of its undo step, after a run that took its place."""
+        self._doubtful: set[int] = set()
+
+    def take_over(self, before: Run) -> None:
+        """Go on as the run before this one: what it reached and doubts, and the frame that it showed."""
+        self.shown_frame, self.reached, self._doubtful = before.shown_frame, before.reached, before._doubtful
+
+    def note(self, keys: Iterable[Keyframe]) -> None:
+        """Remember the frames that the engine doubts."""
+        self._doubtful |= {key.frame for key in keys if is_doubtful(key.confidence)}
+
+    def stopped_sentence(self) -> str:
+        if self.verb == TRACK:
+            if self.reached is None:
+                return tr("Tracking stopped before a frame was finished.")
+            return tr("Tracking stopped at frame {frame}; the finished frames stay.", frame=self.reached)
+        if self.reached is None:
+            return tr("Filling stopped before a gap was finished.")
+        return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
+
+    def doubt_sentence(self) -> str:
+        doubtful = len(self._doubtful)
+        if not doubtful:
+            return ""
+        return tr("%n doubtful frame(s): <track.next_doubtful> goes to the next one.", "", doubtful)
