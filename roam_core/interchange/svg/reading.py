@@ -191,7 +191,9 @@ class SvgReader(ShapeReader):
         children = self._inside(element, scope)
         if scope.paints and share_of(scope.style, "opacity") == 1.0:
             return children
-        return (self._layer(name, children, scope.style, element),) if children else ()
+        layer = self._layer(name, children, scope.style, element)
+        # Inverted, or intersecting, a layer takes part whose shapes do not exist on the drawing's frame.
+        return (layer,) if children or layer.invert or layer.blend is BlendMode.INTERSECT else ()
 
     def _layer(self, name: str, children: tuple[Item, ...], style: Mapping[str, str], element: Element) -> Layer:
         return Layer(
