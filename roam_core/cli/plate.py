@@ -17,8 +17,8 @@ from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour_spaces import config_trouble, known_space
 from roam_core.media.finding import is_there
-from roam_core.media.unseen import unseen
 from roam_core.media.partial import PartialFrames, PartialPicture
+from roam_core.media.unseen import unseen
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import other_content, other_size, relinked
 

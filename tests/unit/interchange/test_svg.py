@@ -105,7 +105,8 @@ DRAWINGS = {
     "a hole": '<path d="M20 20 H200 V180 H20 Z M60 60 V140 H160 V60 Z"/>',
     "islands that run against each other": '<path d="M20 20 H100 V180 H20 Z M120 60 V140 H220 V60 Z"/>',
     "an island in a hole": '<path d="M20 20 H300 V180 H20 Z M60 60 V140 H260 V60 Z M80 80 H200 V120 H80 Z"/>',
-    "a hole between two cubics": '<path d="M20 20 H300 V180 H20 Z M60 100 C60 40 200 40 200 100 C200 160 60 160 60 100 Z"/>',
+    "a hole between two cubics": '<path d="M20 20 H300 V180 H20 Z '
+    'M60 100 C60 40 200 40 200 100 C200 160 60 160 60 100 Z"/>',
     "painted, not closed": '<path d="M20 20 H200 V180"/><polyline points="220 20 300 40 260 180"/>',
     "a switch": '<switch><g requiredExtensions="x"><rect width="300" height="180"/></g>'
     '<rect x="50" y="50" width="90" height="70"/><rect x="200" y="50" width="90" height="70"/></switch>',
