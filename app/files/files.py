@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.media.colour_spaces import config_trouble
-from roam_core.media.movie_plate import shortfall
+from roam_core.media.unseen import unseen
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import Clip, Project, backups, file, project_lock
 from roam_core.roto.fingerprint import Fingerprint
@@ -141,7 +141,7 @@ class Files(QObject):
             sentence = tr(
                 "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=gaps_of(source)
             ).rstrip()
-            told = (sentence, translated(shortfall(source)), config_trouble())
+            told = (sentence, translated(unseen(source)), config_trouble())
             return Found(project, source, " ".join(filter(None, told)))
 
         self._open(tr("Opening {name} …", name=path.name), read, origin=path)

@@ -6304,6 +6304,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} hat {count} lesbare Bilder, laut Kopf der Datei {claimed}: sie ist vielleicht abgeschnitten.</translation>
     </message>
     <message>
+        <source>{name} holds several pictures, of which the first is the plate: to have all, save them as numbered files.</source>
+        <translation>{name} enthält mehrere Bilder, von denen das erste die Plate ist: um alle zu haben, speichern Sie sie als nummerierte Dateien.</translation>
+    </message>
+    <message>
         <source>{name} in {layer}</source>
         <translation>{name} in {layer}</translation>
     </message>

@@ -16,7 +16,7 @@ from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.colour_spaces import config_trouble
 from roam_core.media.finding import is_there
-from roam_core.media.movie_plate import shortfall
+from roam_core.media.unseen import unseen
 from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.propagate.shapes.provenance import Stamp, Stamps, known_params
@@ -45,7 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
             print(line)
         return 0
     source = open_clip(arguments.project, arguments.layer)
-    tell(shortfall(source))
+    tell(unseen(source))
     tell(config_trouble())
     if arguments.json:
         print_json(

@@ -17,8 +17,8 @@ from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour_spaces import config_trouble, known_space
 from roam_core.media.finding import is_there
-from roam_core.media.movie_plate import shortfall
 from roam_core.media.partial import PartialFrames, PartialPicture
+from roam_core.media.unseen import unseen
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import other_content, other_size, relinked
 
@@ -111,7 +111,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     The layer is the one asked for, else that of the project's `clip`, else the one that is found; so is the space of
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so, and that a studio's colour
-    configuration, which would tell the space, cannot be read; of a movie without a project, that it may be cut short;
+    configuration, which would tell the space, cannot be read; without a project, what of it is not shown (`unseen`);
     of a project's plate, that it has none of the project's frames.
     """
     if clip is not None and path == str(clip.path):
@@ -123,7 +123,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
         tell(other_frames(clip, source.frames))
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     if clip is None:
-        tell(shortfall(source))
+        tell(unseen(source))
     if clip is None and not colour:
         tell(config_trouble())
     if colour:

@@ -8,6 +8,7 @@ import sys
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from roam_core.atomic_write import write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_word
 from roam_core.errors import RoamError
@@ -35,14 +36,10 @@ def run(arguments: argparse.Namespace) -> int:
     folder = (arguments.folder / "roam").absolute()
     if folder.exists() and not arguments.overwrite:
         raise RoamError(f"{folder} is there already; --overwrite writes the scripts over those in it.")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for script in _scripts(arguments.program):
-            (folder / script.name).write_bytes(script.read_bytes())
-        if (roam := _own_program()) is not None:
-            (folder / NAMED).write_text(f"{roam}\n", encoding="utf-8")
-    except OSError as error:
-        raise RoamError(f"The scripts cannot be written to {folder}: {error.strerror or error}.") from None
+    contents = {script.name: script.read_bytes() for script in _scripts(arguments.program)}
+    if (roam := _own_program()) is not None:
+        contents[NAMED] = f"{roam}\n".encode()
+    _write(folder, contents)
     then = NEXT[arguments.program].format(folder=folder.as_posix())
     if arguments.json:
         print_json({"files": sorted(str(path) for path in folder.iterdir()), "next": then})
@@ -50,6 +47,20 @@ def run(arguments: argparse.Namespace) -> int:
     print(f"Wrote the menu for {arguments.program.capitalize()} to {folder}.")
     print(then)
     return 0
+
+
+def _write(folder: Path, contents: dict[str, bytes]) -> None:
+    """Write all files; where one cannot be, a folder that is new goes again: half of them stop the other program."""
+    is_new = not folder.exists()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, content in contents.items():
+            write_atomically(folder / name, content)
+    except (OSError, RoamError) as error:
+        if is_new:
+            shutil.rmtree(folder, ignore_errors=True)
+        reason = error.strerror or error if isinstance(error, OSError) else str(error).rstrip(".")
+        raise RoamError(f"The scripts cannot be written to {folder}: {reason}.") from None
 
 
 def _scripts(program: str) -> list[Traversable]:

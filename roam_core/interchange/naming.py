@@ -12,6 +12,8 @@ LONGEST = 80
 
 RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{digit}" for port in ("com", "lpt") for digit in range(1, 10))}
 """Names that Windows keeps for devices."""
+PICTURE = {"rgba", "rgb", "alpha"}
+"""What programs call a picture's own channels: as a layer's name, such a word would stand for the joint matte there."""
 
 
 def numbering(pattern: str, offset: int = 0) -> Callable[[int], str]:
@@ -69,7 +71,7 @@ def file_words(names: Iterable[str]) -> list[str]:
     taken: set[str] = set()
     for name in names:
         stem = re.sub(r"[^A-Za-z0-9_-]+", "_", ascii_name(name))[:LONGEST].strip("_-") or "shape"
-        if stem.lower() in RESERVED:
+        if stem.lower() in RESERVED | PICTURE:
             stem = f"{stem}_"
         word, number = stem, 1
         while word.lower() in taken:

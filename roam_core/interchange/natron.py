@@ -25,6 +25,7 @@ from roam_core.interchange.flatten import (
     hidden_notes,
     parts_of,
     takes_part,
+    without_timed_intersect,
 )
 from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
@@ -71,10 +72,14 @@ def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[
     """The script for all layers and shapes of `project`, and a sentence for each thing that it cannot hold."""
     clip = project.require_clip()
     root = branched(readied(project, options))
+    cuts_sums = takes_from_sums(root)
+    is_one_node = root.is_flat and not cuts_sums
+    if not is_one_node:
+        root = without_timed_intersect(root, clip.size)  # a node whose shape is not there is black
     shapes = list(root.shapes())
-    flat, cuts_sums = {shape.id: shape for shape in shapes}, takes_from_sums(root)
+    flat = {shape.id: shape for shape in shapes}
     writer = _Writer(clip, options, max(len(shapes), 1), flat=flat, cuts_sums=cuts_sums)
-    if root.is_flat and not cuts_sums:
+    if is_one_node:
         parts = [writer.part("ROAM", writer.children(project.root))]
     else:
         parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]

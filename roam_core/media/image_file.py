@@ -40,6 +40,8 @@ _KINDS = {oiio.UINT8: "uint8", oiio.UINT16: "uint16", oiio.HALF: "half"}
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float16, "float": np.float32}
 _WITH_AREAS = frozenset({"openexr", "dpx", "tiff"})
 """Formats of which an area is read without what lies before it."""
+_WITH_PAGES = frozenset({"gif", "tiff", "webp"})
+"""Formats whose further images are pages, or frames of an animation."""
 _FORMATS_WITHOUT_FILES = frozenset({"null", "term"})
 _UNLIKELY_EXTENSIONS = frozenset({"z", "int", "inta", "env", "sm", "vsm"})
 """Extensions that a folder of plates uses for other things than images."""
@@ -140,9 +142,15 @@ def read_channels(file: Path) -> Image | None:
 
 
 def has_several_images(file: Path) -> bool:
-    """Whether a file holds more than one image; False for what is no image."""
+    """Whether a file holds more than one picture: the pages or frames of `_WITH_PAGES`; False for what is no image.
+
+    A further one of another size, such as a thumbnail, does not count.
+    """
     source = opened_image(file)
-    several = source is not None and bool(source.seek_subimage(1, 0))
+    several = False
+    if source is not None and source.format_name() in _WITH_PAGES:
+        size = _display_size(source)
+        several = bool(source.seek_subimage(1, 0)) and _display_size(source) == size
     _reason(oiio if source is None else source)  # nobody asks why not
     return several
 

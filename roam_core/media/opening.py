@@ -102,6 +102,8 @@ def _open_folder(folder: Path, layer: str, content: str) -> PlateSource:
     found = find_sequences(folder, _image_extensions())
     if not found:
         return _open_movie_in(folder, layer)
+    if len(found) == len(found[0].names) == 1 and _is_animation(found[0].first_file):
+        return _movie(found[0].first_file, layer)
     sequence = _chosen(folder, found, content)
     # The artist's own word for the plate is the folder, where it leads there; a pattern tells the same less readably.
     leads_there = len(found) == 1 or (content and _holds(sequence, content))

@@ -19,8 +19,13 @@ UNIONS = {BlendMode.ADD, BlendMode.PLUS}
 
 
 def is_shown(item: Item) -> bool:
-    """True for a visible shape, or a visible layer with one in it."""
-    return item.visible and (isinstance(item, RotoShape) or any(map(is_shown, item.children)))
+    """True for a visible shape, and for a visible layer with one in it, or that takes part with nothing in it.
+
+    Inverted, a layer without a visible shape is white; intersecting, it leaves nothing of what lies under it.
+    """
+    if isinstance(item, RotoShape) or not item.visible:
+        return item.visible
+    return item.invert or item.blend is BlendMode.INTERSECT or any(map(is_shown, item.children))
 
 
 def is_soft(item: Item) -> bool:

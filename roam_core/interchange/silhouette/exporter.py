@@ -251,11 +251,10 @@ def _may_overlap(first: Item, second: Item) -> bool:
 
 
 def _box(item: Item) -> tuple[Array, Array]:
-    shapes = item.shapes() if isinstance(item, Layer) else [item]
-    if any(shape.invert for shape in shapes):
+    inside = [item, *item.items()] if isinstance(item, Layer) else [item]
+    if any(each.invert for each in inside):
         return np.full(2, -np.inf), np.full(2, np.inf)
-    shapes = item.shapes() if isinstance(item, Layer) else [item]
-    points = [key.points.reshape(-1, 2) for shape in shapes for key in shape.keys]
+    points = [key.points.reshape(-1, 2) for each in inside if isinstance(each, RotoShape) for key in each.keys]
     whole = np.concatenate(points) if points else np.full((1, 2), np.nan)
     return whole.min(axis=0) - 1.0, whole.max(axis=0) + 1.0
 

@@ -17,7 +17,7 @@ from roam_core.interchange.xml import local_name
 Count = Callable[[int], None]
 
 INHERITED = ("fill", "fill-rule", "fill-opacity", "clip-rule", "stroke", "visibility", "color")
-OWN = ("opacity", "display", "clip-path", "mask", "mask-type", "filter", "transform")
+OWN = ("opacity", "display", "clip-path", "mask", "mask-type", "filter", "transform", "transform-origin")
 PROPERTIES = frozenset((*INHERITED, *OWN))
 """What is asked for; all others are not kept."""
 

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from itertools import islice
 from xml.etree.ElementTree import Element
 
 from roam_core.interchange.svg.words import INSENSITIVE, LABEL, numbers
 from roam_core.interchange.xml import local_name
 from roam_core.roto import BlendMode
+
+CONDITIONS = ("requiredExtensions", "systemLanguage")
+"""What a child of a `switch` may ask for."""
 
 
 def name_of(element: Element, default: str) -> str:
@@ -50,3 +54,9 @@ def is_shown(style: Mapping[str, str], is_drawn: bool) -> bool:
     """Whether an element shows; a group that is not to be seen may hold what is."""
     hidden = is_drawn and style.get("visibility") in ("hidden", "collapse")
     return style.get("display") != "none" and not hidden
+
+
+def taken_of_switch(switch: Element) -> list[Element]:
+    """The one child of a `switch` that is drawn: the first that asks for nothing which a plain renderer has not."""
+    drawn = (child for child in switch if isinstance(child.tag, str) and not any(map(child.get, CONDITIONS)))
+    return list(islice(drawn, 1))

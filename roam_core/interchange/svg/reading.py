@@ -14,13 +14,23 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
+from roam_core.interchange.svg.compound import joined
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
 from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size
 from roam_core.interchange.svg.path import Spline
-from roam_core.interchange.svg.properties import blend_of, is_locked, is_shown, name_of, own_name, share_of
+from roam_core.interchange.svg.properties import (
+    blend_of,
+    is_locked,
+    is_shown,
+    name_of,
+    own_name,
+    share_of,
+    taken_of_switch,
+)
 from roam_core.interchange.svg.words import (
     AID,
     PART,
+    about,
     colour,
     composed,
     length,
@@ -150,7 +160,8 @@ class SvgReader(ShapeReader):
     def _inside(self, parent: Element, scope: Scope) -> tuple[Item, ...]:
         """The items of what lies in an element, bottom first."""
         self.check_depth(scope.depth)
-        return tuple(item for element in parent for item in self.items(element, scope))
+        children = taken_of_switch(parent) if local_name(parent) == "switch" else parent
+        return tuple(item for element in children for item in self.items(element, scope))
 
     def items(self, element: Element, scope: Scope) -> tuple[Item, ...]:
         """The items of one element: none, one, or in a mask all of a group's."""
@@ -172,7 +183,8 @@ class SvgReader(ShapeReader):
         try:
             written = style.get("transform", "")
             self.check_parts(PER_TRANSFORM * (1 + written.count("(")))
-            into = composed(scope.to_pixels, transform(written))
+            placed = about(style.get("transform-origin"), transform(written), scope.box)
+            into = composed(scope.to_pixels, placed)
         except ValueError as error:
             self.note(f"{brief(name)} was left out ({error}).")
             return ()
@@ -191,7 +203,9 @@ class SvgReader(ShapeReader):
         children = self._inside(element, scope)
         if scope.paints and share_of(scope.style, "opacity") == 1.0:
             return children
-        return (self._layer(name, children, scope.style, element),) if children else ()
+        layer = self._layer(name, children, scope.style, element)
+        # Inverted, or intersecting, a layer takes part whose shapes do not exist on the drawing's frame.
+        return (layer,) if children or layer.invert or layer.blend is BlendMode.INTERSECT else ()
 
     def _layer(self, name: str, children: tuple[Item, ...], style: Mapping[str, str], element: Element) -> Layer:
         return Layer(
@@ -261,6 +275,9 @@ class SvgReader(ShapeReader):
             splines, is_whole = outlines(element, kind, scope.box, self.check_parts)
             if not is_whole:
                 self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.")
+            for spline in splines:
+                if kind != "line" and len(spline.rows) > 2 and self._is_filled(scope):
+                    spline.close()
             made = [self._shape(element, spline, name, scope) for spline in splines]
         except (ValueError, OverflowError) as error:
             self.note(f"{brief(name)} was left out ({error}).")
@@ -280,7 +297,7 @@ class SvgReader(ShapeReader):
             compound = self.fresh_id("compound")
             parts = (
                 replace(part, visible=True, opacity=1.0, invert=False, compound=compound)
-                for part in joined(made, rule == "evenodd")
+                for part in joined(made, rule == "evenodd", self.check_parts)
             )
             whole = made[0]
             item = Layer(
@@ -292,6 +309,10 @@ class SvgReader(ShapeReader):
                 invert=whole.invert,
             )
         return self._painted(item, name, scope)
+
+    def _is_filled(self, scope: Scope) -> bool:
+        """Whether an outline is painted within: then its end is joined to its beginning, as every program shows it."""
+        return not self.is_ours and (scope.paints == "clip" or scope.style.get("fill", "black") != "none")
 
     def _painted(self, item: Item, name: str, scope: Scope) -> tuple[Item, ...]:
         """An item of a mask: white paint adds, black takes away; others stay as they are."""
@@ -416,25 +437,6 @@ class SvgReader(ShapeReader):
         return is_box and straight and bool((low <= 0.01).all() and (high >= size - 0.01).all())
 
 
-def joined(made: list[RotoShape], is_even_odd: bool) -> list[RotoShape]:
-    """How the outlines of one path join: by the even-odd rule as differences, by the other by which way they run.
-
-    Of the latter, an outline that runs against the largest cuts a hole; larger ones come first, so that what lies in a
-    hole is painted after it.
-    """
-    if is_even_odd:
-        return [*made[:1], *(replace(shape, blend=BlendMode.DIFFERENCE) for shape in made[1:])]
-    areas = [_signed_area(shape.keys[0].points[:, ANCHOR]) for shape in made]
-    order = sorted(range(len(made)), key=lambda index: -abs(areas[index]))
-    largest = areas[order[0]]
-    return [replace(made[k], blend=BlendMode.SUBTRACT if areas[k] * largest < 0.0 else BlendMode.ADD) for k in order]
-
-
 def _still_b_spline(points: Array, closed: bool) -> bool:
     """False where another program has changed the outline: then its new points count, not what it once was."""
     return len(points) > 1 and bspline.is_bspline(points, closed, 1e-4)
-
-
-def _signed_area(line: Array) -> float:
-    ahead = np.roll(line, -1, axis=0)
-    return 0.5 * float((line[:, 0] * ahead[:, 1] - ahead[:, 0] * line[:, 1]).sum())

@@ -36,6 +36,9 @@ COLOURS = {
     "teal": "#008080", "aqua": "#00ffff", "orange": "#ffa500",
 }  # fmt: skip
 
+ORIGINS = {"left": "0", "top": "0", "center": "50%", "right": "100%", "bottom": "100%"}
+"""Words of a `transform-origin` as lengths."""
+
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 
 
@@ -123,6 +126,15 @@ def composed(outer: Array, inner: Array) -> Array:
     """The map `(2, 3)` that applies `inner`, then `outer`."""
     result: Array = outer[:, :2] @ inner
     result[:, 2] += outer[:, 2]
+    return result
+
+
+def about(origin: str | None, inner: Array, box: tuple[float, float]) -> Array:
+    """The map `(2, 3)` that does what `inner` does about a `transform-origin`; of its words a missing one is 0."""
+    words = [ORIGINS.get(word, word) for word in re.split(r"[\s,]+", (origin or "").strip())[:2]]
+    place = np.array([length(word, whole) for word, whole in zip([*words, "", ""], box, strict=False)])
+    result: Array = inner.copy()
+    result[:, 2] += place - inner[:, :2] @ place
     return result
 
 

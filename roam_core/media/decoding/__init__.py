@@ -101,7 +101,7 @@ def read_channels(file: Path) -> Image | None:
 
 
 def has_several_images(file: Path) -> bool:
-    """Whether a file holds more than one image (`roam_core.media.image_file.has_several_images`)."""
+    """Whether a file holds more than one picture (`roam_core.media.image_file.has_several_images`)."""
     if _pool is None:
         from roam_core.media.image_file import has_several_images
 

@@ -43,6 +43,10 @@ def test_names_that_look_alike_stay_apart() -> None:
     ]
 
 
+def test_no_layer_is_called_as_the_pictures_own_channels() -> None:
+    assert file_words(["rgba", "RGB", "alpha", "alpha_"]) == ["rgba_", "RGB_", "alpha_", "alpha__2"]
+
+
 @pytest.mark.parametrize(
     ("name", "plain"),
     [

@@ -112,3 +112,13 @@ def test_a_sum_from_which_something_is_taken_is_cut_off_at_one(items: tuple[Laye
     for frame in (FIRST, LAST):
         ours = render_matte(project, frame, (SIZE[1], SIZE[0]))
         assert overlap(ours, natron.matte(text, frame, (SIZE[1], SIZE[0]))) > 0.999
+
+
+@pytest.mark.parametrize("opacity", [1.0, 0.4])
+@pytest.mark.parametrize("frame", [FIRST, FIRST + 4])
+def test_outside_of_its_lifetime_a_shape_that_intersects_a_layer_takes_nothing(frame: int, opacity: float) -> None:
+    out = Layer("l", "Out", (blob("Window", 160.0, 120.0),), invert=True, opacity=0.5)
+    keep = blob("Keep", 60.0, 60.0, blend=BlendMode.INTERSECT, lifetime=(FIRST + 2, FIRST + 9), opacity=opacity)
+    project = _project(blob("Ground", 100.0, 110.0), out, keep)
+    theirs = natron.matte(natron_script(project)[0], frame, SIZE[::-1])
+    assert overlap(render_matte(project, frame, SIZE[::-1]).astype(np.float64), theirs) > 0.999

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -98,6 +99,17 @@ def test_a_node_of_its_own_is_made_where_it_is_needed(items: tuple[Layer | RotoS
     if any(item.visible and not isinstance(item, Layer) for item in items):
         is_told = any("unites where ROAM adds" in note for note in notes)
         assert agreement(project, text, 1004) >= (0.998 if is_told else 0.999)
+
+
+@pytest.mark.parametrize("fields", [{"invert": True}, {"invert": True, "opacity": 0.5}, {"blend": BlendMode.INTERSECT}])
+@pytest.mark.parametrize("children", [(), (named("B", visible=False),)])
+def test_a_layer_that_takes_part_with_nothing_in_it_has_a_node(
+    children: tuple[RotoShape, ...], fields: dict[str, Any]
+) -> None:
+    project = project_of(named("A"), Layer("l", "Empty", children, **fields))
+    width, height = project.require_clip().size
+    theirs = matte(roto_script(project), 1004, (height, width))
+    np.testing.assert_allclose(theirs, render_matte(project, 1004, (height, width)), atol=0.02)
 
 
 def test_sums_that_become_unions_are_told() -> None:

@@ -199,6 +199,15 @@ def test_a_dimmed_layer_whose_shapes_unite_where_they_overlap_has_a_shape_inside
     assert ("Opacity of Pair" in written) is is_veiled
 
 
+@pytest.mark.parametrize("hidden", [True, False])
+def test_an_inverted_layer_counts_as_reaching_everywhere(hidden: bool) -> None:
+    """Its shapes may lie far from the others, or show nothing: the layer is white all around them."""
+    out = Layer("layer-2", "Out", (square(300.0, visible=not hidden),), invert=True, opacity=0.25)
+    project = Project(CLIP, Layer("root", "Root", (Layer("layer-1", "Pair", (square(100.0), out), opacity=0.5),)))
+    theirs = matte(silhouette_document(project)[0], 1001, CLIP.size[::-1])
+    np.testing.assert_allclose(theirs, render_matte(project, 1001, CLIP.size[::-1]), atol=1e-3)
+
+
 def test_layers_have_their_modes() -> None:
     layers = [Layer(f"l{k}", mode.value, (animated("A"),), blend=mode) for k, mode in enumerate(BlendMode)]
     text, notes = silhouette_document(Project(CLIP, Layer("root", "Root", tuple(layers))))

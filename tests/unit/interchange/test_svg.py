@@ -103,6 +103,13 @@ DRAWINGS = {
     "transforms": '<g transform="translate(40 10) rotate(12) scale(.8 1.1)"><g transform="skewX(10) skewY(-5)">'
     '<rect x="30" y="20" width="120" height="80" transform="rotate(30 90 60) matrix(1 .1 -.2 1 5 3)"/></g></g>',
     "a hole": '<path d="M20 20 H200 V180 H20 Z M60 60 V140 H160 V60 Z"/>',
+    "islands that run against each other": '<path d="M20 20 H100 V180 H20 Z M120 60 V140 H220 V60 Z"/>',
+    "an island in a hole": '<path d="M20 20 H300 V180 H20 Z M60 60 V140 H260 V60 Z M80 80 H200 V120 H80 Z"/>',
+    "a hole between two cubics": '<path d="M20 20 H300 V180 H20 Z '
+    'M60 100 C60 40 200 40 200 100 C200 160 60 160 60 100 Z"/>',
+    "painted, not closed": '<path d="M20 20 H200 V180"/><polyline points="220 20 300 40 260 180"/>',
+    "a switch": '<switch><g requiredExtensions="x"><rect width="300" height="180"/></g>'
+    '<rect x="50" y="50" width="90" height="70"/><rect x="200" y="50" width="90" height="70"/></switch>',
     "even and odd": '<path fill-rule="evenodd" d="M20 20 H200 V180 H20 Z M60 60 H240 V140 H60 Z"/>',
     "two outlines": '<path d="M20 20 H100 V100 H20 Z m150 20 h80 v80 h-80 z"/>',
     "hidden": '<g style="display:none"><rect width="99" height="99"/></g><rect x="150" y="50" width="40" height="30"/>',
@@ -119,6 +126,16 @@ def test_what_is_read_is_what_qt_paints(tmp_path: Path, name: str) -> None:
     assert np.abs(theirs - ours).max() < 0.2
     assert np.abs(theirs - ours).mean() < 0.002
     assert read_back.notes == ()
+
+
+@pytest.mark.parametrize("origin", ["140 110", "140px,110", "43.75% 55%"])
+def test_transforms_act_about_their_origin(tmp_path: Path, origin: str) -> None:
+    """Which Qt does not know."""
+    rect = '<rect x="100" y="80" width="80" height="60" transform="{}"/>'
+    theirs = read(drawing(rect.format("rotate(30 140 110)")), tmp_path).layer.shapes()
+    text = drawing(rect.format(f'rotate(30)" transform-origin="{origin}'))
+    for ours, their in zip(read(text, tmp_path).layer.shapes(), theirs, strict=True):
+        np.testing.assert_allclose(ours.keys[0].points, their.keys[0].points)
 
 
 @pytest.mark.parametrize(

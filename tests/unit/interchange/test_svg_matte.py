@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -85,6 +86,15 @@ def test_what_was_painted_in_masks_comes_back_as_it_was(tmp_path: Path) -> None:
                 assert item.colour == pytest.approx(mine.colour, abs=1e-6)
                 if outline.feather is not None:
                     np.testing.assert_allclose(theirs.feather, outline.feather, atol=1e-5)
+
+
+@pytest.mark.parametrize("fields", [{"invert": True}, {"blend": BlendMode.INTERSECT}])
+def test_a_layer_comes_back_whose_shapes_do_not_exist_on_the_frame(fields: dict[str, Any], tmp_path: Path) -> None:
+    gone = Layer("l", "Gone", (disc("Later", 290.0, lifetime=(5, 9)),), **fields)
+    project = Project(CLIP, Layer("root", "Root", (disc("Under", 190.0), gone)))
+    EXPORTERS["svg"].export(project, tmp_path / "a.svg", ExportOptions(frame=1))
+    again = Project(CLIP, Layer("root", "Root", read_shapes(tmp_path / "a.svg", CLIP).layer.children))
+    np.testing.assert_allclose(*(render_matte(each, 1, SIZE[::-1]) for each in (again, project)), atol=1e-3)
 
 
 def test_a_lifetime_is_one_sentence_for_all_frames(tmp_path: Path) -> None:

@@ -10,6 +10,8 @@ from typing import Any
 import pytest
 
 from roam_core.cli import main
+from roam_core.cli import plugin as plugin_command
+from roam_core.errors import RoamError
 from roam_core.interchange import read_shapes
 from roam_core.roto import Clip
 from tests.unit.plugins.conftest import Desk, pytestmark
@@ -54,6 +56,23 @@ def test_a_program_that_is_not_there_is_told(bridge: Any, monkeypatch: pytest.Mo
 
 def test_the_first_frame_is_the_plates(bridge: Any, desk: Desk) -> None:
     assert bridge.first_frame(str(desk.plate)) == 1001
+
+
+def test_on_a_full_disk_no_half_of_the_menu_is_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write, written = plugin_command.write_atomically, []
+
+    def until_full(path: Path, content: bytes) -> None:
+        if written:
+            raise RoamError(f"{path} cannot be written: No space left on device.")
+        written.append(path)
+        write(path, content)
+
+    monkeypatch.setattr(plugin_command, "write_atomically", until_full)
+    assert main(["plugin", "nuke", str(tmp_path)]) == 1
+    assert "No space left on device" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize(
