@@ -2028,7 +2028,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>Key colours</source>
-        <translation>Key-Farben</translation>
+        <translation>Keyframe-Farben</translation>
     </message>
     <message>
         <source>Key points</source>
@@ -2573,7 +2573,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>No frame between these keys shows anything: there is nothing to fill.</source>
-        <translation>Kein Frame zwischen diesen Keys zeigt etwas: Es gibt nichts zu füllen.</translation>
+        <translation>Kein Frame zwischen diesen Keyframes zeigt etwas: Es gibt nichts zu füllen.</translation>
     </message>
     <message>
         <source>No frame is tracked yet.</source>
@@ -3759,15 +3759,15 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message numerus="yes">
         <source>Shifted %n frame(s) earlier.</source>
         <translation>
-            <numerusform>Um %n Frame nach vorn verschoben.</numerusform>
-            <numerusform>Um %n Frames nach vorn verschoben.</numerusform>
+            <numerusform>Um %n Frame nach früher verschoben.</numerusform>
+            <numerusform>Um %n Frames nach früher verschoben.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Shifted %n frame(s) later.</source>
         <translation>
-            <numerusform>Um %n Frame nach hinten verschoben.</numerusform>
-            <numerusform>Um %n Frames nach hinten verschoben.</numerusform>
+            <numerusform>Um %n Frame nach später verschoben.</numerusform>
+            <numerusform>Um %n Frames nach später verschoben.</numerusform>
         </translation>
     </message>
     <message>
@@ -4490,7 +4490,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>The shapes chosen by the button beside lie before it, hidden or not</source>
-        <translation>Die mit der Taste daneben gewählten Formen liegen davor, ausgeblendet oder nicht</translation>
+        <translation>Die mit der Schaltfläche daneben gewählten Formen liegen davor, ausgeblendet oder nicht</translation>
     </message>
     <message>
         <source>The soft edge goes over to your next keys, through the tracked frames between; &lt;feather.all_keys&gt; gives it to all.</source>
