@@ -227,6 +227,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>100 %</translation>
     </message>
     <message>
+        <source>1001,1010-1020 or 1001-1048x5, x10 for every tenth, all, keys, notes, doubtful or boil</source>
+        <translation>1001,1010-1020 oder 1001-1048x5, x10 für jeden zehnten, alle, Keyframes, Notizen, zweifelhafte oder Flimmern</translation>
+    </message>
+    <message>
         <source>16 bits</source>
         <translation>16 Bit</translation>
     </message>
@@ -5041,6 +5045,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>nochmals wiederholen</translation>
     </message>
     <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
         <source>alone single isolate unlink</source>
         <translation>allein einzeln isolieren trennen</translation>
     </message>
@@ -5269,6 +5277,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>keyframes höhe größer halb</translation>
     </message>
     <message>
+        <source>doubtful</source>
+        <translation>zweifelhafte</translation>
+    </message>
+    <message>
         <source>empty begin</source>
         <translation>leer beginnen</translation>
     </message>
@@ -5489,6 +5501,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>keyframe entfernen</translation>
     </message>
     <message>
+        <source>keys</source>
+        <translation>Keyframes</translation>
+    </message>
+    <message>
         <source>line: before, white dashes: after, hatched: what differs</source>
         <translation>Linie: vorher, weiße Striche: nachher, schraffiert: was sich unterscheidet</translation>
     </message>
@@ -5583,6 +5599,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>not tracked</source>
         <translation>nicht getrackt</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>nuke silhouette fusion blender mocha after effects svg render write output</source>
@@ -6119,6 +6139,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{before} and {after}</source>
         <translation>{before} und {after}</translation>
+    </message>
+    <message>
+        <source>{bits} bits</source>
+        <translation>{bits} Bit</translation>
     </message>
     <message>
         <source>{blur} Edge {width:.1f} px at the median. {shapes} changed, {soft} with feather.</source>
