@@ -40,6 +40,8 @@ COLOUR_WORDS = {SRGB: "sRGB", LINEAR: N_("Scene linear"), LOG: N_("Cineon log")}
 PICTURE = QSize(400, 225)
 MOST_GAPS = 6
 """Missing frames that are named one by one; of more only the number is told."""
+DEPTHS = N_("Half float"), N_("Float")
+"""Depths that are no whole number."""
 
 
 class ClipDialog(QDialog):
@@ -73,7 +75,7 @@ class ClipDialog(QDialog):
         declared = self.colour_space if is_declared else found.source.colour_space
         self.found = found
         self._pull_colours(declared)
-        self.depth_told.setText(found.source.depth)
+        self.depth_told.setText(_depth_word(found.source.depth))
         self._pull_picture()
 
     @property
@@ -114,7 +116,7 @@ class ClipDialog(QDialog):
         self.layers.addItems(list(source.layers))
         self.layers.setCurrentText(source.layer)
         self.layers.currentTextChanged.connect(self.layer_wanted)
-        self.depth_told = QLabel(source.depth)
+        self.depth_told = QLabel(_depth_word(source.depth))
         self.rate, self.aspect = _number(*SPEEDS, now.fps), _number(0.1, 10.0, now.pixel_aspect)
         self.aspect.valueChanged.connect(lambda _: self._pull_picture())
         self.asks_no_more = QCheckBox(tr("Open clips without asking from now on"))
@@ -210,6 +212,14 @@ def gaps_sentence(missing: tuple[int, ...]) -> str:
     if len(missing) <= MOST_GAPS:
         return ", ".join(map(str, missing))
     return tr("{count} frames, from {first} to {last}", count=len(missing), first=missing[0], last=missing[-1])
+
+
+def _depth_word(depth: str) -> str:
+    """The depth of a plate as the engine says it - `10 bits`, `half float`, `float` - in the window's language."""
+    bits = depth.removesuffix(" bits")
+    if bits.isdecimal():
+        return tr("{bits} bits", bits=bits)
+    return tr(next((word for word in DEPTHS if word.lower() == depth), depth))
 
 
 def _number(least: float, most: float, value: float) -> QDoubleSpinBox:

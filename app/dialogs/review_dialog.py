@@ -40,7 +40,15 @@ OUTPUTS = {Output.MOVIE: N_("Movie"), Output.PICTURES: N_("Pictures (PNG)"), Out
 VIEWS = {ReviewView.OVERLAY: N_("Outlines on the plate"), ReviewView.CUTOUT: N_("Cut-out")}
 GROUNDS = {Ground.GREY: N_("Grey"), Ground.CHECKER: N_("Checkerboard"), Ground.BLACK: N_("Black")}
 BURNS = {Burn.FRAME: N_("Frame number"), Burn.NOTE: N_("Note"), Burn.CONFIDENCE: N_("Confidence")}
-WHICH = ("all", "x10", "keys", "notes", "doubtful", "boil")
+WHICH = {
+    "all": N_("all"),
+    "x10": "x10",
+    "keys": N_("keys"),
+    "notes": N_("notes"),
+    "doubtful": N_("doubtful"),
+    "boil": N_("boil"),
+}
+"""Frames by what they are called on the command line, and what the artist reads."""
 SUFFIXES = {Output.MOVIE: ".mp4", Output.PICTURES: "", Output.SHEET: ".png"}
 KNOWN = frozenset({*ENCODERS, *OTHER_SUFFIXES, PNG})
 """Suffixes that say what a file is; what follows another dot belongs to the name."""
@@ -89,8 +97,8 @@ class ReviewDialog(QDialog):
             self.burns[burn].setChecked(True)
         self.which = QComboBox()
         self.which.setEditable(True)
-        self.which.addItems(WHICH)
-        self.which.setToolTip(HINT)
+        self.which.addItems([tr(word) for word in WHICH.values()])
+        self.which.setToolTip(tr(HINT))
         self.first, self.last = number_field(tr("The first frame")), number_field(tr("The last frame"))
         for number in (self.first, self.last):
             number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
@@ -156,6 +164,13 @@ class ReviewDialog(QDialog):
         return Output(self.output.currentData())
 
     @property
+    def which_words(self) -> str:
+        """Which frames, in the words of the command line; those of the window's language are understood, too."""
+        meant = {tr(shown).casefold(): word for word, shown in WHICH.items()}
+        parts = (part.strip() for part in self.which.currentText().split(","))
+        return ",".join(meant.get(part.casefold(), part) for part in parts)
+
+    @property
     def path(self) -> Path:
         """Where it goes; a name alone lies beside the suggested file, a missing suffix is added."""
         path = self._suggested("").parent / Path(self.target.text().strip()).expanduser()
@@ -177,7 +192,7 @@ class ReviewDialog(QDialog):
         within = range(self.first.value(), self.last.value() + 1)
         return ReviewRequest(
             project,
-            chosen_frames(project, self.which.currentText().strip(), within),
+            chosen_frames(project, self.which_words, within),
             output,
             self.path,
             ReviewLook(
@@ -216,8 +231,8 @@ class ReviewDialog(QDialog):
         self.scale.setEnabled(not is_sheet)
         for box in self.burns.values():  # a sheet says all of it under its pictures
             box.setEnabled(not is_sheet)
-        if self.which.currentText() in ("all", "x10"):
-            self.which.setCurrentText("x10" if is_sheet else "all")
+        if self.which_words in ("all", "x10"):
+            self.which.setCurrentText(tr(WHICH["x10" if is_sheet else "all"]))
         self._pull_hint()
 
     def _pull_hint(self) -> None:

@@ -227,6 +227,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>100 %</translation>
     </message>
     <message>
+        <source>1001,1010-1020 or 1001-1048x5, x10 for every tenth, all, keys, notes, doubtful or boil</source>
+        <translation>1001,1010-1020 oder 1001-1048x5, x10 für jeden zehnten, alle, Keyframes, Notizen, zweifelhafte oder Flimmern</translation>
+    </message>
+    <message>
         <source>16 bits</source>
         <translation>16 Bit</translation>
     </message>
@@ -2032,7 +2036,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>Key colours</source>
-        <translation>Key-Farben</translation>
+        <translation>Keyframe-Farben</translation>
     </message>
     <message>
         <source>Key points</source>
@@ -2577,7 +2581,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>No frame between these keys shows anything: there is nothing to fill.</source>
-        <translation>Kein Frame zwischen diesen Keys zeigt etwas: Es gibt nichts zu füllen.</translation>
+        <translation>Kein Frame zwischen diesen Keyframes zeigt etwas: Es gibt nichts zu füllen.</translation>
     </message>
     <message>
         <source>No frame is tracked yet.</source>
@@ -3763,15 +3767,15 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message numerus="yes">
         <source>Shifted %n frame(s) earlier.</source>
         <translation>
-            <numerusform>Um %n Frame nach vorn verschoben.</numerusform>
-            <numerusform>Um %n Frames nach vorn verschoben.</numerusform>
+            <numerusform>Um %n Frame nach früher verschoben.</numerusform>
+            <numerusform>Um %n Frames nach früher verschoben.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Shifted %n frame(s) later.</source>
         <translation>
-            <numerusform>Um %n Frame nach hinten verschoben.</numerusform>
-            <numerusform>Um %n Frames nach hinten verschoben.</numerusform>
+            <numerusform>Um %n Frame nach später verschoben.</numerusform>
+            <numerusform>Um %n Frames nach später verschoben.</numerusform>
         </translation>
     </message>
     <message>
@@ -4498,7 +4502,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>The shapes chosen by the button beside lie before it, hidden or not</source>
-        <translation>Die mit der Taste daneben gewählten Formen liegen davor, ausgeblendet oder nicht</translation>
+        <translation>Die mit der Schaltfläche daneben gewählten Formen liegen davor, ausgeblendet oder nicht</translation>
     </message>
     <message>
         <source>The soft edge goes over to your next keys, through the tracked frames between; &lt;feather.all_keys&gt; gives it to all.</source>
@@ -5049,6 +5053,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>nochmals wiederholen</translation>
     </message>
     <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
         <source>alone single isolate unlink</source>
         <translation>allein einzeln isolieren trennen</translation>
     </message>
@@ -5277,6 +5285,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>keyframes höhe größer halb</translation>
     </message>
     <message>
+        <source>doubtful</source>
+        <translation>zweifelhafte</translation>
+    </message>
+    <message>
         <source>empty begin</source>
         <translation>leer beginnen</translation>
     </message>
@@ -5497,6 +5509,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>keyframe entfernen</translation>
     </message>
     <message>
+        <source>keys</source>
+        <translation>Keyframes</translation>
+    </message>
+    <message>
         <source>line: before, white dashes: after, hatched: what differs</source>
         <translation>Linie: vorher, weiße Striche: nachher, schraffiert: was sich unterscheidet</translation>
     </message>
@@ -5591,6 +5607,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>not tracked</source>
         <translation>nicht getrackt</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>nuke silhouette fusion blender mocha after effects svg render write output</source>
@@ -6127,6 +6147,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{before} and {after}</source>
         <translation>{before} und {after}</translation>
+    </message>
+    <message>
+        <source>{bits} bits</source>
+        <translation>{bits} Bit</translation>
     </message>
     <message>
         <source>{blur} Edge {width:.1f} px at the median. {shapes} changed, {soft} with feather.</source>

@@ -111,6 +111,8 @@ def without_effect(exporter: Exporter, arguments: argparse.Namespace) -> str:
     idle = []
     if arguments.tolerance is not None and arguments.keys != KeyChoice.REDUCED:
         idle.append("--tolerance is for --keys reduced")
+    if arguments.smooth and arguments.keys == KeyChoice.ARTIST:
+        idle.append("--smooth is for tracked keys")
     if arguments.frame is not None and exporter.name != SvgFormat.name:
         idle.append(f"--frame is for {SvgFormat.name}")
     if exporter.name != MatteExporter.name and (given := matte_options(arguments)):

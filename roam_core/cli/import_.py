@@ -92,6 +92,8 @@ def given_project(path: Path, clip: str | None) -> Project:
     """The project at `path`; where none is there and a clip is named, an empty one for that."""
     if clip is None:
         return loaded(path)
+    if path.is_dir():
+        raise RoamError(f"{path} is a folder; name the project, a file whose name ends in .roam.")
     if path.exists():
         raise RoamError(
             f"{path} is there already and has a clip of its own; leave out --clip, or name another project."

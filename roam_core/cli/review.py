@@ -15,6 +15,7 @@ from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, opened
+from roam_core.cli.spans import asked_frames
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange.targets import Sources, require_free
@@ -83,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.out is None and not (arguments.list or arguments.json):
         raise RoamError("Say where to write, such as out.mp4 or a folder, or ask for the --list.")
     project = with_only(loaded(arguments.project), arguments.shape)
-    within = _within(project, arguments.start, arguments.end)
+    within = asked_frames(project.require_clip(), arguments.start, arguments.end)
     if arguments.list or arguments.json:
         measured = _measured(project) if arguments.by_picture else None
         _print_list(project, within, measured, as_json=arguments.json)
@@ -130,17 +131,6 @@ def burns_of(words: str) -> frozenset[Burn]:
         if word not in set(Burn):
             raise RoamError(f"{word!r} cannot be written on a picture; say {', '.join(Burn)} or {NOTHING_BURNT}.")
     return frozenset(Burn(word) for word in named)
-
-
-def _within(project: Project, start: int | None, end: int | None) -> range:
-    """The frames of the clip from `--start` to `--end`."""
-    clip = project.require_clip()
-    first, last = clip.first if start is None else start, clip.last if end is None else end
-    if start is not None and end is not None and end < start:
-        raise RoamError(f"--end {end} comes before --start {start}.")
-    if last < clip.first or first > clip.last:
-        raise RoamError(f"The clip has the frames {clip.first} to {clip.last}, none of what is asked for.")
-    return range(max(first, clip.first), min(last, clip.last) + 1)
 
 
 def _measured(project: Project) -> Mapping[str, Array]:

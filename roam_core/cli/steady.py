@@ -61,8 +61,12 @@ def _frames(shapes: Sequence[RotoShape], start: int | None, end: int | None, pat
     if not tracked:
         raise RoamError(f"{path} has no tracked or filled key to steady; track or fill its shapes first.")
     first, last = min(tracked) if start is None else start, max(tracked) if end is None else end
-    if first > last:
+    if start is not None and end is not None and first > last:
         raise RoamError(f"--start {first} lies after --end {last}; give an earlier first frame.")
+    if start is not None and start > max(tracked):
+        raise RoamError(f"--start {start} lies after the last tracked key, which is on frame {max(tracked)}.")
+    if end is not None and end < min(tracked):
+        raise RoamError(f"--end {end} lies before the first tracked key, which is on frame {min(tracked)}.")
     if not any(first <= frame <= last for frame in tracked):
         raise RoamError(f"Frames {first} to {last} hold no tracked key; there are some from {min(tracked)} on.")
     return range(max(first, min(tracked)), min(last, max(tracked)) + 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -35,8 +36,38 @@ def raising() -> Iterator[None]:
     def stop(number: int, _frame: FrameType | None) -> None:
         raise Stopped(number)
 
-    with _handled(stop):
+    with _handled(stop), _heard_by_finalizers():
         yield
+
+
+AGAIN = 0.05
+"""Seconds after which a signal that a finalizer swallowed comes once more."""
+
+
+@contextmanager
+def _heard_by_finalizers() -> Iterator[None]:
+    """For the length of a `with` block a `Stopped` that nobody can catch is no traceback: its signal comes again.
+
+    Python prints and drops what is raised in a finalizer (`__del__`), such as those that the compiler has many of.
+    """
+    before = sys.unraisablehook
+    again: list[threading.Timer] = []
+
+    def hear(unraisable: sys.UnraisableHookArgs) -> None:
+        if isinstance(unraisable.exc_value, Stopped):
+            again.append(threading.Timer(AGAIN, signal.raise_signal, [unraisable.exc_value.number]))
+            again[-1].daemon = True
+            again[-1].start()
+        else:
+            before(unraisable)
+
+    sys.unraisablehook = hear
+    try:
+        yield
+    finally:
+        sys.unraisablehook = before
+        for timer in again:
+            timer.cancel()
 
 
 _given = threading.local()

@@ -88,7 +88,7 @@ SHAPE_SUFFIXES = tuple(
 
 def importer_for(path: Path) -> Importer:
     """The format that reads files of this suffix, or folders; else a `RoamError`, which lists those that are read."""
-    suffix = "" if path.is_dir() else path.suffix.lower() or "none"
+    suffix = "" if os.path.isdir(path) else path.suffix.lower() or "none"  # noqa: PTH112 - no error for a long name
     for importer in IMPORTERS:
         if suffix in importer.suffixes:
             return importer

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from roam_core.errors import RoamError
 from roam_core.review.findings import boiling, doubtful
 from roam_core.roto import Project
+from roam_core.translatable import N_
 
 _NUMBERS = re.compile(r"(-?\d+)(?:-(-?\d+))?(?:x(\d+))?")
 """1001, 1001-1048, 1001-1048x5."""
@@ -30,7 +31,7 @@ WORDS: dict[str, Callable[[Project], Iterable[int]]] = {
     "boil": lambda project: (found.frame for found in boiling(project.shapes)),
 }
 """What frames may be called beside their numbers."""
-HINT = "1001,1010-1020 or 1001-1048x5, x10 for every tenth, all, keys, notes, doubtful or boil"
+HINT = N_("1001,1010-1020 or 1001-1048x5, x10 for every tenth, all, keys, notes, doubtful or boil")
 
 
 def chosen_frames(project: Project, words: str, within: range | None = None) -> tuple[int, ...]:

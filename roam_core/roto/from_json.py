@@ -78,6 +78,8 @@ def _read_path(document: Document, folder: Path) -> Path:
     """Where the plate lies: from the project's folder; if it is not there, where it lay when the project was saved."""
     words = text(document["path"], "the clip's path"), text(document.get("absolute", ""), "the clip's absolute path")
     require(max(map(len, words)), LONGEST_PATH, "letters in the clip's path")
+    if any("\0" in word for word in words):
+        raise ValueError("the clip's path holds a null character")
     path, absolute = (Path(PurePosixPath(word)) for word in words)
     if path.is_absolute():
         return path

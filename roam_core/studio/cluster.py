@@ -129,9 +129,25 @@ def _forking(shares: Shares, loading: Sequence[str]) -> Iterator[None]:
     with dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"}):
         utils.get_mp_context()  # the first time it sets a list of its own
         multiprocessing.set_forkserver_preload(["distributed.nanny", *loading])
-        with _with_environment(dask.config.get("distributed.nanny.pre-spawn-environ") | shares.environment):
+        environment = dask.config.get("distributed.nanny.pre-spawn-environ") | shares.environment
+        with _with_environment(environment), _deaf_to_interrupts():
             import_module("multiprocessing.forkserver").ensure_running()
         yield
+
+
+@contextmanager
+def _deaf_to_interrupts() -> Iterator[None]:
+    """Have a process that is begun in this `with` block, and its forks, not hear Ctrl-C from their first moment on.
+
+    Until it has loaded its modules the process would end in a traceback, and a fork until `dask_setup` is called. Here
+    Ctrl-C waits for the end of the block.
+    """
+    import_module("multiprocessing.resource_tracker").ensure_running()  # as it begins it lets Ctrl-C through again
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QLocale
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QComboBox, QWidget
+from pytestqt.qtbot import QtBot
 
 from app.actions.actions import Actions
 from app.actions.keymaps import load_keymap
@@ -19,6 +20,8 @@ from app.canvas.plate.pixel_marks import values_text
 from app.model.preferences import Preferences, load_preferences, save_preferences
 from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, moment, number, shown_language, speak, tr, translated
 from roam_core.translatable import listed, sentence
+from tests.gui.windows import dialogs_of, opened_window, write_clip
+from tests.house.test_translations import of
 
 
 @pytest.fixture
@@ -81,6 +84,29 @@ def test_actions_are_called_and_found_in_the_language(german: None, qtbot: objec
     assert "lesezeichen" in words_for("mark.toggle")
     assert "bookmark" in words_for("mark.toggle")
     widget.deleteLater()
+
+
+SAYS = ("text", "toolTip", "statusTip", "title", "windowTitle", "placeholderText", "accessibleName", "prefix", "suffix")
+
+
+def said_by(widget: QWidget) -> Iterator[str]:
+    """What a widget says, in any of its places."""
+    for name in SAYS:
+        text = getattr(widget, name, None)
+        if callable(text) and isinstance(said := text(), str):
+            yield said
+    if isinstance(widget, QComboBox):
+        yield from (widget.itemText(index) for index in range(widget.count()))
+
+
+def test_no_word_of_the_window_stays_english_that_has_a_translation(german: None, qtbot: QtBot, tmp_path: Path) -> None:
+    """Tables of words that are marked for translation were shown as they stand in the code."""
+    english = {each.source for each in of("de") if each.source not in each.translations}
+    german_too = {form for each in of("de") for form in each.translations}
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "state") as window:
+        found = {said for root in (window, *dialogs_of(window)) for each in root.findChildren(QWidget)
+                 for said in said_by(each)}  # fmt: skip
+    assert found & english - german_too == set()
 
 
 def test_the_environment_wins_over_the_preference_and_both_over_the_desktop(monkeypatch: pytest.MonkeyPatch) -> None:

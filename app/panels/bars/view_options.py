@@ -72,7 +72,7 @@ class BackgroundForm(QWidget):
         self._viewing = viewing
         self.kind = QComboBox()
         for kind, word in BACKGROUNDS.items():
-            self.kind.addItem(word, kind)
+            self.kind.addItem(tr(word), kind)
         self.colour = Swatch(tr("Colour under the cut-out"), lambda name: viewing.set_background(colour=name))
         self.image = QPushButton()
         self.image.setMaximumWidth(180)

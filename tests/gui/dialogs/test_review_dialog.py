@@ -378,3 +378,24 @@ def test_in_german_the_target_is_a_place_and_no_frame(
         speak(SOURCE)
     assert "Nach" in words
     assert "Bis" not in words
+
+
+def test_in_german_frames_are_called_by_german_words_and_english_ones_hold_too(
+    document: Document, view_state: ViewState, runner: Runner, qtbot: QtBot
+) -> None:
+    speak("de")
+    try:
+        dialog = ReviewDialog(document, view_state, ReviewJob(document, runner, lambda: read), Path)
+        qtbot.addWidget(dialog)
+        shown = [dialog.which.itemText(index) for index in range(dialog.which.count())]
+        assert shown == ["alle", "x10", "Keyframes", "Notizen", "zweifelhafte", "Flimmern"]
+        for written, meant in (("alle", "all"), ("Notizen, 1001-1003x2,boil", "notes,1001-1003x2,boil")):
+            dialog.which.setCurrentText(written)
+            assert dialog.which_words == meant
+        dialog.which.setCurrentText("alle")
+        dialog.show_for(Output.SHEET, ViewMode.OVERLAY)
+        assert dialog.which.currentText() == "x10"
+        dialog.show_for(Output.MOVIE, ViewMode.OVERLAY)
+        assert dialog.which.currentText() == "alle"
+    finally:
+        speak(SOURCE)

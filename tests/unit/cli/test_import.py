@@ -11,6 +11,7 @@ import pytest
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.project import PALETTE
 from tests.unit.cli.conftest import Roam
+from tests.unit.cli.test_bad_input import require_refusal
 from tests.unit.interchange.conftest import points
 
 
@@ -114,3 +115,11 @@ def test_why_nothing_could_be_read_is_told(roam: Roam, project: Path, words: tup
     *reasons, refusal = done.err.splitlines()
     assert any("text" in reason for reason in reasons)
     assert "holds no shape that ROAM can read" in refusal
+
+
+def test_a_folder_in_the_place_of_the_project_is_said_to_be_one(roam: Roam, project: Path) -> None:
+    """It was said to be there already and to have a clip of its own."""
+    roam("export", project, project.with_suffix(".nk"), "--to", "nuke")
+    (project.parent / "shots").mkdir()
+    words = ("--into", project.parent / "shots", "--clip", project.parent)
+    require_refusal(roam("import", project.with_suffix(".nk"), *words), "is a folder; name the project")

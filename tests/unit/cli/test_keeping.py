@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import Path
@@ -17,7 +18,7 @@ import pytest
 
 from roam_core.cancel import Cancelled
 from roam_core.cli.keeping import PAUSE, SHARE, Keeper, kept
-from roam_core.cli.stopping import STOPPING, Stopped, cancelling
+from roam_core.cli.stopping import STOPPING, Stopped, cancelling, raising
 from roam_core.errors import RoamError
 from roam_core.propagate import FrameResult, track
 from roam_core.propagate.between.span import fill_span
@@ -166,6 +167,25 @@ def test_a_second_ctrl_c_does_not_wait_and_other_signals_come_in_pairs() -> None
     with pytest.raises(Stopped) as caught:
         interrupted(*STOPPING[:0:-1])
     assert (caught.value.number, came_to) == (STOPPING[-1], ["a safe point"])
+
+
+class Finalized:
+    """Something that a signal comes to while it is let go of."""
+
+    def __del__(self) -> None:
+        signal.raise_signal(signal.SIGINT)
+
+
+@pytest.mark.usefixtures("heard")
+def test_ctrl_c_in_a_finalizer_is_heard_and_no_traceback(capsys: pytest.CaptureFixture[str]) -> None:
+    def interrupted() -> None:
+        with raising():
+            Finalized()
+            threading.Event().wait(60.0)
+
+    with pytest.raises(Stopped):
+        interrupted()
+    assert capsys.readouterr().err == ""
 
 
 @pytest.mark.usefixtures("heard")

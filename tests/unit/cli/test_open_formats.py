@@ -119,6 +119,8 @@ def test_tracked_keys_may_be_smoothed_and_reduced(roam: Roam, project: Path) -> 
     [
         ("--to json --tolerance 2", "--tolerance is for --keys reduced"),
         ("--to json --keys reduced --tolerance 2", ""),
+        ("--to json --keys artist --smooth 2", "--smooth is for tracked keys"),
+        ("--to json --keys artist", ""),
         ("--to json --frame 7 --per all", "--frame is for svg"),
         ("--to svg --frame 7", ""),
         ("--to json --depth 16", "--depth is for mattes"),

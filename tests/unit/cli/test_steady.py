@@ -81,19 +81,20 @@ def test_a_strength_of_nothing_changes_nothing(roam: Roam, trembling: Path) -> N
 
 
 @pytest.mark.parametrize(
-    "words",
+    ("words", "sentence"),
     [
-        ("--strength", "1.5"),
-        ("--strength", "-0.1"),
-        ("--strength", "nan"),
-        ("--shape", "other"),
-        ("--start", "1005", "--end", "1003"),
-        ("--start", "1020"),
+        (("--strength", "1.5"), "--strength 1.5 is not between 0 and 1"),
+        (("--strength", "-0.1"), "is not between"),
+        (("--strength", "nan"), "is not between"),
+        (("--shape", "other"), "There is no"),
+        (("--start", "1005", "--end", "1003"), "--start 1005 lies after --end 1003"),
+        (("--start", "1020"), "--start 1020 lies after the last tracked key, which is on frame "),
+        (("--end", "12"), "--end 12 lies before the first tracked key, which is on frame "),
     ],
 )
-def test_what_cannot_be_is_refused(roam: Roam, trembling: Path, words: tuple[str, ...]) -> None:
+def test_what_cannot_be_is_refused(roam: Roam, trembling: Path, words: tuple[str, ...], sentence: str) -> None:
     before = trembling.read_bytes()
-    require_refusal(roam("steady", trembling, *words))
+    require_refusal(roam("steady", trembling, *words), sentence)
     assert trembling.read_bytes() == before
 
 

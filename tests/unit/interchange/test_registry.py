@@ -11,7 +11,7 @@ import pytest
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
-from roam_core.interchange.registry import SHAPE_SUFFIXES
+from roam_core.interchange.registry import SHAPE_SUFFIXES, importer_for
 from roam_core.roto import Project, Spline, control_points
 
 
@@ -81,3 +81,8 @@ def test_a_b_spline_stays_one_or_becomes_the_bezier_that_it_is(project: Project,
 def test_shapes_are_read_from_every_file_that_is_no_picture() -> None:
     assert {".nk", ".fxs", ".setting", ".svg", ".json", ".xml"} <= set(SHAPE_SUFFIXES)
     assert not {".png", ".exr", ""} & set(SHAPE_SUFFIXES)
+
+
+def test_a_name_that_is_too_long_for_any_file_is_told_in_a_sentence() -> None:
+    with pytest.raises(RoamError, match="does not exist; give a file of shapes"):
+        importer_for(Path("x" * 400 + ".obj"))

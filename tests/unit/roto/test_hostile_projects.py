@@ -137,6 +137,12 @@ def test_a_text_is_a_text(tmp_path: Path, where: Callable[[Document], Document],
     assert "is no text" in damaged(tmp_path, lambda d: where(d).update({name: 7}))
 
 
+@pytest.mark.parametrize("name", ["path", "absolute"])
+def test_a_path_that_no_file_can_have_is_refused(tmp_path: Path, name: str) -> None:
+    """It opened, and ended rendering in a traceback."""
+    assert "holds a null character" in damaged(tmp_path, lambda d: d["clip"].update({name: "a\0b"}))
+
+
 # ---- bounds ----------------------------------------------------------------------------------------------------------
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import threading
@@ -147,6 +148,32 @@ if __name__ == "__main__":
         assert loaded == "dict_values([[True, False], [True, False]])"
     assert bound == "True {'127.0.0.1'}"
     assert is_ignored == "{True}"  # a terminal sends Ctrl-C to all: the batch stops them
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere workers are no forks")
+def test_ctrl_c_while_the_workers_process_loads_is_no_traceback(tmp_path: Path) -> None:
+    (tmp_path / "interrupted.py").write_text(
+        "import os, pathlib, signal\n"
+        "os.kill(os.getpid(), signal.SIGINT)\n"
+        "pathlib.Path(__file__).with_name('loaded').touch()\n"
+    )
+    program = """
+from roam_core.studio import cluster
+
+if __name__ == "__main__":
+    with cluster.local(cluster.Shares.of(1, 4 << 30), dashboard=False, loading=["interrupted"]):
+        pass
+"""
+    paths = os.pathsep.join([str(tmp_path), str(ROOT)])
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env=os.environ | {"PYTHONPATH": paths},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stderr == ""
+    assert (tmp_path / "loaded").exists()  # Ctrl-C is for the batch
 
 
 def test_the_batch_is_told_of_steps_and_of_frames(client: Any, tmp_path: Path) -> None:
