@@ -14,8 +14,7 @@ from typing import TypeVar
 
 import cv2
 import numpy as np
-
-from roam_core.arrays import Bools
+from numpy.typing import NDArray
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -51,7 +50,7 @@ def each(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
         return list(pool.map(shared, items))
 
 
-def in_halves(work: Callable[[int, int], object], wanted: Bools) -> None:
+def in_halves(work: Callable[[int, int], object], wanted: NDArray[np.bool_]) -> None:
     """Call `work(first, stop)` for all rows of `wanted (h, w)`: in two parts of as many wanted pixels at the same time.
 
     In one part where little is wanted. `work` must release the interpreter's lock, treat each row alone and raise

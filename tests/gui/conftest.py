@@ -66,7 +66,7 @@ def nothing_survives(qapp: QApplication) -> Iterator[None]:
     gc.unfreeze()  # What stayed frozen would never be freed, and OpenImageIO would list it at the end as leaked.
     new_widgets = [widget for widget in QApplication.topLevelWidgets() if widget not in widgets]
     assert not new_widgets, f"widgets survive the test: {new_widgets}"
-    new_threads = [thread for thread in threading.enumerate() if thread not in threads and not _is_foreign(thread)]
+    new_threads = [thread for thread in threading.enumerate() if thread not in threads and not _is_kept(thread)]
     assert not new_threads, f"threads survive the test: {new_threads}"
     assert not running, f"threads or timers run on after the test: {running}"
 
@@ -118,9 +118,12 @@ def _let_go() -> None:
     QCoreApplication.processEvents()
 
 
-def _is_foreign(thread: threading.Thread) -> bool:
-    """A thread of Qt that Python has met, which ends with its QThread; that is looked at by itself."""
-    return thread.name.startswith("Dummy-")
+def _is_kept(thread: threading.Thread) -> bool:
+    """A thread of the engine that waits for more work (`roam_core.threads`), or one of Qt that Python has met.
+
+    That ends with its QThread, which is looked at by itself.
+    """
+    return thread.name.startswith(("rows", "Dummy-"))
 
 
 def _is_running(item: QThread | QTimer) -> bool:

@@ -223,10 +223,14 @@ def test_svg_gives_back_what_a_still_picture_holds(project: Project, frame: int,
 
 
 def is_there(item: Layer | RotoShape, frame: int) -> bool:
-    """True for a shape that exists on the frame, and a layer with one in it: a drawing needs no empty groups."""
-    return (
-        item.exists_at(frame) if isinstance(item, RotoShape) else any(is_there(each, frame) for each in item.children)
-    )
+    """True for a shape that exists on the frame, and a layer with one in it: a drawing needs no empty groups.
+
+    But for one that is inverted, or intersects: with nothing in it, it takes part.
+    """
+    if isinstance(item, RotoShape):
+        return item.exists_at(frame)
+    acts = item.invert or item.blend is BlendMode.INTERSECT
+    return acts or any(is_there(each, frame) for each in item.children)
 
 
 def check_outline(found: RotoShape, was: RotoShape, frame: int) -> None:
