@@ -239,5 +239,7 @@ def _read(document: Any, folder: Path, name: str) -> Project:
 def _reason(error: BaseException) -> str:
     if isinstance(error, KeyError):
         return f"{error.args[0]!r} is missing or unknown"
+    if isinstance(error, TypeError | AttributeError):
+        return "a value in it is of another kind than it must be"
     text = " ".join(str(error).split())
     return text[:200] if text else type(error).__name__

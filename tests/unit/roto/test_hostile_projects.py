@@ -281,3 +281,9 @@ def test_only_regular_files_are_read(tmp_path: Path) -> None:
     (tmp_path / "endless.roam").symlink_to("/dev/zero")
     for name in ("pipe.roam", "endless.roam"):
         assert "is no regular file" in refused(tmp_path / name)
+
+
+@pytest.mark.parametrize("marks", [["frame"], [7], 7])
+def test_what_is_of_another_kind_is_told_in_our_own_words(tmp_path: Path, marks: object) -> None:
+    sentence = damaged(tmp_path, lambda document: document.update(marks=marks))
+    assert sentence.endswith("is damaged: a value in it is of another kind than it must be.")
