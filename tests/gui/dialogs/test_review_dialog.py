@@ -366,36 +366,33 @@ def test_a_dot_in_a_name_begins_no_suffix(dialog: ReviewDialog, tmp_path: Path) 
     assert dialog.path == tmp_path / "shot_010.v003.mp4"
 
 
-def test_in_german_the_target_is_a_place_and_no_frame(
-    document: Document, view_state: ViewState, runner: Runner, qtbot: QtBot
-) -> None:
+@pytest.fixture
+def in_german(document: Document, view_state: ViewState, runner: Runner, qtbot: QtBot) -> Iterator[ReviewDialog]:
+    """The dialog as a German artist has it."""
     speak("de")
     try:
         dialog = ReviewDialog(document, view_state, ReviewJob(document, runner, lambda: read), Path)
         qtbot.addWidget(dialog)
-        words = [label.text() for label in dialog.findChildren(QLabel)]
+        yield dialog
     finally:
         speak(SOURCE)
+
+
+def test_in_german_the_target_is_a_place_and_no_frame(in_german: ReviewDialog) -> None:
+    words = [label.text() for label in in_german.findChildren(QLabel)]
     assert "Nach" in words
     assert "Bis" not in words
 
 
-def test_in_german_frames_are_called_by_german_words_and_english_ones_hold_too(
-    document: Document, view_state: ViewState, runner: Runner, qtbot: QtBot
-) -> None:
-    speak("de")
-    try:
-        dialog = ReviewDialog(document, view_state, ReviewJob(document, runner, lambda: read), Path)
-        qtbot.addWidget(dialog)
-        shown = [dialog.which.itemText(index) for index in range(dialog.which.count())]
-        assert shown == ["alle", "x10", "Keyframes", "Notizen", "zweifelhafte", "Flimmern"]
-        for written, meant in (("alle", "all"), ("Notizen, 1001-1003x2,boil", "notes,1001-1003x2,boil")):
-            dialog.which.setCurrentText(written)
-            assert dialog.which_words == meant
-        dialog.which.setCurrentText("alle")
-        dialog.show_for(Output.SHEET, ViewMode.OVERLAY)
-        assert dialog.which.currentText() == "x10"
-        dialog.show_for(Output.MOVIE, ViewMode.OVERLAY)
-        assert dialog.which.currentText() == "alle"
-    finally:
-        speak(SOURCE)
+def test_in_german_frames_are_called_by_german_words_and_english_ones_hold_too(in_german: ReviewDialog) -> None:
+    which = in_german.which
+    shown = [which.itemText(index) for index in range(which.count())]
+    assert shown == ["alle", "x10", "Keyframes", "Notizen", "zweifelhafte", "Flimmern"]
+    for written, meant in (("alle", "all"), ("Notizen, 1001-1003x2,boil", "notes,1001-1003x2,boil")):
+        which.setCurrentText(written)
+        assert in_german.which_words == meant
+    which.setCurrentText("alle")
+    in_german.show_for(Output.SHEET, ViewMode.OVERLAY)
+    assert which.currentText() == "x10"
+    in_german.show_for(Output.MOVIE, ViewMode.OVERLAY)
+    assert which.currentText() == "alle"

@@ -29,6 +29,13 @@ def client(scheduler: str) -> Iterator[Any]:
         yield found
 
 
+def carried_out(program: str, *folders: Path) -> subprocess.CompletedProcess[str]:
+    """A program that ended well in a process of its own, which finds modules in `folders`."""
+    found = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, folders))}
+    command = [sys.executable, "-c", program]
+    return subprocess.run(command, cwd=ROOT, env=found, capture_output=True, text=True, check=True)
+
+
 def tasks(folder: Path, job: str, *whats: str) -> list[Task]:
     """A job whose steps end as is said."""
     place = folder / job
@@ -142,8 +149,7 @@ if __name__ == "__main__":
         print(len(listening) > 2, set(listening))
         print(set(client.run(lambda: signal.getsignal(signal.SIGINT) is signal.SIG_IGN).values()))
 """
-    done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
-    loaded, bound, is_ignored = done.stdout.splitlines()
+    loaded, bound, is_ignored = carried_out(program, ROOT).stdout.splitlines()
     if sys.platform == "linux":  # where workers are forks
         assert loaded == "dict_values([[True, False], [True, False]])"
     assert bound == "True {'127.0.0.1'}"
@@ -164,15 +170,7 @@ if __name__ == "__main__":
     with cluster.local(cluster.Shares.of(1, 4 << 30), dashboard=False, loading=["interrupted"]):
         pass
 """
-    paths = os.pathsep.join([str(tmp_path), str(ROOT)])
-    done = subprocess.run(
-        [sys.executable, "-c", program],
-        env=os.environ | {"PYTHONPATH": paths},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert done.stderr == ""
+    assert carried_out(program, ROOT, tmp_path).stderr == ""
     assert (tmp_path / "loaded").exists()  # Ctrl-C is for the batch
 
 
