@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.geometry import bezier
+from roam_core.geometry import bezier, polyline
 from roam_core.roto import BlendMode, RotoShape
 
 TOLERANCE = 0.5
@@ -29,7 +29,7 @@ def joined(made: list[RotoShape], is_even_odd: bool, count: Callable[[int], None
     if is_even_odd:
         return [*made[:1], *(replace(shape, blend=BlendMode.DIFFERENCE) for shape in made[1:])]
     lines = [bezier.flatten(shape.keys[0].points, True, TOLERANCE) for shape in made]
-    areas = np.array([_signed_area(line) for line in lines])
+    areas = np.array([polyline.signed_area(line) for line in lines])
     order = np.argsort(-np.abs(areas), kind="stable")
     signs, lines = np.sign(areas[order]).astype(np.int64), [lines[k] for k in order]
     shapes, few = [made[k] for k in order], np.array([_few(made[k]) for k in order])
@@ -57,16 +57,10 @@ def _few(shape: RotoShape) -> Array:
 def _lie_in(places: Array, line: Array) -> Array:
     """For each group of places `(N, ASKED, 2)`, whether most lie inside of a closed polyline."""
     x, y = places[..., :1], places[..., 1:]
-    ahead = np.roll(line, -1, axis=0)
+    ahead = polyline.following(line)
     crosses = (line[:, 1] > y) != (ahead[:, 1] > y)
     with np.errstate(divide="ignore", invalid="ignore"):
         slopes = (ahead[:, 0] - line[:, 0]) / (ahead[:, 1] - line[:, 1])
         inside = (crosses & (line[:, 0] + (y - line[:, 1]) * slopes > x)).sum(axis=-1) % 2 == 1
     result: Array = 2 * inside.sum(axis=1) > ASKED
     return result
-
-
-def _signed_area(line: Array) -> float:
-    """The area of a closed polyline; negative where it runs the other way."""
-    ahead = np.roll(line, -1, axis=0)
-    return 0.5 * float((line[:, 0] * ahead[:, 1] - ahead[:, 0] * line[:, 1]).sum())
