@@ -13,7 +13,7 @@ from functools import cached_property
 import cv2
 import numpy as np
 
-from roam_core.arrays import Array, Bools, Float32, UInt8, UInt16
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.params.evidence import ExposureParams
 from roam_core.proposal.cues.key_view import KeyView
@@ -216,17 +216,17 @@ def _known_again(
     """
     window = np.ones((params.window, params.window), np.uint8)
     whole = cv2.erode(known.astype(np.uint8), window, borderType=cv2.BORDER_CONSTANT, borderValue=0)
+    values = [np.asarray(luma, np.float32) for luma in lumas]
     variance_then, covariance, variance = (
-        _means(cv2.multiply(lumas[i], lumas[j], dtype=cv2.CV_16U), params.window) - means[i] * means[j]
-        for i, j in ((0, 0), (0, 1), (1, 1))
+        _means(values[i] * values[j], params.window) - means[i] * means[j] for i, j in ((0, 0), (0, 1), (1, 1))
     )
     least = np.sqrt(np.maximum(variance_then * variance, np.float32(flat**4)))
     return np.asarray((whole > 0) & (covariance > params.alike * least))
 
 
-def _means(picture: UInt8 | UInt16, window: int) -> Float32:
-    """The mean of each channel around each cell: sums of whole numbers, and so exact."""
-    return np.asarray(cv2.boxFilter(picture, cv2.CV_32F, (window, window)), dtype=np.float32)
+def _means(picture: UInt8 | Float32, window: int) -> Float32:
+    """The mean of each channel around each cell."""
+    return np.asarray(cv2.blur(np.asarray(picture, np.float32), (window, window)))
 
 
 def _is_exposed(before: Float32, now: Float32, params: ExposureParams) -> Bools:
