@@ -324,7 +324,6 @@ def _composed(motion: Array, step: Array, how: Alignment) -> bool:
     return bool(place < 0.05 and strain < 0.005)
 
 
-@njit(nogil=True, cache=True, error_model="numpy")
 def sides(
     centres: Array, motions: Array, weights: Array, reach: float, key: Picture, depth: Float32, now: Picture,
     like: float, ramp: float,
@@ -335,8 +334,22 @@ def sides(
     the outline: in full from `ramp` cells of `depth` on. That a cell is inside counts as far as it looks as on the key
     (T: `like`); the surest patch is heard. `depth (h, w)`: signed distance from the key's outline, cells of `key`.
     """
-    rows, columns = now.image.shape[:2]
-    inside, outside = np.zeros((rows, columns), np.float32), np.zeros((rows, columns), np.float32)
+    size = now.image.shape[:2]
+    inside, outside = np.zeros(size, np.float32), np.zeros(size, np.float32)
+
+    def rows(first: int, stop: int) -> None:
+        _sides(centres, motions, weights, reach, key, depth, now, like, ramp, first, stop, inside, outside)
+
+    in_halves(rows, np.ones(size, np.bool_))
+    return inside, outside
+
+
+@njit(nogil=True, cache=True, error_model="numpy")
+def _sides(  # type: ignore[no-untyped-def]
+    centres, motions, weights, reach, key, depth, now, like, ramp, top, bottom, inside, outside
+):  # fmt: skip
+    """The rows from `top` to `bottom` of what `sides` tells."""
+    columns = now.image.shape[1]
     for k in range(len(centres)):
         motion = motions[k]
         if weights[k] <= 0.0 or not is_sound(motion):
@@ -346,7 +359,7 @@ def sides(
         wide, high = reach * np.hypot(motion[2], motion[3]), reach * np.hypot(motion[4], motion[5])
         first, stop = (motion[1] - high - now.top) * now.factor_y, (motion[1] + high - now.top) * now.factor_y
         left, right = (motion[0] - wide - now.left) * now.factor_x, (motion[0] + wide - now.left) * now.factor_x
-        for row in range(max(0, int(first)), min(rows, int(stop) + 1)):
+        for row in range(max(top, int(first)), min(bottom, int(stop) + 1)):
             for column in range(max(0, int(left)), min(columns, int(right) + 1)):
                 x = (column + 0.5) / now.factor_x + now.left - motion[0]
                 y = (row + 0.5) / now.factor_y + now.top - motion[1]
@@ -367,4 +380,3 @@ def sides(
                     inside[row, column] = max(inside[row, column], said)
                 else:
                     outside[row, column] = max(outside[row, column], said)
-    return inside, outside

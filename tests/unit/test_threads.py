@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from threading import get_ident
+from threading import Event, get_ident
 
 import cv2
 import numpy as np
@@ -12,7 +12,7 @@ import pytest
 
 from roam_core import threads
 from roam_core.kernels.local_match import nearest_colours
-from roam_core.threads import WORTH_A_THREAD, each, in_halves
+from roam_core.threads import WORTH_A_THREAD, beside, each, in_halves
 
 
 @pytest.fixture
@@ -62,6 +62,45 @@ def test_two_who_have_work_share_no_more(two_threads: object) -> None:
 
     assert each(inner, range(4)) == [True] * 4
     assert not inner(0)
+
+
+def test_what_is_begun_beside_is_done_by_another_while_one_goes_on(two_threads: object) -> None:
+    may_end = Event()
+
+    def work() -> int:
+        assert may_end.wait(30)
+        return get_ident()
+
+    begun = beside(work)
+    may_end.set()
+    assert begun() != get_ident()
+    assert begun() == begun()
+
+
+def test_who_is_alone_does_at_once_what_is_to_be_done_beside(two_threads: object) -> None:
+    cv2.setNumThreads(1)
+    done: list[int] = []
+    begun = beside(lambda: done.append(get_ident()))
+    assert done == [get_ident()]
+    begun()
+    assert len(done) == 1
+
+
+def test_what_is_done_beside_shares_no_more(two_threads: object) -> None:
+    def outer() -> bool:
+        return beside(get_ident)() == get_ident()
+
+    assert beside(outer)()
+    assert not outer()
+
+
+def test_what_fails_beside_is_heard_where_its_result_is_asked(two_threads: object) -> None:
+    def fail() -> None:
+        raise ValueError("beside")
+
+    begun = beside(fail)
+    with pytest.raises(ValueError, match="beside"):
+        begun()
 
 
 def test_the_first_exception_comes_out(two_threads: object) -> None:

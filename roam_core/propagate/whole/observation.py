@@ -28,6 +28,7 @@ from roam_core.proposal.cues.key_view import KeyView, lab
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import MotionMisfit
 from roam_core.proposal.cues.shadow import relit
+from roam_core.threads import beside
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,18 +107,19 @@ def observed(
         if again is not None:
             return observed(state, again, params, token, surroundings, is_relit=True)
     frame = key.in_its_light(frame)
+    as_one_piece = beside(lambda: state.rigidity.step(frame, moved, params.rigid))
     pictures = grid.colours_of(state.frame), grid.colours_of(frame)
-    rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
     lines = sides = None
     patch_motion = state.patch_motion
-    if state.patches is not None and patch_motion is not None:
-        patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     if params.label_propagation_weight > 0:
         before = carried_by_flow(state.region.nats_on(fine), flows[1], is_continued=True)
         # What lay beyond the last grid lay outside of the object: there the flow has been as sound as on the key.
         unreliable = grid.warped(np.float32(1.0) - state.flow_reliability, state.region.grid.map_to_image)
         reliable = np.float32(1.0) - unreliable
         lines = label_propagation(pictures, before, (forth, back), reliable, grid, frame.size, params.label_propagation)
+    rigidity, pose = as_one_piece()
+    if state.patches is not None and patch_motion is not None:
+        patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     background = key.behind_it(view) if params.background is not None else None
     sources = Sources(
         *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,

@@ -23,6 +23,7 @@ from roam_core.proposal.cues.exposure import UNCHANGED, Light
 from roam_core.proposal.cues.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.cues.label_propagation import LabelPropagation
 from roam_core.proposal.cues.patch_sides import PatchSides
+from roam_core.threads import beside
 
 SURE = 4.0
 """Nats given to pixels too deep inside or too far outside to be in doubt."""
@@ -250,14 +251,10 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
     heard: Float32 | np.float32 = np.float32(1.0)
     if label_propagation is not None:
         heard = np.float32(1.0) - np.float32(1.0 - params.beside_label_propagation) * sources.reliability
+    known_and_texture = beside(lambda: tuple(_known_and_texture(sources, params)))
     for name, cue in _own_cues(sources, params):
         yield name, np.asarray(heard * cue)
-    if sources.background is not None and params.background is not None:
-        outside = ~(sources.band | sources.expected.possible)
-        yield "background", sources.background.log_ratio(sources.lab, outside, params.background)
-    if sources.texture is not None:
-        told = sources.texture.log_ratio(sources.texture_around, sources.band, params.clip)
-        yield "texture", np.float32(params.texture_weight) * told
+    yield from known_and_texture()
     if label_propagation is None:
         return
     brought = label_propagation.log_ratio
@@ -265,6 +262,16 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
         brought = brought + patches.inside * (np.float32(1.0) - brought)
         yield "patches", np.float32(-params.patches_outside) * patches.outside
     yield "lineage", np.float32(params.label_propagation_weight) * brought
+
+
+def _known_and_texture(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """What the key shows around the object, and what the trees say."""
+    if sources.background is not None and params.background is not None:
+        outside = ~(sources.band | sources.expected.possible)
+        yield "background", sources.background.log_ratio(sources.lab, outside, params.background)
+    if sources.texture is not None:
+        told = sources.texture.log_ratio(sources.texture_around, sources.band, params.clip)
+        yield "texture", np.float32(params.texture_weight) * told
 
 
 def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 
@@ -42,6 +43,19 @@ def test_a_turning_blob_is_followed_below_a_pixel(config: str, blob_shot: Shot) 
     shape = tracked(blob_shot, config)
     for frame in blob_shot.frames:
         assert outline_distance(shape.at(frame).points, blob_shot.truth(frame)) < 1.0
+
+
+def test_two_threads_give_the_bits_of_one(config: str, blob_shot: Shot) -> None:
+    before, runs = cv2.getNumThreads(), []
+    try:
+        for count in (1, 2):
+            cv2.setNumThreads(count)
+            runs.append(tracked(blob_shot, config))
+    finally:
+        cv2.setNumThreads(before)
+    for ours, theirs in zip(runs[0].keys, runs[1].keys, strict=True):
+        np.testing.assert_array_equal(ours.points, theirs.points)
+        assert ours.confidence == theirs.confidence
 
 
 def test_a_result_says_what_became_of_its_frame(config: str, blob_shot: Shot) -> None:
