@@ -28,7 +28,9 @@ class KeyDrag:
     ) -> None:
         self._document, self._axis, self._chosen, self._moved, self._copied = document, axis, chosen, moved, copied
         self._places = unlocked(document.project, chosen.places)
-        self._shown: tuple[int, float, bool] = (0, 0.0, False)
+        self._asked: tuple[int, float, bool] = (0, 0.0, False)
+        self._made: tuple[Project, tuple[int, float, bool]] | None = None
+        """What the preview was made of: within a frame the pointer moves often, and nothing with it."""
         self.frames = 0
         """By how many frames the chosen keys are shifted where they are shown."""
         if not self._places:
@@ -36,20 +38,13 @@ class KeyDrag:
 
     def to(self, frames: int, amount: float, *, copies: bool = False) -> None:
         """Preview the keys, or copies of them, shifted by whole frames, none out of the clip, and keys by an amount."""
-        frames = self._inside(frames)
-        if (frames, amount, copies) == self._shown or not self._places:
-            return
-        self._shown, self.frames = (frames, amount, copies), frames
-        project, preview = self._document.project, None
-        if frames and copies:
-            preview = self._copied(project, self._places, frames)
-        elif not copies and (frames or amount):
-            preview = self._moved(project, self._places, frames, amount)
-        self._axis.view_state.set_preview(preview)
+        self._asked = frames, amount, copies
+        self._preview()
 
     def finish(self) -> None:
         """Make what was previewed an edit."""
-        preview, (frames, amount, copies) = self._axis.view_state.preview, self._shown
+        self._preview()
+        preview, (_, amount, copies), frames = self._axis.view_state.preview, self._asked, self.frames
         self._axis.view_state.set_preview(None)
         if preview is not None:
             moving = tr("Change keys") if amount else tr("Move keys")
@@ -60,6 +55,20 @@ class KeyDrag:
     def cancel(self) -> None:
         """Leave everything as it was before the press."""
         self._axis.view_state.set_preview(None)
+
+    def _preview(self) -> None:
+        """Show what was asked for, of the project as it is now: frames tracked meanwhile stay."""
+        project, (asked, amount, copies) = self._document.project, self._asked
+        self._places &= unlocked(project, self._chosen.places)
+        frames = self._inside(asked)
+        if self._made == (project, (frames, amount, copies)):
+            return
+        self._made, self.frames, preview = (project, (frames, amount, copies)), frames, None
+        if frames and copies and self._places:
+            preview = self._copied(project, self._places, frames)
+        elif not copies and (frames or amount) and self._places:
+            preview = self._moved(project, self._places, frames, amount)
+        self._axis.view_state.set_preview(preview)
 
     def _inside(self, frames: int) -> int:
         own = [frame for _, _, frame in self._places]

@@ -58,7 +58,7 @@ class ValueRows(RowBand[KeyedValue]):
         self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self._drag: KeyDrag | None = None
         self._lines: dict[tuple[str, Kind], tuple[Animated, TimeScale, QPolygonF]] = {}
-        self._pressed, self._is_drag, self._presses = QPointF(), False, 0
+        self._pressed, self._pressed_time, self._is_drag, self._presses = QPointF(), 0.0, False, 0
         self.menu = QMenu(self)
         """What a right click offers."""
         self.setAccessibleName(tr("Keys of opacity and feather"))
@@ -94,6 +94,7 @@ class ValueRows(RowBand[KeyedValue]):
             self._select(row)
             return
         place, self._pressed, self._is_drag = self.key_at(at), at, False
+        self._pressed_time = self._axis.scale.time(at.x())
         if place is None:
             self._chosen.clear()
             self._axis.scrub(at.x())
@@ -116,7 +117,7 @@ class ValueRows(RowBand[KeyedValue]):
         self._is_drag = self._is_drag or (at - self._pressed).manhattanLength() > STILL
         if self._is_drag:
             self._axis.bring_in(at.x())
-            frames = round((at.x() - self._pressed.x()) / self._axis.scale.pixels)
+            frames = round(self._axis.scale.time(at.x()) - self._pressed_time)
             self._drag.to(frames, 0.0, copies=bool(event.modifiers() & COPIES))
             self.update()
 
