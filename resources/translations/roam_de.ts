@@ -1114,6 +1114,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ziehen zum Scrubben, Mausrad zum Zoomen, Umschalt+Mausrad zum Verschieben, Doppelklick zeigt den ganzen Clip</translation>
     </message>
     <message>
+        <source>Drag to stretch the chosen keys in time</source>
+        <translation>Ziehen streckt die gewählten Keyframes in der Zeit</translation>
+    </message>
+    <message>
         <source>Draw a Bezier shape: click corners, drag curves</source>
         <translation>Bézier-Form zeichnen: Ecken klicken, Kurven ziehen</translation>
     </message>
@@ -4109,6 +4113,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Stopped; pictures that are finished stay.</source>
         <translation>Angehalten; die fertigen Bilder bleiben.</translation>
+    </message>
+    <message>
+        <source>Stretch keys</source>
+        <translation>Keyframes strecken</translation>
+    </message>
+    <message>
+        <source>Stretch {keys}: they go from frame {first} to {last}.</source>
+        <translation>{keys} strecken: sie reichen von Bild {first} bis {last}.</translation>
     </message>
     <message>
         <source>Subtract</source>

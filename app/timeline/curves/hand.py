@@ -138,7 +138,7 @@ class CurveHand:
         """Keys go with the pointer, whole frames and any value; with Shift only where it went farther."""
         assert self._start is not None
         if self._drag is None:
-            self._drag = KeyDrag(self._document, self._axis, self._chosen, self._verbs.moved, self._verbs.copied)
+            self._drag = KeyDrag(self._document, self._axis, self._chosen, self._verbs)
         assert self._found.key is not None
         factor, away = SHOWN_AS[Kind(self._found.key[1])][0], event.position() - self._start
         self._axis.bring_in(event.position().x() + LABEL_WIDTH)
