@@ -60,7 +60,7 @@ class PlanarTrack(QObject):
     """Follows the plane under shapes and keeps what it finds as the motion of a layer around them.
 
     The shapes stay the artist's: they may be edited while the track runs. `read(frame)` gives plate frames in the
-    engine's colours; the worker calls it.
+    engine's colours; the worker calls it. `make_way()` ends other runs of the runner as they want to be ended.
 
     Signals
     -------
@@ -76,10 +76,17 @@ class PlanarTrack(QObject):
     doubted = Signal(str)
 
     def __init__(
-        self, document: Document, view_state: ViewState, runner: Runner, read: ReadFrame, parent: QObject | None = None
+        self,
+        document: Document,
+        view_state: ViewState,
+        runner: Runner,
+        read: ReadFrame,
+        parent: QObject | None = None,
+        make_way: Callable[[], object] = lambda: None,
     ) -> None:
         super().__init__(parent)
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
+        self._make_way = make_way
         self._run: _Run | None = None
         document.changed.connect(self._guard)
         document.replaced.connect(self.drop)
@@ -105,6 +112,7 @@ class PlanarTrack(QObject):
         moves: every frame gets a key on which these points of shapes are moved alone.
         """
         self.drop()
+        self._make_way()
         project, read = self._document.project, self._read
         shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
         legs = (frames,) if vertices else legs_of(frames, adjusted_frames(project, shape_ids))

@@ -84,7 +84,7 @@ class Propagation(QObject):
         The others of their objects are solved with them, unless each is to be solved `alone`. It ends the run under
         way; fills of other shapes, that one among them, go on after it.
         """
-        self._make_way(shape_ids)
+        self.make_way(shape_ids)
         self._start_tracking(shape_ids, frames, config, f"track-{next(_run_numbers)}", alone=alone)
 
     def _start_tracking(
@@ -112,20 +112,29 @@ class Propagation(QObject):
     ) -> None:
         """Fill gaps between artist keys of the shapes from both ends; each gap arrives when it is finished.
 
-        While other shapes are filled it waits for its turn.
+        While other shapes are filled, or a surface is tracked, it waits for its turn.
         """
         keeps_undone = not self._document.undo_stack.canRedo()
         begin = partial(self._start_filling, config, alone, keeps_undone, f"track-{next(_run_numbers)}")
         if self._run is not None and self._run.verb == FILL and not self._run.expected.keys() & set(shape_ids):
             self._waiting.add(shape_ids, gaps, begin)
-            names = _names([self._document.project.shape(shape_id) for shape_id in shape_ids])
-            self._view.say(tr("Filling {names} begins when the fill under way has ended.", names=names))
+            sentence = tr("Filling {names} begins when the fill under way has ended.", names=self._named(shape_ids))
+            self._view.say(sentence)
             return
-        self._make_way(shape_ids)
+        if self._run is None and self._runner.running("track") is not None:  # a planar track
+            self._waiting.leave_out(shape_ids)
+            self._waiting.add(shape_ids, gaps, begin)
+            self._view.say(tr("Filling {names} begins when the planar track has ended.", names=self._named(shape_ids)))
+            self._go_on()
+            return
+        self.make_way(shape_ids)
         begin(shape_ids, gaps)
 
-    def _make_way(self, shape_ids: Sequence[str]) -> None:
-        """End the run under way; fills of other shapes, that one among them, go on after the one that comes now."""
+    def make_way(self, shape_ids: Sequence[str] = ()) -> None:
+        """End the run under way; fills of other shapes, that one among them, go on after the one that comes now.
+
+        That may be a planar track: it carries shapes, and fills none.
+        """
         run = self._run
         is_wanted = run is not None and not run.job.token.is_cancelled and not run.expected.keys() <= set(shape_ids)
         if run is not None and run.begin_again is not None and is_wanted:
@@ -134,6 +143,9 @@ class Propagation(QObject):
         self._waiting.leave_out(shape_ids)
         if run is not None:
             run.job.drop()
+
+    def _named(self, shape_ids: Sequence[str]) -> str:
+        return _names([self._document.project.shape(shape_id) for shape_id in shape_ids])
 
     def _fill_on(
         self, begin: Callable[[Sequence[str], Sequence[Gap]], None], merge_key: str, shape_ids: Sequence[str],

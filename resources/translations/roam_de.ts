@@ -1383,6 +1383,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Das Füllen von {names} beginnt, sobald das laufende zu Ende ist.</translation>
     </message>
     <message>
+        <source>Filling {names} begins when the planar track has ended.</source>
+        <translation>Das Füllen von {names} beginnt, sobald der Flächen-Track zu Ende ist.</translation>
+    </message>
+    <message>
         <source>Find an action…</source>
         <translation>Aktion finden…</translation>
     </message>
@@ -4120,7 +4124,7 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     </message>
     <message>
         <source>Stretch {keys}: they go from frame {first} to {last}.</source>
-        <translation>{keys} strecken: sie reichen von Bild {first} bis {last}.</translation>
+        <translation>{keys} strecken: sie reichen von Frame {first} bis {last}.</translation>
     </message>
     <message>
         <source>Subtract</source>

@@ -14,8 +14,8 @@ from ...model.document import Document
 from ...translation import N_, tr
 from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
-from ..stretch import End, Stretch, told
 from .selection import KeySelection
+from .stretch import End, Stretch, told
 from .verbs import count_of, unlocked
 
 MOVING = N_("Move {keys} {frames}: {first} to {last}.")

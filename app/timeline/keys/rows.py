@@ -30,11 +30,11 @@ from ...translation import tr
 from ..axis import TimeAxis, paint_playhead
 from ..marks import KeyMarks, MarksOf
 from ..scale import LABEL_WIDTH
-from ..stretch import TIP, End, StretchEnds
 from .depth_marks import change_at
 from .hand import KeyHand
 from .row_painter import ROW, RowPainter
 from .selection import KeySelection
+from .stretch import TIP, End, StretchEnds
 from .tips import key_tip
 
 GRAB = 6

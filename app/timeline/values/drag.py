@@ -9,8 +9,8 @@ from roam_core.roto import Project
 from ...model.document import Document
 from ...translation import tr
 from ..axis import TimeAxis
+from ..keys.stretch import Stretch, told
 from ..keys.verbs import count_of
-from ..stretch import Stretch, told
 from .selection import ValueSelection
 from .verbs import LOCKED, ValueVerbs, unlocked
 

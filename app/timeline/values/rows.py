@@ -28,9 +28,9 @@ from ...model.document import Document
 from ...translation import tr
 from ..axis import TimeAxis
 from ..keys.row_painter import BACKGROUND, ROW
+from ..keys.stretch import TIP, End, Stretch, StretchEnds
 from ..row_band import RowBand
 from ..scale import LABEL_WIDTH, TimeScale, whole_frames
-from ..stretch import TIP, End, Stretch, StretchEnds
 from .drag import KeyDrag
 from .key_forms import form_of, paint_key
 from .selection import ValueSelection

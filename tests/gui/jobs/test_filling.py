@@ -13,6 +13,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.jobs.filling import gaps_of
+from app.jobs.planar import PlanarTrack
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
@@ -20,6 +21,7 @@ from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
 from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
+from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.media import DamagedFrame, MissingFrame
 from roam_core.propagate.between import span
 from roam_core.propagate.shapes.provenance import Stamps
@@ -84,6 +86,30 @@ def propagation(document: Document, view_state: ViewState, runner: Runner, engin
     project = project.with_shape(edit.key_here(edit.key_here(first, 4), 7)).with_shape(edit.key_here(second, 7))
     document.open(project, None)
     return Propagation(document, view_state, runner, lambda frame: RAMP)
+
+
+@pytest.fixture
+def held(document: Document, view_state: ViewState, runner: Runner, propagation: Propagation) -> HeldTrack:
+    return HeldTrack(document, view_state, runner, propagation)
+
+
+class HeldTrack:
+    """A planar track that waits for its first picture until it is ended."""
+
+    def __init__(self, document: Document, view: ViewState, runner: Runner, propagation: Propagation) -> None:
+        self._picture = threading.Event()
+        self.track = PlanarTrack(document, view, runner, self._read, None, propagation.make_way)
+
+    def begin(self) -> None:
+        self.track.start(["shape-2"], range(1, 8), PlaneMotion.SIMILARITY)
+
+    def end(self) -> None:
+        self.track.drop()
+        self._picture.set()
+
+    def _read(self, frame: int) -> UInt8:
+        assert self._picture.wait(WAIT / 1000)
+        return RAMP
 
 
 def engine_frames(document: Document, shape_id: str = "shape-1") -> list[int]:
@@ -351,6 +377,39 @@ def test_a_fill_that_waits_begins_after_a_planar_track_that_took_the_place_of_th
     may_end.set()
     qtbot.waitUntil(lambda: bool(engine_frames(document, "shape-2")) and not propagation.is_running, timeout=WAIT)
     assert engine_frames(document) == []
+
+
+def test_a_fill_goes_on_after_a_planar_track_that_is_begun_while_it_runs(
+    qtbot: QtBot, propagation: Propagation, document: Document, held: HeldTrack, engine: Engine
+) -> None:
+    """It ended there, and nobody said so but the status bar."""
+    propagation.fill(["shape-1"], GAPS)
+    engine.allow(1)
+    qtbot.waitUntil(lambda: bool(engine_frames(document)), timeout=WAIT)
+    first = engine_frames(document)
+    said: list[str] = []
+    propagation.finished.connect(lambda _ending, sentence: said.append(sentence))
+    held.begin()
+    assert (said[0].endswith("It goes on after what begins now."), propagation.is_running) == (True, False)
+    engine.allow(len(GAPS))
+    held.end()
+    qtbot.waitUntil(lambda: len(engine_frames(document)) > len(first) and not propagation.is_running, timeout=WAIT)
+    assert engine_frames(document) == [2, 3, 5, 6]
+    assert document.undo_stack.count() == 1
+
+
+def test_a_fill_that_is_begun_while_a_surface_is_tracked_waits_for_it(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, held: HeldTrack, engine: Engine
+) -> None:
+    """It ended the track."""
+    held.begin()
+    propagation.fill(["shape-1"], GAPS)
+    assert view_state.message == "Filling Shape 1 begins when the planar track has ended."
+    engine.allow(len(GAPS))
+    qtbot.wait(50)
+    assert (held.track.is_running, propagation.is_running) == (True, False)
+    held.end()
+    qtbot.waitUntil(lambda: len(engine_frames(document)) == 4 and not propagation.is_running, timeout=WAIT)
 
 
 @pytest.mark.parametrize("way", ["stop", "drop", "gone", "keyed", "locked"])

@@ -10,9 +10,9 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from roam_core.roto.timing import stretched
 
-from .. import style
-from ..translation import N_, tr
-from .axis import TimeAxis
+from ... import style
+from ...translation import N_, tr
+from ..axis import TimeAxis
 
 GRAB = 4.0
 """Pixels around a bracket in which a press takes hold of it."""

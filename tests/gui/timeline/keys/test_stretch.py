@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.timeline.stretch import BESIDE, TIP
+from app.timeline.keys.stretch import BESIDE, TIP
 from app.timeline.timeline import Timeline
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Animated, ValueKey, edit
