@@ -21,7 +21,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
 from .filling import Filled, FillRequest, Gap, WaitingFills, fill
-from .propagation_run import FILL, TRACK, Run
+from .propagation_run import FILL, TRACK, Run, told_of
 from .runner import Ending, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -282,10 +282,8 @@ class Propagation(QObject):
         touched += [shape for i, shape in run.beside.items() if i in ids and self._is_changed(shape)]
         project = self._document.project  # a layer that is locked tells of itself alone
         locked = [shape for i, shape in run.expected.items() if project.has(i) and project.is_locked(i)]
-        if touched:
-            run.ended_by = tr("{name} was changed meanwhile.", name=touched[0].name)
-        elif locked:
-            run.ended_by = tr("{name} was locked meanwhile.", name=locked[0].name)
+        if touched or locked:
+            run.ended_by = told_of(project, (touched or locked)[0])
         if touched or locked:
             run.job.drop()  # what waits for it goes on
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from roam_core.params import is_doubtful
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import Keyframe, Project, RotoShape
 
 from ..translation import N_, tr
 from .filling import Gap
@@ -13,6 +13,15 @@ from .runner import Job
 
 TRACK, FILL = N_("Track"), N_("Fill")
 """What the two kinds of run are called in the undo list."""
+
+
+def told_of(project: Project, shape: RotoShape) -> str:
+    """What was done to a shape that ended a run."""
+    if not project.has(shape.id):
+        return tr("{name} was deleted meanwhile.", name=shape.name)
+    if project.is_locked(shape.id):
+        return tr("{name} was locked meanwhile.", name=shape.name)
+    return tr("{name} was changed meanwhile.", name=shape.name)
 
 
 class Run:

@@ -190,6 +190,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n shape(s) not tracked: their first keys lie ahead. Track from there, or set keys here (&lt;key.set&gt;).</source>
+        <translation>
+            <numerusform>%n Form nicht getrackt: ihre ersten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
+            <numerusform>%n Formen nicht getrackt: ihre ersten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s) not tracked: their last keys lie ahead. Track from there, or set keys here (&lt;key.set&gt;).</source>
+        <translation>
+            <numerusform>%n Form nicht getrackt: ihre letzten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
+            <numerusform>%n Formen nicht getrackt: ihre letzten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n tracked frame(s)</source>
         <translation>
             <numerusform>%n getrackter Frame</numerusform>
@@ -6376,6 +6390,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist noch nicht gespeichert.</translation>
     </message>
     <message>
+        <source>{name} is not tracked: its first key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>
+        <translation>{name} wird nicht getrackt: Der erste Keyframe liegt auf Frame {key}. Von dort tracken oder hier einen setzen (&lt;key.set&gt;).</translation>
+    </message>
+    <message>
+        <source>{name} is not tracked: its last key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>
+        <translation>{name} wird nicht getrackt: Der letzte Keyframe liegt auf Frame {key}. Von dort tracken oder hier einen setzen (&lt;key.set&gt;).</translation>
+    </message>
+    <message>
         <source>{name} is open; close it (&lt;points.toggle_closed&gt; in the viewer) to track it.</source>
         <translation>{name} ist offen; zum Tracken bitte schließen (&lt;points.toggle_closed&gt; im Viewer).</translation>
     </message>
@@ -6398,6 +6420,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} was changed meanwhile.</source>
         <translation>{name} wurde inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>{name} was deleted meanwhile.</source>
+        <translation>{name} wurde inzwischen gelöscht.</translation>
     </message>
     <message>
         <source>{name} was locked meanwhile.</source>
