@@ -284,8 +284,17 @@ class Propagation(QObject):
         locked = [shape for i, shape in run.expected.items() if project.has(i) and project.is_locked(i)]
         if touched or locked:
             run.ended_by = told_of(project, (touched or locked)[0])
+            self._fill_rest(run, [*touched, *locked])
         if touched or locked:
             run.job.drop()  # what waits for it goes on
+
+    def _fill_rest(self, run: Run, hit: Sequence[RotoShape]) -> None:
+        """A fill whose shapes were locked or deleted, some of them and nothing else, goes on with the others."""
+        project = self._document.project
+        gone = {each.id for each in hit if not project.has(each.id) or project.is_locked(each.id)}
+        if run.begin_again is not None and all(each.id in gone for each in hit) and run.expected.keys() - gone:
+            self._waiting.add_first(list(run.expected), run.gaps, run.begin_again)
+            run.ended_by += tr(" It goes on with the others.")
 
     def _is_touched(self, expected: RotoShape) -> bool:
         project = self._document.project

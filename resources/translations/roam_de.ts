@@ -39,6 +39,10 @@
         <translation> GB</translation>
     </message>
     <message>
+        <source> It goes on with the others.</source>
+        <translation> Es geht mit den anderen weiter.</translation>
+    </message>
+    <message>
         <source> Its plate was found at {path}; save to keep that.</source>
         <translation> Die Plate wurde in {path} gefunden; durch Speichern bleibt das so.</translation>
     </message>
