@@ -394,6 +394,7 @@ def test_a_run_leaves_the_playhead_alone_while_the_clip_is_played(
 ) -> None:
     """Also where it comes by the frame that the run showed last: it would jump."""
     playback = Playback(view_state, clock=lambda: 0.0)
+    view_state.set_play_range(1, 6)  # a tick takes the playhead into it
     engine.allow(1)
     propagation.start(["shape-1"], range(1, 6))
     qtbot.waitUntil(lambda: view_state.frame == 2, timeout=WAIT)
