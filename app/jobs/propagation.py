@@ -313,7 +313,7 @@ class Propagation(QObject):
         if ending is Ending.CANCELLED:
             sentence = f"{run.stopped_sentence()} {run.ended_by}".rstrip()
         elif ending is Ending.DONE:
-            sentence = f"{sentence} {run.doubt_sentence()}".rstrip()
+            sentence = f"{sentence} {run.doubt_sentence(self._view.frame)}".rstrip()
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
         self._go_on()

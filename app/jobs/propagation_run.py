@@ -74,8 +74,11 @@ class Run:
             return tr("Filling stopped before a gap was finished.")
         return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
 
-    def doubt_sentence(self) -> str:
+    def doubt_sentence(self, frame: int) -> str:
+        """How many frames the engine doubts, and what goes to them from this one."""
         doubtful = len(self._doubtful)
         if not doubtful:
             return ""
+        if max(self._doubtful) <= frame:
+            return tr("%n doubtful frame(s): <track.most_doubtful> goes to the worst one.", "", doubtful)
         return tr("%n doubtful frame(s): <track.next_doubtful> goes to the next one.", "", doubtful)

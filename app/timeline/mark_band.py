@@ -75,6 +75,8 @@ class MarkBand(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         mark = self.mark_at(event.position().x())
+        if self._held is not None:
+            return  # another button, as that of a pen, while one is dragged
         if event.button() == Qt.MouseButton.RightButton and mark is not None:
             self._document.apply(tr("Remove mark"), timing.remove_mark(self._document.project, mark.frame))
         elif event.button() == Qt.MouseButton.LeftButton:
@@ -99,6 +101,8 @@ class MarkBand(QWidget):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """What was dragged is one undo step."""
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
         moved = self._moved()
         self._let_go()
         self._document.apply(tr("Move mark"), moved)

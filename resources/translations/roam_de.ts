@@ -106,6 +106,13 @@
         <translation>Zweifelhafte Frames: %n</translation>
     </message>
     <message numerus="yes">
+        <source>%n doubtful frame(s): &lt;track.most_doubtful&gt; goes to the worst one.</source>
+        <translation>
+            <numerusform>%n zweifelhafter Frame: &lt;track.most_doubtful&gt; geht zum schlechtesten.</numerusform>
+            <numerusform>%n zweifelhafte Frames: &lt;track.most_doubtful&gt; geht zum schlechtesten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n doubtful frame(s): &lt;track.next_doubtful&gt; goes to the next one.</source>
         <translation>
             <numerusform>%n zweifelhafter Frame: &lt;track.next_doubtful&gt; springt zum nächsten.</numerusform>
@@ -6384,6 +6391,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is fitted: drag the points to adjust, &lt;track.forward&gt; tracks forward.</source>
         <translation>{name} ist angepasst: zum Korrigieren die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
+    </message>
+    <message>
+        <source>{name} is locked; unlock it to remove its adjust keys.</source>
+        <translation>{name} ist gesperrt; zum Entfernen der Anpassungs-Keyframes entsperren.</translation>
     </message>
     <message>
         <source>{name} is locked; unlock it to track it.</source>

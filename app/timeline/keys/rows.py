@@ -142,7 +142,9 @@ class KeyRows(QAbstractScrollArea):
             self.hand.release(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first."""
+        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first. None in a drag."""
+        if self.hand.is_busy:
+            return
         place = self.key_at(QPointF(event.pos()))
         if place is not None and place not in self._keys.places:
             self._keys.select(frozenset({place}))

@@ -134,8 +134,10 @@ class ValueRows(RowBand[KeyedValue]):
             self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
         drag, self._drag = self._drag, None
-        if drag is None or event.button() != Qt.MouseButton.LeftButton:
+        if drag is None:
             return
         if self._is_drag:
             drag.finish()
@@ -150,7 +152,9 @@ class ValueRows(RowBand[KeyedValue]):
             self._axis.view_state.set_frame(place[2])
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first."""
+        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first. None in a drag."""
+        if self._drag is not None:
+            return
         place = self.key_at(QPointF(event.pos()))
         if place is not None and place not in self._chosen.places:
             self._chosen.select(frozenset({place}))

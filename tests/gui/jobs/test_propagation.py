@@ -64,7 +64,7 @@ def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
     assert finished.args == [
         Ending.DONE,
         "Tracked Shape 1 to frame 5: 4 frames, 10 ms each. "
-        "1 doubtful frame: <track.next_doubtful> goes to the next one.",
+        "1 doubtful frame: <track.most_doubtful> goes to the worst one.",
     ]
     document.undo_stack.undo()
     assert document.project is before
@@ -238,7 +238,6 @@ def test_a_run_that_an_edit_ends_says_of_what(
 def test_a_run_that_ends_with_its_shape_says_so(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
-    """It was called changed."""
     run_to_the_third_frame(qtbot, propagation, document, engine)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
         document.apply("Delete", edit.remove_items(document.project, ["shape-1"]))
@@ -438,3 +437,14 @@ def test_opening_another_project_ends_the_run(
     engine.allow(4)
     qtbot.wait(50)
     assert document.project == Project()
+
+
+def test_of_doubtful_frames_ahead_the_next_one_is_offered(
+    qtbot: QtBot, propagation: Propagation, view_state: ViewState, engine: GlidingEngine
+) -> None:
+    view_state.set_frame(2)
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.start(["shape-1"], range(1, 6))
+        view_state.set_frame(1)
+    assert finished.args[1].endswith("1 doubtful frame: <track.next_doubtful> goes to the next one.")

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -17,7 +17,7 @@ from app.timeline.timeline import Timeline
 from roam_core.roto import Animated, Keyframe, Mark, Origin, Project, ValueKey, edit, timing
 from tests.gui.timeline.places import SQUARE, place, x_of
 
-LEFT, NO_BUTTON = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+LEFT, RIGHT, NO_BUTTON = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
 FADES = Animated((ValueKey(1005, 0.2), ValueKey(1020, 0.8, slopes=(0.0, 0.0)), ValueKey(1035, 0.5)))
 Drag = tuple[QWidget, QPointF, QPointF]
 """Where a drag happens, where it begins and where it ends."""
@@ -151,3 +151,31 @@ def test_a_key_that_is_dragged_out_of_sight_stays_under_the_pointer(
     opacity = document.project.shape("shape-1").opacity
     assert isinstance(opacity, Animated)
     assert 1048 in opacity.frames
+
+
+def a_key_of_a_shape(timeline: Timeline) -> Drag:
+    row = next(index for index, shape in enumerate(timeline.rows.rows()) if shape.id == "shape-1")
+    return timeline.rows.viewport(), QPointF(place(timeline, 1030, row)), QPointF(place(timeline, 1034, row))
+
+
+@pytest.mark.parametrize("gesture", [*DRAGS, a_key_of_a_shape])
+def test_the_other_button_of_a_pen_means_nothing_during_a_drag(
+    busy: Timeline, document: Document, view_state: ViewState, gesture: Callable[[Timeline], Drag]
+) -> None:
+    """A menu took the release away, or the drag was let go of: what it showed stayed in the viewer."""
+    held = gesture(busy)
+    widget, end, before = held[0], held[2], document.project
+
+    def press_the_other() -> None:
+        for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
+            spots = end, QPointF(widget.mapToGlobal(end))
+            QApplication.sendEvent(widget, QMouseEvent(kind, *spots, RIGHT, LEFT, Qt.KeyboardModifier.NoModifier))
+        menu = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, end.toPoint(), widget.mapToGlobal(end).toPoint())
+        QApplication.sendEvent(widget, menu)
+
+    drag(held, press_the_other)
+    menus = busy.rows.menu, busy.value_rows.menu, busy.curves.plot.menu
+    assert not any(menu.isVisible() for menu in menus)
+    assert view_state.preview is None
+    assert document.project != before
+    assert len(document.project.marks) == 1
