@@ -108,8 +108,8 @@
     <message numerus="yes">
         <source>%n doubtful frame(s): &lt;track.most_doubtful&gt; goes to the worst one.</source>
         <translation>
-            <numerusform>%n zweifelhafter Frame: &lt;track.most_doubtful&gt; geht zum schlechtesten.</numerusform>
-            <numerusform>%n zweifelhafte Frames: &lt;track.most_doubtful&gt; geht zum schlechtesten.</numerusform>
+            <numerusform>%n zweifelhafter Frame: &lt;track.most_doubtful&gt; springt zum schlechtesten.</numerusform>
+            <numerusform>%n zweifelhafte Frames: &lt;track.most_doubtful&gt; springt zum schlechtesten.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6394,7 +6394,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>{name} is locked; unlock it to remove its adjust keys.</source>
-        <translation>{name} ist gesperrt; zum Entfernen der Anpassungs-Keyframes entsperren.</translation>
+        <translation>{name} ist gesperrt; zum Entfernen der Korrektur-Keyframes entsperren.</translation>
     </message>
     <message>
         <source>{name} is locked; unlock it to track it.</source>
