@@ -24,6 +24,10 @@ NO_CLIP = N_("Open a clip first: drop a folder of images or a movie on the windo
 NO_GAP = N_("There is no gap to fill here: set a key (<key.set>) on two frames, with others between them.")
 CLIP_ENDS = N_("The clip ends here: there is no frame to track to.")
 CLIP_BEGINS = N_("The clip begins here: there is no frame to track to.")
+FIRST_KEY, LAST_KEY = (
+    N_("{name} is not tracked: its first key lies on frame {key}. Track from there, or set a key here (<key.set>)."),
+    N_("{name} is not tracked: its last key lies on frame {key}. Track from there, or set a key here (<key.set>)."),
+)
 NO_SHAPE = N_("Draw a shape first: press <tool.bezier> in the viewer.")
 
 
@@ -124,7 +128,8 @@ class Tracking:
     def to_next_key(self) -> None:
         """Track up to the next artist key, on the clip, of the shapes that are tracked; to the end if there is none."""
         frame, clip = self._view.frame, self._clip()
-        later = [key for shape in self._able() for key in shape.artist_frames if key > frame and key in clip]
+        begun = [shape for shape in self._able() if _has_begun(shape, frame, 1)] or self._able()
+        later = [key for shape in begun for key in shape.artist_frames if key > frame and key in clip]
         if not later:
             self.forward()
         elif min(later) == frame + 1:
@@ -181,8 +186,35 @@ class Tracking:
             if len(lived) < 2:
                 self._view.say(does_not_exist(shapes[0], frames[1]))
                 return
-            ids, alone = [shape.id for shape in shapes], self.scope is Scope.ALONE
-            self._propagation.start(ids, lived, self.configuration, alone=alone)
+            if begun := self._begun(shapes, lived):
+                ids, alone = [shape.id for shape in begun], self.scope is Scope.ALONE
+                self._propagation.start(ids, lived, self.configuration, alone=alone)
+
+    def _begun(self, shapes: Sequence[RotoShape], frames: range) -> list[RotoShape]:
+        """The shapes that a run can begin with: their outline on its first frame is no mere copy of a key ahead.
+
+        What is left out is said: there the shape stands still, wherever the object is.
+        """
+        frame, is_forward = frames[0], frames.step > 0
+        begun = [shape for shape in shapes if _has_begun(shape, frame, frames.step)]
+        left_out = [shape for shape in shapes if shape not in begun]
+        if len(left_out) > 1:
+            count = len(left_out)
+            later = tr(
+                "%n shape(s) not tracked: their first keys lie ahead. Track from there, or set keys here (<key.set>).",
+                "",
+                count,
+            )
+            earlier = tr(
+                "%n shape(s) not tracked: their last keys lie ahead. Track from there, or set keys here (<key.set>).",
+                "",
+                count,
+            )
+            self._view.say(later if is_forward else earlier)
+        elif left_out:
+            key = left_out[0].frames[0 if is_forward else -1]
+            self._view.say(tr(FIRST_KEY if is_forward else LAST_KEY, name=left_out[0].name, key=key))
+        return begun
 
     def _gaps_meant(self, gaps: list[Gap]) -> list[Gap]:
         """In and out mean the gaps between them, where they are set around the playhead; otherwise it lies in a gap.
@@ -264,6 +296,11 @@ class Tracking:
         else:
             none = tr("No doubtful frame after frame {frame}.", frame=here)
             self._view.say(none if step > 0 else tr("No doubtful frame before frame {frame}.", frame=here))
+
+
+def _has_begun(shape: RotoShape, frame: int, step: int) -> bool:
+    """Whether a run in this direction finds a key of a shape on its first frame, or behind it."""
+    return shape.frames[0] <= frame if step > 0 else shape.frames[-1] >= frame
 
 
 def _as_long_as_any_exists(frames: range, shapes: Sequence[RotoShape]) -> range:

@@ -24,6 +24,7 @@ from ..model.document import Document
 from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState
 from ..translation import tr
+from .propagation_run import told_of
 from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -42,7 +43,7 @@ class _Run:
     """
 
     job: Job
-    shape_ids: tuple[str, ...]
+    shapes: tuple[RotoShape, ...]
     start: int
     shown_frame: int
     merge_key: str
@@ -54,13 +55,19 @@ class _Run:
     warned: bool = False
     reached: int | None = None
     keeps_undone: bool = False
+    ended_by: str = ""
+    """What was done to which shape that ended the run; empty where nothing was."""
+
+    @property
+    def shape_ids(self) -> tuple[str, ...]:
+        return tuple(shape.id for shape in self.shapes)
 
 
 class PlanarTrack(QObject):
     """Follows the plane under shapes and keeps what it finds as the motion of a layer around them.
 
     The shapes stay the artist's: they may be edited while the track runs. `read(frame)` gives plate frames in the
-    engine's colours; the worker calls it.
+    engine's colours; the worker calls it. `make_way()` ends other runs of the runner as they want to be ended.
 
     Signals
     -------
@@ -76,10 +83,17 @@ class PlanarTrack(QObject):
     doubted = Signal(str)
 
     def __init__(
-        self, document: Document, view_state: ViewState, runner: Runner, read: ReadFrame, parent: QObject | None = None
+        self,
+        document: Document,
+        view_state: ViewState,
+        runner: Runner,
+        read: ReadFrame,
+        parent: QObject | None = None,
+        make_way: Callable[[], object] = lambda: None,
     ) -> None:
         super().__init__(parent)
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
+        self._make_way = make_way
         self._run: _Run | None = None
         document.changed.connect(self._guard)
         document.replaced.connect(self.drop)
@@ -105,6 +119,7 @@ class PlanarTrack(QObject):
         moves: every frame gets a key on which these points of shapes are moved alone.
         """
         self.drop()
+        self._make_way()
         project, read = self._document.project, self._read
         shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
         legs = (frames,) if vertices else legs_of(frames, adjusted_frames(project, shape_ids))
@@ -115,7 +130,7 @@ class PlanarTrack(QObject):
         job.ended.connect(self._end)
         merge_key = f"planar-{next(_run_numbers)}"
         counts = {shape.id: shape.point_count for shape in shapes}
-        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, "", points, vertices, counts)
+        self._run = _Run(job, tuple(shapes), frames[0], self._view.frame, merge_key, "", points, vertices, counts)
         self._run.keeps_undone = not self._document.undo_stack.canRedo()
         self.progress.emit(0.0, tr("Starting the planar track …"))
         self.running_changed.emit()
@@ -167,7 +182,9 @@ class PlanarTrack(QObject):
         run, project = self._run, self._document.project
         if run is None:
             return
-        there = all(project.has(shape_id) and not project.is_locked(shape_id) for shape_id in run.shape_ids)
+        gone = [shape for shape in run.shapes if not project.has(shape.id) or project.is_locked(shape.id)]
+        there = not gone
+        run.ended_by = told_of(project, gone[0]) if gone else ""
         if run.layer_id and there:
             layer = project.find(run.layer_id) if project.has(run.layer_id) else None
             there = isinstance(layer, Layer) and layer.transform == run.expected
@@ -186,7 +203,7 @@ class PlanarTrack(QObject):
         if ending is Ending.CANCELLED:
             before = tr("The planar track stopped before a frame was finished; the finished frames stay.")
             there = tr("The planar track stopped at frame {frame}; the finished frames stay.", frame=run.reached)
-            sentence = before if run.reached is None else there
+            sentence = f"{before if run.reached is None else there} {run.ended_by}".rstrip()
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
 

@@ -21,7 +21,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
 from .filling import Filled, FillRequest, Gap, WaitingFills, fill
-from .propagation_run import FILL, TRACK, Run
+from .propagation_run import FILL, TRACK, Run, told_of
 from .runner import Ending, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -84,7 +84,7 @@ class Propagation(QObject):
         The others of their objects are solved with them, unless each is to be solved `alone`. It ends the run under
         way; fills of other shapes, that one among them, go on after it.
         """
-        self._make_way(shape_ids)
+        self.make_way(shape_ids)
         self._start_tracking(shape_ids, frames, config, f"track-{next(_run_numbers)}", alone=alone)
 
     def _start_tracking(
@@ -112,20 +112,29 @@ class Propagation(QObject):
     ) -> None:
         """Fill gaps between artist keys of the shapes from both ends; each gap arrives when it is finished.
 
-        While other shapes are filled it waits for its turn.
+        While other shapes are filled, or a surface is tracked, it waits for its turn.
         """
         keeps_undone = not self._document.undo_stack.canRedo()
         begin = partial(self._start_filling, config, alone, keeps_undone, f"track-{next(_run_numbers)}")
         if self._run is not None and self._run.verb == FILL and not self._run.expected.keys() & set(shape_ids):
             self._waiting.add(shape_ids, gaps, begin)
-            names = _names([self._document.project.shape(shape_id) for shape_id in shape_ids])
-            self._view.say(tr("Filling {names} begins when the fill under way has ended.", names=names))
+            sentence = tr("Filling {names} begins when the fill under way has ended.", names=self._named(shape_ids))
+            self._view.say(sentence)
             return
-        self._make_way(shape_ids)
+        if self._run is None and self._runner.running("track") is not None:  # a planar track
+            self._waiting.leave_out(shape_ids)
+            self._waiting.add(shape_ids, gaps, begin)
+            self._view.say(tr("Filling {names} begins when the planar track has ended.", names=self._named(shape_ids)))
+            self._go_on()
+            return
+        self.make_way(shape_ids)
         begin(shape_ids, gaps)
 
-    def _make_way(self, shape_ids: Sequence[str]) -> None:
-        """End the run under way; fills of other shapes, that one among them, go on after the one that comes now."""
+    def make_way(self, shape_ids: Sequence[str] = ()) -> None:
+        """End the run under way; fills of other shapes, that one among them, go on after the one that comes now.
+
+        That may be a planar track: it carries shapes, and fills none.
+        """
         run = self._run
         is_wanted = run is not None and not run.job.token.is_cancelled and not run.expected.keys() <= set(shape_ids)
         if run is not None and run.begin_again is not None and is_wanted:
@@ -134,6 +143,9 @@ class Propagation(QObject):
         self._waiting.leave_out(shape_ids)
         if run is not None:
             run.job.drop()
+
+    def _named(self, shape_ids: Sequence[str]) -> str:
+        return _names([self._document.project.shape(shape_id) for shape_id in shape_ids])
 
     def _fill_on(
         self, begin: Callable[[Sequence[str], Sequence[Gap]], None], merge_key: str, shape_ids: Sequence[str],
@@ -270,12 +282,19 @@ class Propagation(QObject):
         touched += [shape for i, shape in run.beside.items() if i in ids and self._is_changed(shape)]
         project = self._document.project  # a layer that is locked tells of itself alone
         locked = [shape for i, shape in run.expected.items() if project.has(i) and project.is_locked(i)]
-        if touched:
-            run.ended_by = tr("{name} was changed meanwhile.", name=touched[0].name)
-        elif locked:
-            run.ended_by = tr("{name} was locked meanwhile.", name=locked[0].name)
+        if touched or locked:
+            run.ended_by = told_of(project, (touched or locked)[0])
+            self._fill_rest(run, [*touched, *locked])
         if touched or locked:
             run.job.drop()  # what waits for it goes on
+
+    def _fill_rest(self, run: Run, hit: Sequence[RotoShape]) -> None:
+        """A fill whose shapes were locked or deleted, some of them and nothing else, goes on with the others."""
+        project = self._document.project
+        gone = {each.id for each in hit if not project.has(each.id) or project.is_locked(each.id)}
+        if run.begin_again is not None and all(each.id in gone for each in hit) and run.expected.keys() - gone:
+            self._waiting.add_first(list(run.expected), run.gaps, run.begin_again)
+            run.ended_by += tr(" It goes on with the others.")
 
     def _is_touched(self, expected: RotoShape) -> bool:
         project = self._document.project
@@ -294,7 +313,7 @@ class Propagation(QObject):
         if ending is Ending.CANCELLED:
             sentence = f"{run.stopped_sentence()} {run.ended_by}".rstrip()
         elif ending is Ending.DONE:
-            sentence = f"{sentence} {run.doubt_sentence()}".rstrip()
+            sentence = f"{sentence} {run.doubt_sentence(self._view.frame)}".rstrip()
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
         self._go_on()

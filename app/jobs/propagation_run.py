@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from roam_core.params import is_doubtful
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import Keyframe, Project, RotoShape
 
 from ..translation import N_, tr
 from .filling import Gap
@@ -13,6 +13,15 @@ from .runner import Job
 
 TRACK, FILL = N_("Track"), N_("Fill")
 """What the two kinds of run are called in the undo list."""
+
+
+def told_of(project: Project, shape: RotoShape) -> str:
+    """What was done to a shape that ended a run."""
+    if not project.has(shape.id):
+        return tr("{name} was deleted meanwhile.", name=shape.name)
+    if project.is_locked(shape.id):
+        return tr("{name} was locked meanwhile.", name=shape.name)
+    return tr("{name} was changed meanwhile.", name=shape.name)
 
 
 class Run:
@@ -65,8 +74,11 @@ class Run:
             return tr("Filling stopped before a gap was finished.")
         return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
 
-    def doubt_sentence(self) -> str:
+    def doubt_sentence(self, frame: int) -> str:
+        """How many frames the engine doubts, and what goes to them from this one."""
         doubtful = len(self._doubtful)
         if not doubtful:
             return ""
+        if max(self._doubtful) <= frame:
+            return tr("%n doubtful frame(s): <track.most_doubtful> goes to the worst one.", "", doubtful)
         return tr("%n doubtful frame(s): <track.next_doubtful> goes to the next one.", "", doubtful)

@@ -266,8 +266,11 @@ class PropertiesPanel(QWidget):
             self.push(tr("Rename"), name=name)
         self._pull()
 
-    def _push_frame(self, verb: Callable[[RotoShape, int, range], RotoShape], frame: int, merge_key: str = "") -> None:
-        self.push_each(tr("Lifetime"), lambda shape: verb(shape, frame, self._clip()), merge_key)
+    def _push_frame(self, verb: Callable[..., RotoShape], frame: int, merge_key: str = "") -> None:
+        """Set an end of the lifetimes. A frame that is given takes the other end along where that would lie beyond it;
+        on the way of a drag or of steps the other end would not come back.
+        """
+        self.push_each(tr("Lifetime"), lambda shape: verb(shape, frame, self._clip(), pushes=not merge_key), merge_key)
 
     def _clip(self) -> range:
         return clip_frames(self._document.project, self._view.frame)

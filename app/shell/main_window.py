@@ -124,13 +124,14 @@ class MainWindow(QMainWindow):
         self.export = Export(self.document, self.exporter, self, *asks)
         self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
         self.journal = Journal(self.document, journal_root, self)
-        self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_parts, self)
+        solving = self.document, self.view_state, self.solver
+        self.propagation = Propagation(*solving, self.reader.engine_parts, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.eye = Runner("eye", self)
         self.pictures = PictureWork(self.eye, self, self.reader.full_picture)
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
-        self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.planar = PlanarTrack(*solving, self.reader.engine_frame, self, self.propagation.make_way)
         self.plate_jobs = PlateJobs.of(self.document, self.solver, self.reader.engine_frame, self)
         self.review_job = ReviewJob(self.document, self.exporter, self.reader.frames_of_this_plate, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures

@@ -18,6 +18,7 @@ from ..model.view_state import shapes_in_hand
 from ..translation import tr
 from .axis import TimeAxis, paint_playhead
 from .keys.row_painter import DOUBT
+from .marks import on_each_frame
 from .scale import LABEL_WIDTH
 
 HEIGHT = 30
@@ -93,7 +94,7 @@ class BoilBand(QWidget):
         return list(shapes_in_hand(self._document.project, self._axis.view_state.selection))
 
     def _pull(self, _ids: object = None) -> None:
-        self._most = most_of([self._boil(shape) for shape in self._shown()])
+        self._most = on_each_frame(np.maximum, [self._boil(shape) for shape in self._shown()])
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -111,7 +112,8 @@ class BoilBand(QWidget):
         scale = self._axis.scale
         painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, HEIGHT))
         width = max(scale.pixels - 1.0, 1.0)
-        for frame, value in self._most.tolist():
+        frames = self._most[:, 0]
+        for frame, value in self._most[(frames >= scale.first - 1) & (frames <= scale.last + 1)].tolist():
             colour = QColor(DOUBT if value >= BOILING else CALM)
             top = _y(value)
             painter.fillRect(QRectF(scale.x(int(frame)) - width / 2, top, width, HEIGHT - top), colour)
@@ -120,14 +122,6 @@ class BoilBand(QWidget):
         painter.setClipping(False)
         paint_playhead(painter, self._axis, self)
         painter.end()
-
-
-def most_of(measured: list[Array]) -> Array:
-    """The greatest boil of several shapes on each frame: pairs (frame, pixels) `(K, 2)` in the order of time."""
-    most: dict[float, float] = {}
-    for frame, value in np.concatenate([*measured, np.empty((0, 2))]).tolist():
-        most[frame] = max(value, most.get(frame, 0.0))
-    return np.array(sorted(most.items())).reshape(-1, 2)
 
 
 def _y(pixels: float) -> float:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
@@ -19,7 +17,7 @@ from ..model.document import Document
 from ..model.view_state import shapes_in_hand
 from ..translation import number, tr
 from .axis import TimeAxis
-from .marks import MarksOf
+from .marks import KeyMarks, MarksOf, on_each_frame
 from .scale import LABEL_WIDTH
 
 LEAST_HEIGHT = 60
@@ -94,6 +92,8 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         self._document, self._axis, self._marks = document, axis, marks
         self._pressed = QPointF()
         self._curves: dict[str, pg.PlotCurveItem] = {}
+        self._drawn: dict[str, tuple[KeyMarks, tuple[float, float, float]]] = {}
+        """What each curve shows: a tracked frame changes one of many."""
         self._least = pg.PlotCurveItem(connect="finite", pen=pg.mkPen(LEAST, width=3))
         self._doubt = pg.BarGraphItem(x0=[], x1=[], y0=[], y1=[], pen=None, brush=pg.mkBrush(DOUBT))
         self._box = pg.ViewBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -117,13 +117,14 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         shown = self._shown()
         for shape_id in set(self._curves) - set(shown):
             self._box.removeItem(self._curves.pop(shape_id))
+            self._drawn.pop(shape_id, None)
         for shape_id in shown:
             self._pull_curve(shape_id)
         self._pull_least([self._marks(self._document.project.shape(shape_id)).confidence for shape_id in shown])
 
     def _pull_least(self, shown: list[Array]) -> None:
         """How far the worst of the shapes can be trusted on each frame, and where that is not far enough."""
-        least = least_of(shown)
+        least = on_each_frame(np.minimum, shown)
         self._least.setData(*_with_gaps(least if len(shown) > 1 else least[:0]))
         doubtful = least[least[:, 1] < DOUBTFUL]
         frames, values = doubtful.T
@@ -131,12 +132,16 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
 
     def _pull_curve(self, shape_id: str) -> None:
         shape = self._document.project.shape(shape_id)
+        marks, known = self._marks(shape), self._drawn.get(shape_id)
+        if known is not None and known[0] is marks and known[1] == shape.colour:
+            return
+        self._drawn[shape_id] = marks, shape.colour
         if shape_id not in self._curves:
             self._curves[shape_id] = pg.PlotCurveItem(connect="finite")
             self._box.addItem(self._curves[shape_id], ignoreBounds=True)
         colour = QColor.fromRgbF(*shape.colour)
         self._curves[shape_id].setPen(pg.mkPen(colour, width=1))
-        self._curves[shape_id].setData(*_with_gaps(self._marks(shape).confidence))
+        self._curves[shape_id].setData(*_with_gaps(marks.confidence))
 
     def _pull_time(self) -> None:
         scale = self._axis.scale
@@ -154,6 +159,8 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             self._pull_time()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
         self._pressed = event.position()
         self._axis.scrub(event.position().x() + LABEL_WIDTH)
 
@@ -166,7 +173,8 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
 
         pyqtgraph's own handling is not wanted.
         """
-        if (event.position() - self._pressed).manhattanLength() <= CLICK:
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        if is_left and (event.position() - self._pressed).manhattanLength() <= CLICK:
             self._take(event.position().y())
 
     def _take(self, y: float) -> None:
@@ -207,16 +215,6 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x() + LABEL_WIDTH)
-
-
-def least_of(confidences: Sequence[Array]) -> Array:
-    """The least of several confidences on each frame, as pairs (frame, confidence) `(K, 2)` in the order of time."""
-    pairs = np.concatenate([*confidences, np.empty((0, 2))])
-    if not len(pairs):
-        return pairs
-    pairs = pairs[np.argsort(pairs[:, 0], kind="stable")]
-    starts = np.flatnonzero(np.append(True, np.diff(pairs[:, 0]) > 0))
-    return np.column_stack([pairs[starts, 0], np.minimum.reduceat(pairs[:, 1], starts)])
 
 
 def _with_gaps(confidence: Array) -> tuple[Array, Array]:

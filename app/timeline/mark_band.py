@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPolygonF, QWheelEvent
-from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QSizePolicy, QToolTip, QWidget
 
 from roam_core.roto import Mark, Project, timing
 
@@ -20,7 +20,8 @@ from .scale import LABEL_WIDTH
 HEIGHT = 18
 FLAG = 4.0
 """Half the width of a flag."""
-GRAB = 7
+GRAB, STILL = 7, 3
+"""Pixels around a mark in which a press means it; that the pointer may move within a click."""
 FIELD_WIDTH = 160
 COLOUR = "#9ec5f0"
 """Of no shape and of no state."""
@@ -33,7 +34,9 @@ class MarkBand(QWidget):
         super().__init__(parent)
         self._document, self._axis = document, axis
         self._held: Mark | None = None
-        self._preview: Project | None = None
+        self._pressed, self._pressed_time, self._scrubs = QPointF(), 0.0, False
+        self._target: int | None = None
+        """The frame on which the held mark would come to lie; None before it is dragged."""
         self.setFixedHeight(HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.field = MarkField(self)
@@ -41,6 +44,7 @@ class MarkBand(QWidget):
         document.changed.connect(self._pull)
         document.replaced.connect(self._pull)
         document.replaced.connect(self.field.leave)
+        document.replaced.connect(self._let_go)
         for signal in (axis.changed, axis.view_state.frame_changed):
             signal.connect(self.update)
         self._pull()
@@ -71,14 +75,18 @@ class MarkBand(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         mark = self.mark_at(event.position().x())
+        if self._held is not None:
+            return  # another button, as that of a pen, while one is dragged
         if event.button() == Qt.MouseButton.RightButton and mark is not None:
             self._document.apply(tr("Remove mark"), timing.remove_mark(self._document.project, mark.frame))
         elif event.button() == Qt.MouseButton.LeftButton:
-            self._held = mark
+            self._held, self._target, self._pressed = mark, None, event.position()
+            self._pressed_time = self._axis.scale.time(self._pressed.x())
+            self._scrubs = mark is None and self._pressed.x() >= LABEL_WIDTH
             if mark is not None:
                 self._axis.view_state.set_frame(mark.frame)
-            elif event.position().x() >= LABEL_WIDTH:
-                self._axis.scrub(event.position().x())
+            elif self._scrubs:
+                self._axis.scrub(self._pressed.x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         x = event.position().x()
@@ -86,23 +94,33 @@ class MarkBand(QWidget):
             over = self.mark_at(x) is not None
             self.setCursor(Qt.CursorShape.SizeHorCursor if over else Qt.CursorShape.ArrowCursor)
         elif self._held is not None:
-            frame = self._axis.scale.frame(x)
-            self._preview = timing.move_mark(self._document.project, self._held.frame, frame)
-            self._axis.view_state.set_frame(frame)
-            self.update()
-        else:
+            if self._target is not None or (event.position() - self._pressed).manhattanLength() > STILL:
+                self._drag(self._held, x)
+        elif self._scrubs:
             self._axis.scrub(x)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """What was dragged is one undo step."""
-        preview, self._preview, self._held = self._preview, None, None
-        if preview is not None:
-            self._document.apply(tr("Move mark"), preview)
-        self.update()
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
+        moved = self._moved()
+        self._let_go()
+        self._document.apply(tr("Move mark"), moved)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if (mark := self.mark_at(event.position().x())) is not None:
             self.edit(mark.frame)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Esc drops the drag of a mark: the keyboard stays where it is, and there Esc would stop a run."""
+        kinds = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
+        if event.type() not in kinds or not isinstance(event, QKeyEvent) or event.key() != Qt.Key.Key_Escape:
+            return False
+        event.accept()
+        if event.type() == QEvent.Type.KeyPress and self._held is not None:
+            self._axis.view_state.set_frame(self._held.frame)
+            self._let_go()
+        return True
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x())
@@ -127,6 +145,26 @@ class MarkBand(QWidget):
 
     # ---- the rest is private
 
+    def _drag(self, mark: Mark, x: float) -> None:
+        """The mark goes by as many frames as the pointer, not out of the clip, and the playhead with it."""
+        if self._target is None and (application := QApplication.instance()) is not None:
+            application.installEventFilter(self)
+        scale = self._axis.scale
+        self._target = scale.held(mark.frame + round(scale.time(x) - self._pressed_time))
+        self._axis.view_state.set_frame(self._target)
+        self.update()
+
+    def _moved(self) -> Project:
+        """The project as the drag would leave it: as it is now, for frames may be tracked meanwhile."""
+        project, held, target = self._document.project, self._held, self._target
+        return project if held is None or target is None else timing.move_mark(project, held.frame, target)
+
+    def _let_go(self) -> None:
+        if self._target is not None and (application := QApplication.instance()) is not None:
+            application.removeEventFilter(self)
+        self._held = self._target = None
+        self.update()
+
     def _pull(self, _ids: object = None) -> None:
         self.setVisible(bool(self._document.project.marks))
         self.update()
@@ -140,7 +178,7 @@ class MarkBand(QWidget):
         painter.setPen(QColor(style.WEAK))
         painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, tr("marks"))
         painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, HEIGHT))
-        marks = (self._preview or self._document.project).marks
+        marks = self._moved().marks
         for mark, following in pairwise([*marks, None]):
             assert mark is not None
             self._paint_mark(painter, mark, self.width() if following is None else self._axis.scale.x(following.frame))

@@ -77,6 +77,16 @@ def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
     )
 
 
+def on_each_frame(worst: np.ufunc, values: Sequence[Array]) -> Array:
+    """The `worst` of several shapes' values on each frame, as pairs (frame, value) `(K, 2)` in the order of time."""
+    pairs = np.concatenate([*values, np.empty((0, 2))])
+    if not len(pairs):
+        return pairs
+    pairs = pairs[np.argsort(pairs[:, 0], kind="stable")]
+    starts = np.flatnonzero(np.append(True, np.diff(pairs[:, 0]) > 0))
+    return np.column_stack([pairs[starts, 0], worst.reduceat(pairs[:, 1], starts)])
+
+
 def _frames(numbers: list[int]) -> Int64:
     return np.asarray(numbers, dtype=np.int64)
 

@@ -47,6 +47,9 @@ class RowBand(QWidget, Generic[Row]):
         """Paint a row, its top-left corner at the origin. Its name is there; what lies over it is cut off."""
         raise NotImplementedError
 
+    def paint_over(self, painter: QPainter) -> None:
+        """Paint what lies over the rows; nothing unless a class of its own says so."""
+
     def tip_at(self, at: QPointF) -> str:
         """What is said of the place under the pointer."""
         raise NotImplementedError
@@ -98,6 +101,9 @@ class RowBand(QWidget, Generic[Row]):
             painter.setClipRect(QRectF(left, 0, self.width() - left, ROW))
             self.paint_row(painter, row)
             painter.restore()
+        painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, self.height()))
+        self.paint_over(painter)
+        painter.setClipping(False)
         paint_playhead(painter, self._axis, self)
         painter.end()
 

@@ -56,6 +56,7 @@ class Ruler(QWidget):
         self._axis, self._cached, self._missing = axis, cached, missing
         self._handles = RangeHandles(axis, TICK_TOP, HEIGHT - CACHE_HEIGHT - 3)
         self._dragged: End | None = None
+        self._scrubs = False
         self.setFixedHeight(HEIGHT)
         self.setMouseTracking(True)
         axis.changed.connect(self.update)
@@ -73,7 +74,8 @@ class Ruler(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self._dragged = self._handles.at(event.position())
-            if self._dragged is None:
+            self._scrubs = self._dragged is None and event.position().x() >= LABEL_WIDTH
+            if self._scrubs:
                 self._axis.scrub(event.position().x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -82,11 +84,12 @@ class Ruler(QWidget):
             self.setCursor(Qt.CursorShape.SizeHorCursor if over else Qt.CursorShape.ArrowCursor)
         elif self._dragged is not None:
             self._handles.drag(self._dragged, event.position().x())
-        else:
+        elif self._scrubs:
             self._axis.scrub(event.position().x())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._dragged = None
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._dragged = None
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:

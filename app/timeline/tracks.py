@@ -63,6 +63,11 @@ class TrackBand(RowBand[Layer]):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         at, key = event.position(), self.adjust_key_at(event.position())
         if event.button() == Qt.MouseButton.RightButton and key is not None:
+            if self._document.project.is_locked(key[0].id):
+                self._axis.view_state.say(
+                    tr("{name} is locked; unlock it to remove its adjust keys.", name=key[0].name)
+                )
+                return
             after = unpinned(self._document.project, key[0].id, key[1])
             self._document.apply(tr("Remove adjust key"), after)
         elif event.button() == Qt.MouseButton.LeftButton and at.x() < LABEL_WIDTH:

@@ -39,6 +39,10 @@
         <translation> GB</translation>
     </message>
     <message>
+        <source> It goes on with the others.</source>
+        <translation> Es geht mit den anderen weiter.</translation>
+    </message>
+    <message>
         <source> Its plate was found at {path}; save to keep that.</source>
         <translation> Die Plate wurde in {path} gefunden; durch Speichern bleibt das so.</translation>
     </message>
@@ -100,6 +104,13 @@
     <message>
         <source>%n doubtful frame(s)</source>
         <translation>Zweifelhafte Frames: %n</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n doubtful frame(s): &lt;track.most_doubtful&gt; goes to the worst one.</source>
+        <translation>
+            <numerusform>%n zweifelhafter Frame: &lt;track.most_doubtful&gt; springt zum schlechtesten.</numerusform>
+            <numerusform>%n zweifelhafte Frames: &lt;track.most_doubtful&gt; springt zum schlechtesten.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n doubtful frame(s): &lt;track.next_doubtful&gt; goes to the next one.</source>
@@ -187,6 +198,20 @@
         <translation>
             <numerusform>%n Form</numerusform>
             <numerusform>%n Formen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s) not tracked: their first keys lie ahead. Track from there, or set keys here (&lt;key.set&gt;).</source>
+        <translation>
+            <numerusform>%n Form nicht getrackt: ihre ersten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
+            <numerusform>%n Formen nicht getrackt: ihre ersten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s) not tracked: their last keys lie ahead. Track from there, or set keys here (&lt;key.set&gt;).</source>
+        <translation>
+            <numerusform>%n Form nicht getrackt: ihre letzten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
+            <numerusform>%n Formen nicht getrackt: ihre letzten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1114,6 +1139,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ziehen zum Scrubben, Mausrad zum Zoomen, Umschalt+Mausrad zum Verschieben, Doppelklick zeigt den ganzen Clip</translation>
     </message>
     <message>
+        <source>Drag to stretch the chosen keys in time</source>
+        <translation>Ziehen streckt die gewählten Keyframes in der Zeit</translation>
+    </message>
+    <message>
         <source>Draw a Bezier shape: click corners, drag curves</source>
         <translation>Bézier-Form zeichnen: Ecken klicken, Kurven ziehen</translation>
     </message>
@@ -1377,6 +1406,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Filling {names} begins when the fill under way has ended.</source>
         <translation>Das Füllen von {names} beginnt, sobald das laufende zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>Filling {names} begins when the planar track has ended.</source>
+        <translation>Das Füllen von {names} beginnt, sobald der Flächen-Track zu Ende ist.</translation>
     </message>
     <message>
         <source>Find an action…</source>
@@ -4111,6 +4144,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Angehalten; die fertigen Bilder bleiben.</translation>
     </message>
     <message>
+        <source>Stretch keys</source>
+        <translation>Keyframes strecken</translation>
+    </message>
+    <message>
+        <source>Stretch {keys}: they go from frame {first} to {last}.</source>
+        <translation>{keys} strecken: sie reichen von Frame {first} bis {last}.</translation>
+    </message>
+    <message>
         <source>Subtract</source>
         <translation>Subtrahieren</translation>
     </message>
@@ -6352,12 +6393,24 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist angepasst: zum Korrigieren die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
     </message>
     <message>
+        <source>{name} is locked; unlock it to remove its adjust keys.</source>
+        <translation>{name} ist gesperrt; zum Entfernen der Korrektur-Keyframes entsperren.</translation>
+    </message>
+    <message>
         <source>{name} is locked; unlock it to track it.</source>
         <translation>{name} ist gesperrt; zum Tracken bitte entsperren.</translation>
     </message>
     <message>
         <source>{name} is not saved yet.</source>
         <translation>{name} ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>{name} is not tracked: its first key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>
+        <translation>{name} wird nicht getrackt: Der erste Keyframe liegt auf Frame {key}. Von dort tracken oder hier einen setzen (&lt;key.set&gt;).</translation>
+    </message>
+    <message>
+        <source>{name} is not tracked: its last key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>
+        <translation>{name} wird nicht getrackt: Der letzte Keyframe liegt auf Frame {key}. Von dort tracken oder hier einen setzen (&lt;key.set&gt;).</translation>
     </message>
     <message>
         <source>{name} is open; close it (&lt;points.toggle_closed&gt; in the viewer) to track it.</source>
@@ -6382,6 +6435,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} was changed meanwhile.</source>
         <translation>{name} wurde inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>{name} was deleted meanwhile.</source>
+        <translation>{name} wurde inzwischen gelöscht.</translation>
     </message>
     <message>
         <source>{name} was locked meanwhile.</source>

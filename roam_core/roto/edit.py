@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import bisect
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
@@ -218,9 +218,13 @@ def delete_engine_keys(shape: RotoShape, frames: range | None = None) -> RotoSha
 
 def move_keys(shape: RotoShape, frames: Iterable[int], offset: int) -> RotoShape:
     """Shift keys in time; a key that lay where one arrives gives way to it."""
-    moving = set(frames)
-    moved = [replace(key, frame=key.frame + offset) for key in shape.keys if key.frame in moving]
-    rest = {key.frame: key for key in shape.keys if key.frame not in moving}
+    return retime_keys(shape, {frame: frame + offset for frame in frames})
+
+
+def retime_keys(shape: RotoShape, goes: Mapping[int, int]) -> RotoShape:
+    """Put keys on other frames, told by theirs; a key that lay where one arrives gives way to it."""
+    moved = [replace(key, frame=goes[key.frame]) for key in shape.keys if key.frame in goes]
+    rest = {key.frame: key for key in shape.keys if key.frame not in goes}
     return replace(shape, keys=tuple((rest | {key.frame: key for key in moved}).values()))
 
 

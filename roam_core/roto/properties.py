@@ -9,18 +9,24 @@ from roam_core.errors import RoamError
 from roam_core.roto.shape import MotionBlur, RotoShape
 
 
-def begin_at(shape: RotoShape, first: int, clip: range) -> RotoShape:
+def begin_at(shape: RotoShape, first: int, clip: range, *, pushes: bool = True) -> RotoShape:
     """The shape, there from frame `first` on; it lasts as long as it did, but at least for that frame.
 
-    A shape without a lifetime lasts to the end of `clip`, the plate's frames.
+    A shape without a lifetime lasts to the end of `clip`, the plate's frames. With `pushes` off the end stays where it
+    is, and the shape begins no later.
     """
     stop = shape.lifetime[1] if shape.lifetime else clip.stop
+    first = first if pushes else min(first, stop - 1)
     return replace(shape, lifetime=(first, max(stop, first + 1)))
 
 
-def end_at(shape: RotoShape, last: int, clip: range) -> RotoShape:
-    """The shape, there up to frame `last` and with it; it begins where it did, but no later than there."""
+def end_at(shape: RotoShape, last: int, clip: range, *, pushes: bool = True) -> RotoShape:
+    """The shape, there up to frame `last` and with it; it begins where it did, but no later than there.
+
+    With `pushes` off the beginning stays where it is, and the shape ends no earlier.
+    """
     first = shape.lifetime[0] if shape.lifetime else clip.start
+    last = last if pushes else max(last, first)
     return replace(shape, lifetime=(min(first, last), last + 1))
 
 

@@ -196,7 +196,8 @@ class RotoShape:
     keys : at least one key, strictly increasing frames.
     colour : of the outline on the screen, (r, g, b) in [0, 1]; `NO_COLOUR` until it joins a project.
     opacity : in [0, 1], constant or through time.
-    lifetime : half-open frame range in which the shape exists, or None for always; an end given as None is open.
+    lifetime : half-open frame range in which the shape exists, or None for always; an end given as None is open. One
+        that ends before it begins holds no frame.
     feather : width of the uniform soft edge in pixels, outwards positive, constant or through time.
     spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
     link : the artist's word on what is solved together: shapes of one link are one whole object, and nothing else is;
@@ -247,6 +248,8 @@ class RotoShape:
             object.__setattr__(self, value, checked(getattr(self, value), f"the {value} of {self.name!r}"))
         if self.lifetime is not None and None in self.lifetime:
             object.__setattr__(self, "lifetime", lifetime_of(*self.lifetime))
+        if self.lifetime is not None and self.lifetime[1] < self.lifetime[0]:
+            object.__setattr__(self, "lifetime", (self.lifetime[0], self.lifetime[0]))
 
     @property
     def point_count(self) -> int:

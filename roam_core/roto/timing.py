@@ -37,6 +37,32 @@ def move_keys(project: Project, places: Iterable[Place], offset: int) -> Project
     return _each_held(project, places, partial(_moved, offset=offset))
 
 
+def retime_keys(project: Project, places: Iterable[Place], goes: Mapping[int, int]) -> Project:
+    """The project with the artist's keys at `places` on the frames that `goes` tells, by theirs, as of `stretched`.
+
+    What lies where they arrive gives way, and the engine's keys stay, as with `move_keys`.
+    """
+    return _each_held(project, places, partial(_retimed, goes=goes))
+
+
+def stretched(frames: Iterable[int], first: int, last: int) -> dict[int, int]:
+    """Where frames go that are stretched or pressed together to lie from `first` to `last`, evenly, by where they were.
+
+    They keep their order, and each has a frame of its own: `last` lies so far at least that there is room for all.
+    """
+    own = sorted(set(frames))
+    if len(own) < 2:
+        return dict.fromkeys(own, first)
+    last = max(last, first + len(own) - 1)
+    pace = (last - first) / (own[-1] - own[0])
+    goes: list[int] = []
+    for index, frame in enumerate(own):
+        least = goes[-1] + 1 if goes else first
+        most = last - (len(own) - 1 - index)
+        goes.append(min(max(round(first + pace * (frame - own[0])), least), most))
+    return dict(zip(own, goes, strict=True))
+
+
 def shift_keys(
     project: Project, places: Iterable[Place], offset: Array, points: Mapping[str, frozenset[int]] = NO_POINTS
 ) -> Project:
@@ -131,6 +157,11 @@ def _with_shifted(keys: Iterable[Keyframe], offset: int, shape: RotoShape) -> Ro
 
 def _moved(shape: RotoShape, frames: set[int], offset: int) -> RotoShape:
     return edit.move_keys(shape, [key.frame for key in _artist_keys(shape, frames)], offset)
+
+
+def _retimed(shape: RotoShape, frames: set[int], goes: Mapping[int, int]) -> RotoShape:
+    moving = [key.frame for key in _artist_keys(shape, frames)]
+    return edit.retime_keys(shape, {frame: goes[frame] for frame in moving if frame in goes})
 
 
 def _with_copies(shape: RotoShape, frames: set[int], offset: int) -> RotoShape:

@@ -61,6 +61,14 @@ def move_values(project: Project, places: Iterable[ValuePlace], frames: int, amo
     return _each_value(project, places, lambda value, own: moved(value, own, frames, amount))
 
 
+def retime_values(project: Project, places: Iterable[ValuePlace], goes: Mapping[int, int]) -> Project:
+    """The project with the keys at `places` on the frames that `goes` tells, by theirs; what lies there gives way.
+
+    Tangents keep the heights of their handles' ends: they are as much flatter as time is longer.
+    """
+    return _each_value(project, places, lambda value, own: retimed(value, own, goes))
+
+
 def copy_values(project: Project, places: Iterable[ValuePlace], frames: int) -> Project:
     """The project with copies of the keys at `places`, so many frames on; what lies there gives way."""
     return _each_value(project, places, lambda value, own: pasted(value, _keys_on(value, own), frames))
@@ -147,6 +155,19 @@ def _setting(name: str, value: Animatable) -> Callable[[Layer | RotoShape], Laye
 def moved(value: Animated, frames: Collection[int], offset: int, amount: float) -> Animated:
     """The value with its keys on `frames` shifted by frames and an amount; a key where one arrives gives way."""
     going = [replace(k, frame=k.frame + offset, value=k.value + amount) for k in value.keys if k.frame in frames]
+    staying = {key.frame: key for key in value.keys if key.frame not in frames}
+    return replace(value, keys=tuple((staying | {key.frame: key for key in going}).values()))
+
+
+def retimed(value: Animated, frames: Collection[int], goes: Mapping[int, int]) -> Animated:
+    """The value with its keys on `frames` where `goes` tells, and tangents as much flatter as time is longer."""
+    pace = 1.0 if len(goes) < 2 else (max(goes.values()) - min(goes.values())) / (max(goes) - min(goes))
+
+    def gone(key: ValueKey) -> ValueKey:
+        slopes = key.slopes and (key.slopes[0] / pace, key.slopes[1] / pace)
+        return replace(key, frame=goes.get(key.frame, key.frame), slopes=slopes)
+
+    going = [gone(key) for key in value.keys if key.frame in frames]
     staying = {key.frame: key for key in value.keys if key.frame not in frames}
     return replace(value, keys=tuple((staying | {key.frame: key for key in going}).values()))
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QMouseEvent
 
-from roam_core.roto import Animated
+from roam_core.roto import Animated, Project
 from roam_core.roto.animated import Slopes
 from roam_core.roto.value_curves import ValuePlace, set_slopes, values_of_item
 from roam_core.roto.value_keys import keyed, with_value
@@ -16,6 +16,7 @@ from roam_core.roto.value_keys import keyed, with_value
 from ...model.document import Document
 from ...translation import tr
 from ..axis import TimeAxis
+from ..scale import LABEL_WIDTH
 from ..values.drag import KeyDrag
 from ..values.selection import ValueSelection
 from ..values.shown import SHOWN_AS, Kind
@@ -66,6 +67,7 @@ class CurveHand:
         self._document, self._axis, self._chosen, self._verbs = document, axis, chosen, verbs
         self._found_at, self._keys_in, self._value_at, self._show = found_at, keys_in, value_at, show
         self._start: QPointF | None = None
+        self._start_time = 0.0
         self._found = Found()
         self._before: frozenset[ValuePlace] = frozenset()
         self._is_drag = False
@@ -87,7 +89,7 @@ class CurveHand:
         """Take hold of what lies under the pointer; with Ctrl and Alt set a key on the curve there."""
         at = event.position()
         self._start, self._before, self._is_drag = at, self._chosen.places, False
-        self._found = self._found_at(at)
+        self._start_time, self._found = self._axis.scale.time(at.x()), self._found_at(at)
         if self._found.handle is None and self._found.key is None and event.modifiers() & INSERTS == INSERTS:
             self._insert(at)
         elif self._found.key is not None and self._found.key not in self._before:
@@ -102,7 +104,7 @@ class CurveHand:
         if not self._is_drag:
             return
         if self._found.handle is not None:
-            self._turn(self._found.handle, event)
+            self._axis.view_state.set_preview(self._turned(self._found.handle, event))
         elif self._found.key is not None:
             self._drag_keys(event)
         else:
@@ -117,9 +119,11 @@ class CurveHand:
             self._click(event)
         elif self._drag is not None:
             self._drag.finish()
-        elif self._found.handle is not None and (preview := self._axis.view_state.preview) is not None:
+        elif self._found.handle is not None and self._axis.view_state.preview is not None:
+            turned = self._turned(self._found.handle, event)
             self._axis.view_state.set_preview(None)
-            self._document.apply(tr("Turn tangent"), preview)
+            if turned is not None:
+                self._document.apply(tr("Turn tangent"), turned)
         self._forget()
 
     def cancel(self) -> None:
@@ -134,30 +138,34 @@ class CurveHand:
         """Keys go with the pointer, whole frames and any value; with Shift only where it went farther."""
         assert self._start is not None
         if self._drag is None:
-            self._drag = KeyDrag(self._document, self._axis, self._chosen, self._verbs.moved, self._verbs.copied)
+            self._drag = KeyDrag(self._document, self._axis, self._chosen, self._verbs)
         assert self._found.key is not None
         factor, away = SHOWN_AS[Kind(self._found.key[1])][0], event.position() - self._start
-        frames = round(away.x() / self._axis.scale.pixels)
+        self._axis.bring_in(event.position().x() + LABEL_WIDTH)
+        frames = round(self._axis.scale.time(event.position().x()) - self._start_time)
         amount = (self._value_at(event.position().y()) - self._value_at(self._start.y())) / factor
         if event.modifiers() & SHIFT:
             frames, amount = (frames, 0.0) if abs(away.x()) > abs(away.y()) else (0, amount)
         self._drag.to(frames, amount if abs(away.y()) > STILL else 0.0)
 
-    def _turn(self, handle: Handle, event: QMouseEvent) -> None:
-        """The tangent follows the pointer, the other side with it; with Ctrl, and once they differ, alone.
+    def _turned(self, handle: Handle, event: QMouseEvent) -> Project | None:
+        """The project with a tangent turned; None where it is there no more.
 
-        With Shift both sides become one again.
+        It follows the pointer, the other side with it; with Ctrl, and once they differ, alone. With Shift both sides
+        become one again.
         """
         project, (item_id, name, frame) = self._document.project, handle.place
         if not unlocked(project, [handle.place]):
             self._axis.view_state.say(tr(LOCKED))
-            return
+            return None
         value = values_of_item(project.find(item_id))[name]
         key = value.key_at(frame) if isinstance(value, Animated) else None
         if key is None or key.slopes is None or not isinstance(value, Animated):
-            return
-        index = value.keys.index(key)
-        beside = value.keys[index + 1 if handle.is_leaving else index - 1]
+            return None
+        index = value.keys.index(key) + (1 if handle.is_leaving else -1)
+        if not 0 <= index < len(value.keys):
+            return None
+        beside = value.keys[index]
         reach = (beside.frame - frame) / 3.0
         seen = self._value_at(event.position().y()) / SHOWN_AS[Kind(name)][0]
         slope = (seen - key.value) / reach
@@ -166,7 +174,7 @@ class CurveHand:
         slopes: Slopes = (slope, slope)
         if is_alone:
             slopes = (arriving, slope) if handle.is_leaving else (slope, leaving)
-        self._axis.view_state.set_preview(set_slopes(project, handle.place, slopes))
+        return set_slopes(project, handle.place, slopes)
 
     def _draw_box(self, event: QMouseEvent) -> None:
         assert self._start is not None

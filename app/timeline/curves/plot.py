@@ -277,7 +277,9 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
             self._axis.wheel(event, event.position().x() + LABEL_WIDTH)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first."""
+        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first. None in a drag."""
+        if self.hand.is_busy:
+            return
         place = self.found_at(QPointF(event.pos())).key
         if place is not None and place not in self._chosen.places:
             self._chosen.select(frozenset({place}))

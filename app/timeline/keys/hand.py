@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QMouseEvent
@@ -15,6 +15,7 @@ from ...translation import N_, tr
 from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
 from .selection import KeySelection
+from .stretch import End, Stretch, told
 from .verbs import count_of, unlocked
 
 MOVING = N_("Move {keys} {frames}: {first} to {last}.")
@@ -28,12 +29,14 @@ COPIES = Qt.KeyboardModifier.AltModifier
 
 KeyAt = Callable[[QPointF], Place | None]
 KeysIn = Callable[[QRectF], frozenset[Place]]
+EndAt = Callable[[QPointF], End | None]
 
 
 class KeyHand:
-    """One gesture at a time: a key is held, or a box is drawn. A drag previews; its release is one undo step.
+    """One gesture at a time: a key or bracket is held, or a box is drawn. A drag previews; release is one undo step.
 
-    `key_at` and `keys_in` tell which keys lie under a point or inside a box of the rows; `show` repaints them.
+    `key_at` and `keys_in` tell which keys lie under a point or inside a box of the rows, `end_at` which bracket beside
+    the chosen ones; `show` repaints them.
     """
 
     def __init__(
@@ -43,17 +46,20 @@ class KeyHand:
         keys: KeySelection,
         key_at: KeyAt,
         keys_in: KeysIn,
+        end_at: EndAt,
         show: Callable[[], None],
     ) -> None:
         self._document, self._axis, self._keys = document, axis, keys
-        self._key_at, self._keys_in, self._show = key_at, keys_in, show
+        self._key_at, self._keys_in, self._end_at, self._show = key_at, keys_in, end_at, show
         self._start: QPointF | None = None
         self._start_time = 0.0
         self._held: Place | None = None
         self._before: frozenset[Place] = frozenset()
         self._is_drag = False
-        self._shift = 0
-        self._made: tuple[Project, int, bool] | None = None
+        self._stretch: Stretch | None = None
+        self._goes: Mapping[int, int] = {}
+        """Where the chosen keys go by the drag, by their frames; those that it tells nothing of stay."""
+        self._made: tuple[Project, Mapping[int, int], bool] | None = None
         """What the preview was made of: within a frame the pointer moves often, and nothing with it."""
         self.box: QRectF | None = None
         """The box that is being drawn, or None."""
@@ -67,14 +73,20 @@ class KeyHand:
 
     def chosen(self, shape_id: str) -> frozenset[int]:
         """The chosen frames of a shape, where the drag has them now."""
-        return frozenset(frame + self._shift for frame in self._keys.frames_of(shape_id))
+        return frozenset(self._goes.get(frame, frame) for frame in self._keys.frames_of(shape_id))
+
+    def movable(self) -> list[int]:
+        """The frames of the chosen keys that may be changed, where the drag has them now."""
+        return [self._goes.get(frame, frame) for _, frame in self._moving()]
 
     def press(self, event: QMouseEvent) -> None:
-        """Take hold of the key under the pointer, or begin a box beside the keys."""
+        """Take hold of the bracket or key under the pointer, or begin a box beside the keys."""
         at = event.position()
         self._start, self._before, self._is_drag = at, self._keys.places, False
         self._start_time = self._axis.scale.time(at.x())
-        self._held = self._key_at(at)
+        end = self._end_at(at)
+        self._stretch = None if end is None else Stretch(self._axis, end, at.x())
+        self._held = self._key_at(at) if end is None else None
         if self._held is not None:
             self._keys.select(_with(self._keys.places, self._held, event.modifiers()))
 
@@ -85,7 +97,7 @@ class KeyHand:
         self._is_drag = self._is_drag or (event.position() - self._start).manhattanLength() > STILL
         if not self._is_drag:
             return
-        if self._held is not None:
+        if self._held is not None or self._stretch is not None:
             self._drag(event)
         else:
             self._draw_box(event)
@@ -95,9 +107,9 @@ class KeyHand:
         start, held = self._start, self._held
         if start is None:
             return
-        if self._is_drag and held is not None:
+        if self._is_drag and (held is not None or self._stretch is not None):
             self._drop(event)
-        elif not self._is_drag:
+        elif not self._is_drag and self._stretch is None:
             self._click(start, event.modifiers())
         self._forget()
 
@@ -111,25 +123,38 @@ class KeyHand:
 
     def _drag(self, event: QMouseEvent) -> None:
         self._axis.bring_in(event.position().x())
-        places, offset = self._moving(), self._offset(event.position().x())
-        copies, before = bool(event.modifiers() & COPIES), self._document.project
-        if self._made == (before, offset, copies):
+        x, places = event.position().x(), self._moving()
+        own, copies, before = {frame for _, frame in places}, self._copies(event), self._document.project
+        if self._stretch is not None:
+            goes, offset = self._stretch.goes(own, x), 0
+        else:
+            offset = self._offset(x)
+            goes = {frame: frame + offset for frame in own}
+        if self._made == (before, goes, copies):
             return
-        self._made = before, offset, copies
-        verb = timing.copy_keys if copies else timing.move_keys
-        self.preview = verb(before, places, offset) if offset and places else None
-        self._shift = 0 if self.preview is None else offset
+        self._made, is_moved = (before, goes, copies), any(frame != to for frame, to in goes.items())
+        if not is_moved:
+            self.preview = None
+        elif copies:
+            self.preview = timing.copy_keys(before, places, offset)
+        else:
+            self.preview = timing.retime_keys(before, places, goes)
+        self._goes = goes if is_moved else {}
         self._axis.view_state.set_preview(self.preview)
-        self._tell(places, offset, copies)
+        self._tell(places, goes, offset, copies)
         self._show()
 
     def _drop(self, event: QMouseEvent) -> None:
         self._drag(event)
-        project, places, offset = self.preview, self._moving(), self._offset(event.position().x())
+        project, goes, places = self.preview, self._goes, self._moving()
         self._axis.view_state.set_preview(None)
         if project is not None:
-            self._document.apply(tr("Copy keys") if event.modifiers() & COPIES else tr("Move keys"), project)
-            self._keys.select(frozenset((shape_id, frame + offset) for shape_id, frame in places))
+            moving = tr("Move keys") if self._stretch is None else tr("Stretch keys")
+            self._document.apply(tr("Copy keys") if self._copies(event) else moving, project)
+            self._keys.select(frozenset((shape_id, goes[frame]) for shape_id, frame in places))
+
+    def _copies(self, event: QMouseEvent) -> bool:
+        return self._stretch is None and bool(event.modifiers() & COPIES)
 
     def _draw_box(self, event: QMouseEvent) -> None:
         assert self._start is not None
@@ -166,10 +191,11 @@ class KeyHand:
         least, most = min(first - min(frames), 0), max(stop - 1 - max(frames), 0)
         return max(min(round(scale.time(x) - self._start_time), most), least)
 
-    def _tell(self, places: frozenset[Place], offset: int, copies: bool) -> None:
-        assert self._held is not None
+    def _tell(self, places: frozenset[Place], goes: dict[int, int], offset: int, copies: bool) -> None:
         if not places:
             sentence = tr("The shape is locked; unlock it to move its keys.")
+        elif self._held is None:
+            sentence = told(count_of(places), goes)
         else:
             on, back = tr("%n frame(s) on", "", abs(offset)), tr("%n frame(s) back", "", abs(offset))
             sentence = tr(
@@ -184,8 +210,8 @@ class KeyHand:
     def _forget(self) -> None:
         if self.preview is not None:
             self._axis.view_state.set_preview(None)
-        self._start = self._held = self.box = self.preview = self._made = None
-        self._is_drag, self._shift = False, 0
+        self._start = self._held = self.box = self.preview = self._made = self._stretch = None
+        self._is_drag, self._goes = False, {}
         self._show()
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -32,6 +34,7 @@ from .depth_marks import change_at
 from .hand import KeyHand
 from .row_painter import ROW, RowPainter
 from .selection import KeySelection
+from .stretch import TIP, End, StretchEnds
 from .tips import key_tip
 
 GRAB = 6
@@ -40,6 +43,7 @@ GRAB = 6
 
 class KeyRows(QAbstractScrollArea):
     """Click a key to go there, drag it along time, drag a box around several; click a name to select its shape.
+    Brackets beside several chosen keys stretch them.
 
     The wheel zooms. A click takes the keyboard: then copy, paste and delete mean keys, and Alt with arrows moves them.
 
@@ -63,7 +67,7 @@ class KeyRows(QAbstractScrollArea):
         self._painter, self._presses = RowPainter(), 0
         self.menu = QMenu(self)
         """What a right click offers."""
-        self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self.viewport().update)
+        self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self._end_at, self.viewport().update)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -89,14 +93,8 @@ class KeyRows(QAbstractScrollArea):
 
     def key_at(self, at: QPointF) -> Place | None:
         """The artist's key near a place of the viewport, so that a click need not be exact, or None."""
-        shape = self.shape_at(at.y())
-        if shape is None or at.x() < LABEL_WIDTH:
-            return None
-        scale, artist = self._axis.scale, self._marks_of(shape).artist
-        distances = np.abs(scale.left + (artist - scale.first + 0.5) * scale.pixels - at.x())
-        if not len(artist) or distances.min() > GRAB:
-            return None
-        return shape.id, int(artist[distances.argmin()])
+        distance, place = self._nearest_key(at)
+        return place if distance <= GRAB else None
 
     def keys_in(self, box: QRectF) -> frozenset[Place]:
         """The artist's keys whose middles lie inside a box of the viewport."""
@@ -123,8 +121,9 @@ class KeyRows(QAbstractScrollArea):
             if shape is not None:
                 self._select(shape, event.modifiers())
             return
+        is_bracket = self._end_at(event.position()) is not None
         self.hand.press(event)
-        if shape is not None and self.key_at(event.position()) is not None:
+        if shape is not None and not is_bracket and self.key_at(event.position()) is not None:
             self._select(shape, event.modifiers(), keep_selected=True)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -135,7 +134,7 @@ class KeyRows(QAbstractScrollArea):
         if event.buttons() & Qt.MouseButton.LeftButton:
             self.hand.move(event)
         else:
-            over_key = self.key_at(event.position()) is not None
+            over_key = self.key_at(event.position()) is not None or self._end_at(event.position()) is not None
             self.viewport().setCursor(Qt.CursorShape.SizeHorCursor if over_key else Qt.CursorShape.ArrowCursor)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -143,7 +142,9 @@ class KeyRows(QAbstractScrollArea):
             self.hand.release(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first."""
+        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first. None in a drag."""
+        if self.hand.is_busy:
+            return
         place = self.key_at(QPointF(event.pos()))
         if place is not None and place not in self._keys.places:
             self._keys.select(frozenset({place}))
@@ -180,6 +181,8 @@ class KeyRows(QAbstractScrollArea):
             return ""
         if at.x() < LABEL_WIDTH:
             return tr("{name}: click to select, Shift adds", name=shape.name)
+        if self._end_at(at) is not None:
+            return tr(TIP)
         near = self.key_at(at)
         change = change_at(shape, at.x(), self._axis.scale, GRAB)
         frame = near[1] if near is not None else self._axis.scale.frame(at.x()) if change is None else change
@@ -192,6 +195,28 @@ class KeyRows(QAbstractScrollArea):
             self._axis.wheel(event, event.position().x())
 
     # ---- the rest is private
+
+    def _nearest_key(self, at: QPointF) -> tuple[float, Place | None]:
+        """The artist's key of a row that is nearest to a place, and how many pixels it lies away."""
+        shape = self.shape_at(at.y())
+        if shape is None or at.x() < LABEL_WIDTH:
+            return math.inf, None
+        scale, artist = self._axis.scale, self._marks_of(shape).artist
+        if not len(artist):
+            return math.inf, None
+        distances = np.abs(scale.left + (artist - scale.first + 0.5) * scale.pixels - at.x())
+        return float(distances.min()), (shape.id, int(artist[distances.argmin()]))
+
+    def _ends(self) -> StretchEnds:
+        """The brackets beside the chosen keys, over all rows from the first to the last that has some."""
+        chosen = {shape_id for shape_id, _ in self._keys.places}
+        rows = [index for index, shape in enumerate(self.rows()) if shape.id in chosen] if chosen else []
+        top, bottom = (min(rows) * ROW, (max(rows) + 1) * ROW) if rows else (0, 0)
+        return StretchEnds(self._axis, self.hand.movable(), top - self._offset, bottom - self._offset)
+
+    def _end_at(self, at: QPointF) -> End | None:
+        """The bracket under a place of the viewport, or None."""
+        return self._ends().at(at, self._nearest_key(at)[0]) if at.x() >= LABEL_WIDTH else None
 
     def _marks_of(self, shape: RotoShape) -> KeyMarks:
         """The marks of one of the `rows`."""
@@ -251,6 +276,9 @@ class KeyRows(QAbstractScrollArea):
         if not rows:
             self._paint_hint(painter)
         paint_playhead(painter, self._axis, viewport)
+        painter.setClipRect(LABEL_WIDTH, 0, viewport.width(), viewport.height())
+        self._ends().paint(painter)
+        painter.setClipping(False)
         self._paint_box(painter)
         painter.end()
 

@@ -5,6 +5,8 @@ There while something varies. The line in a row goes from the value's least at t
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import (
@@ -26,13 +28,14 @@ from ...model.document import Document
 from ...translation import tr
 from ..axis import TimeAxis
 from ..keys.row_painter import BACKGROUND, ROW
+from ..keys.stretch import TIP, End, Stretch, StretchEnds
 from ..row_band import RowBand
 from ..scale import LABEL_WIDTH, TimeScale, whole_frames
 from .drag import KeyDrag
 from .key_forms import form_of, paint_key
 from .selection import ValueSelection
 from .shown import SHOWN_AS, KeyedValue, Kind, colour_of, keyed_values
-from .verbs import ValueVerbs
+from .verbs import ValueVerbs, unlocked
 
 GRAB, STILL = 6, 3
 """Pixels around a key in which a press means it; that the pointer may move within a click."""
@@ -57,8 +60,11 @@ class ValueRows(RowBand[KeyedValue]):
         self._chosen = chosen
         self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self._drag: KeyDrag | None = None
+        self._stretch: Stretch | None = None
+        """The bracket that is held, where the drag is of one."""
         self._lines: dict[tuple[str, Kind], tuple[Animated, TimeScale, QPolygonF]] = {}
-        self._pressed, self._is_drag, self._presses = QPointF(), False, 0
+        self._pressed, self._pressed_time, self._is_drag, self._presses = QPointF(), 0.0, False, 0
+        self._scrubs = False
         self.menu = QMenu(self)
         """What a right click offers."""
         self.setAccessibleName(tr("Keys of opacity and feather"))
@@ -78,11 +84,8 @@ class ValueRows(RowBand[KeyedValue]):
 
     def key_at(self, at: QPointF) -> ValuePlace | None:
         """The key near a place, or None."""
-        row = self.row_at(at.y())
-        if row is None or at.x() < LABEL_WIDTH:
-            return None
-        distance, frame = min((abs(self._axis.scale.x(frame) - at.x()), frame) for frame in row.value.frames)
-        return (row.item.id, row.kind.value, frame) if distance <= GRAB else None
+        distance, place = self._nearest_key(at)
+        return place if distance <= GRAB else None
 
     # ---- events
 
@@ -90,10 +93,16 @@ class ValueRows(RowBand[KeyedValue]):
         at, row = event.position(), self.row_at(event.position().y())
         if event.button() != Qt.MouseButton.LeftButton or row is None:
             return
+        self._scrubs = False
         if at.x() < LABEL_WIDTH:
             self._select(row)
             return
-        place, self._pressed, self._is_drag = self.key_at(at), at, False
+        place, end, self._pressed, self._is_drag = self.key_at(at), self._end_at(at), at, False
+        self._pressed_time, self._scrubs = self._axis.scale.time(at.x()), place is None and end is None
+        self._stretch = None if end is None else Stretch(self._axis, end, at.x())
+        if self._stretch is not None:
+            self._drag = KeyDrag(self._document, self._axis, self._chosen, self.verbs)
+            return
         if place is None:
             self._chosen.clear()
             self._axis.scrub(at.x())
@@ -103,36 +112,49 @@ class ValueRows(RowBand[KeyedValue]):
             self._chosen.select(places ^ {place})
         elif place not in places:
             self._chosen.select(frozenset({place}))
-        self._drag = KeyDrag(self._document, self._axis, self._chosen, self.verbs.moved, self.verbs.copied)
+        self._drag = KeyDrag(self._document, self._axis, self._chosen, self.verbs)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at = event.position()
         if not event.buttons() & Qt.MouseButton.LeftButton:
             return
         if self._drag is None:
-            if at.x() >= LABEL_WIDTH:
+            if self._scrubs:
                 self._axis.scrub(at.x())
             return
         self._is_drag = self._is_drag or (at - self._pressed).manhattanLength() > STILL
         if self._is_drag:
             self._axis.bring_in(at.x())
-            frames = round((at.x() - self._pressed.x()) / self._axis.scale.pixels)
+            if self._stretch is not None:
+                self._drag.stretch(self._stretch, at.x())
+                self.update()
+                return
+            frames = round(self._axis.scale.time(at.x()) - self._pressed_time)
             self._drag.to(frames, 0.0, copies=bool(event.modifiers() & COPIES))
             self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
         drag, self._drag = self._drag, None
-        if drag is None or event.button() != Qt.MouseButton.LeftButton:
+        if drag is None:
             return
         if self._is_drag:
             drag.finish()
-        elif (place := self.key_at(event.position())) is not None and not event.modifiers() & ADDS:
-            self._chosen.select(frozenset({place}))
-            self._axis.view_state.set_frame(place[2])
+        elif self._stretch is None:
+            self._click(event)
         self.update()
 
+    def _click(self, event: QMouseEvent) -> None:
+        place = self.key_at(event.position())
+        if place is not None and not event.modifiers() & ADDS:
+            self._chosen.select(frozenset({place}))
+            self._axis.view_state.set_frame(place[2])
+
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first."""
+        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first. None in a drag."""
+        if self._drag is not None:
+            return
         place = self.key_at(QPointF(event.pos()))
         if place is not None and place not in self._chosen.places:
             self._chosen.select(frozenset({place}))
@@ -165,6 +187,8 @@ class ValueRows(RowBand[KeyedValue]):
             return ""
         if at.x() < LABEL_WIDTH:
             return tr("{title}. Click to select", title=row.title)
+        if self._end_at(at) is not None:
+            return tr(TIP)
         place = self.key_at(at)
         frame = place[2] if place is not None else self._axis.scale.frame(at.x())
         factor, unit = SHOWN_AS[row.kind]
@@ -177,6 +201,30 @@ class ValueRows(RowBand[KeyedValue]):
         ) + (tr(", a key") if place else "")
 
     # ---- the rest is private
+
+    def _nearest_key(self, at: QPointF) -> tuple[float, ValuePlace | None]:
+        """The key of a row that is nearest to a place, and how many pixels it lies away."""
+        row = self.row_at(at.y())
+        if row is None or at.x() < LABEL_WIDTH:
+            return math.inf, None
+        distance, frame = min((abs(self._axis.scale.x(frame) - at.x()), frame) for frame in row.value.frames)
+        return distance, (row.item.id, row.kind.value, frame)
+
+    def _ends(self) -> StretchEnds:
+        """The brackets beside the chosen keys, over all rows from the first to the last that has some."""
+        chosen = unlocked(self._document.project, self._chosen.places)
+        names = {place[:2] for place in chosen}
+        rows = [index for index, row in enumerate(self.rows()) if (row.item.id, row.kind.value) in names]
+        top, bottom = (min(rows) * ROW, (max(rows) + 1) * ROW) if rows else (0, 0)
+        frames = [frame if self._drag is None else self._drag.frame_of(frame) for _, _, frame in chosen]
+        return StretchEnds(self._axis, frames, top, bottom)
+
+    def _end_at(self, at: QPointF) -> End | None:
+        """The bracket under a place, or None."""
+        return self._ends().at(at, self._nearest_key(at)[0]) if at.x() >= LABEL_WIDTH else None
+
+    def paint_over(self, painter: QPainter) -> None:
+        self._ends().paint(painter)
 
     def _select(self, row: KeyedValue) -> None:
         view, item = self._axis.view_state, row.item
@@ -193,11 +241,12 @@ class ValueRows(RowBand[KeyedValue]):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(BACKGROUND), 1))
         painter.drawPolyline(self._line(row))
-        shift = self._drag.frames if self._drag is not None else 0
         chosen = self._chosen.frames_of(row.item.id, row.kind)
+        if self._drag is not None:
+            chosen = frozenset(self._drag.frame_of(frame) for frame in chosen)
         for key in row.value.keys:
             at = QPointF(scale.x(key.frame), (ROW - 1) / 2)
-            paint_key(painter, at, form_of(key), colour, key.frame - shift in chosen)
+            paint_key(painter, at, form_of(key), colour, key.frame in chosen)
 
     def _line(self, row: KeyedValue) -> QPolygonF:
         """How the value runs through the frames in sight; reckoned once, and painted with every frame that is shown."""

@@ -19,6 +19,7 @@ from roam_core.roto.value_curves import (
     keys_at,
     move_values,
     paste_values,
+    retime_values,
     value_places,
 )
 
@@ -122,6 +123,12 @@ class ValueVerbs:
         values, outlines = _parted(places)
         keys = {(item_id, frame) for item_id, _, frame in outlines}
         return timing.copy_keys(copy_values(project, values, frames), keys, frames)
+
+    def retimed(self, project: Project, places: Iterable[ValuePlace], goes: Mapping[int, int]) -> Project:
+        """The project with keys on the frames that `goes` tells, by theirs."""
+        values, outlines = _parted(places)
+        keys = {(item_id, frame) for item_id, _, frame in outlines}
+        return timing.retime_keys(retime_values(project, values, goes), keys, goes)
 
     def copy(self) -> None:
         """Remember the chosen keys."""

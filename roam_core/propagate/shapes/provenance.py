@@ -72,9 +72,7 @@ class Stamp:
     @classmethod
     def read(cls, text: str) -> Stamp:
         """What a key's `inputs` say; empty where they say nothing."""
-        direction, config, digest, *more = [*text.split(":"), "", ""][: max(3, text.count(":") + 1)]
-        begun, until = (_frame(more, name) for name in ("from", "to"))
-        return cls(direction, config, digest, begun, until, "alone" in more, "beyond" in more)
+        return _read(text)
 
     def __str__(self) -> str:
         words = [self.direction, self.config, self.digest]
@@ -90,6 +88,14 @@ class Stamp:
     @property
     def forward(self) -> bool:
         return self.direction == "forward"
+
+
+@lru_cache(maxsize=1024)
+def _read(text: str) -> Stamp:
+    """One stamp for one text: all keys of a run between two of the artist's bear the same."""
+    direction, config, digest, *more = [*text.split(":"), "", ""][: max(3, text.count(":") + 1)]
+    begun, until = (_frame(more, name) for name in ("from", "to"))
+    return Stamp(direction, config, digest, begun, until, "alone" in more, "beyond" in more)
 
 
 def _frame(words: Sequence[str], name: str) -> int | None:

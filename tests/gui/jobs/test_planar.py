@@ -121,14 +121,20 @@ def test_backward_goes_on_with_the_same_layer(
     assert max(miss(document, frame) for frame in range(1, LAST + 1)) < 0.5
 
 
-def test_locking_the_shape_ends_the_track(
-    qtbot: QtBot, document: Document, track: PlanarTrack, verbs: PlanarTracking, plate: Plate
+@pytest.mark.parametrize("way", ["locked", "deleted"])
+def test_locking_or_deleting_the_shape_ends_the_track(
+    qtbot: QtBot, document: Document, track: PlanarTrack, verbs: PlanarTracking, plate: Plate, way: str
 ) -> None:
     plate.hold(3)
     verbs.forward()
     qtbot.waitUntil(lambda: document.project.has("layer-1") and layer(document).transform.frames[-1] == 3, timeout=WAIT)
-    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
-    assert not track.is_running
+    with qtbot.waitSignal(track.finished, timeout=WAIT) as finished:
+        if way == "locked":
+            document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+        else:
+            document.apply("Delete", edit.remove_items(document.project, ["shape-1"]))
+    said = f"The planar track stopped at frame 3; the finished frames stay. Shape 1 was {way} meanwhile."
+    assert (finished.args, track.is_running) == ([Ending.CANCELLED, said], False)
     plate.gate.release(10)
     qtbot.waitUntil(lambda: track._runner.is_idle, timeout=WAIT)
     assert layer(document).transform.frames == (1, 2, 3)

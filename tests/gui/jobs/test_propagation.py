@@ -64,7 +64,7 @@ def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
     assert finished.args == [
         Ending.DONE,
         "Tracked Shape 1 to frame 5: 4 frames, 10 ms each. "
-        "1 doubtful frame: <track.next_doubtful> goes to the next one.",
+        "1 doubtful frame: <track.most_doubtful> goes to the worst one.",
     ]
     document.undo_stack.undo()
     assert document.project is before
@@ -235,6 +235,15 @@ def test_a_run_that_an_edit_ends_says_of_what(
     assert finished.args == [Ending.CANCELLED, told]
 
 
+def test_a_run_that_ends_with_its_shape_says_so(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    run_to_the_third_frame(qtbot, propagation, document, engine)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        document.apply("Delete", edit.remove_items(document.project, ["shape-1"]))
+    assert finished.args[1].endswith("Shape 1 was deleted meanwhile.")
+
+
 @pytest.mark.parametrize("is_in_layer", [False, True])
 def test_locking_a_shape_under_work_ends_its_run(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, is_in_layer: bool
@@ -384,6 +393,7 @@ def test_a_run_leaves_the_playhead_alone_while_the_clip_is_played(
 ) -> None:
     """Also where it comes by the frame that the run showed last: it would jump."""
     playback = Playback(view_state, clock=lambda: 0.0)
+    view_state.set_play_range(1, 6)  # a tick takes the playhead into it
     engine.allow(1)
     propagation.start(["shape-1"], range(1, 6))
     qtbot.waitUntil(lambda: view_state.frame == 2, timeout=WAIT)
@@ -427,3 +437,14 @@ def test_opening_another_project_ends_the_run(
     engine.allow(4)
     qtbot.wait(50)
     assert document.project == Project()
+
+
+def test_of_doubtful_frames_ahead_the_next_one_is_offered(
+    qtbot: QtBot, propagation: Propagation, view_state: ViewState, engine: GlidingEngine
+) -> None:
+    view_state.set_frame(2)
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.start(["shape-1"], range(1, 6))
+        view_state.set_frame(1)
+    assert finished.args[1].endswith("1 doubtful frame: <track.next_doubtful> goes to the next one.")

@@ -259,6 +259,20 @@ def test_a_lifetime_is_typed_or_taken_from_the_playhead(
     assert (panel.first.value(), panel.last.value()) == (12, 12)
 
 
+def test_an_end_of_a_lifetime_that_is_dragged_past_the_other_leaves_it_where_it_is(
+    panel: PropertiesPanel, document: Document
+) -> None:
+    """Dragged back it would have stayed where it was pushed to."""
+    document.apply("Lifetime", edit.set_properties(document.project, "shape-1", lifetime=(4, 10)))
+    for field, ways, lifetime in ((panel.first, (7, 15, 6), (6, 10)), (panel.last, (7, 2, 8), (6, 9))):
+        field.begin_gesture()
+        for frame in ways:
+            field.drag_to(frame)
+        assert shape(document).lifetime == lifetime
+    panel.first.drag_to(15)
+    assert (shape(document).lifetime, panel.first.value()) == ((8, 9), 8)
+
+
 def test_any_colour_can_be_picked(panel: PropertiesPanel, document: Document) -> None:
     panel.colours.group.button(OTHER).click()
     dialog = panel.colours.findChild(QColorDialog)

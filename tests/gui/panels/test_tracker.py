@@ -116,6 +116,56 @@ def test_a_run_ends_with_the_lifetimes_of_its_shapes(
     assert (view_state.message == told) is (frames is None)
 
 
+@pytest.mark.parametrize(
+    ("frame", "verb", "told"),
+    [
+        (1004, "forward", "Hat is not tracked: its first key lies on frame 1015."),
+        (1004, "to_next_key", "Hat is not tracked: its first key lies on frame 1015."),
+        (1030, "backward", "Hat is not tracked: its last key lies on frame 1015."),
+        (1015, "forward", ""),
+        (1015, "backward", ""),
+        (1030, "forward", ""),
+        (1004, "backward", ""),
+    ],
+)
+def test_a_run_begins_with_no_copy_of_a_key_that_lies_ahead(
+    tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState,
+    frame: int, verb: str, told: str,
+) -> None:  # fmt: skip
+    """There the shape stands still, wherever the object is: keys were tracked from what lies beside it."""
+    document.apply("Hat", edit.new_shape(document.project, SQUARE, 1015, name="Hat")[0])
+    view_state.set_frame(frame)
+    view_state.select(frozenset({"shape-2"}))
+    getattr(tracking, verb)()
+    assert [ids for ids, *_ in propagation.asked] == ([] if told else [["shape-2"]])
+    assert view_state.message.startswith(told)
+
+
+def test_shapes_that_a_run_cannot_begin_with_are_left_out_and_said(
+    tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState
+) -> None:
+    project, _ = edit.new_shape(document.project, SQUARE, 1015)
+    document.apply("Draw", project)
+    tracking.forward()
+    assert [ids for ids, *_ in propagation.asked] == [["shape-1"]]
+    assert view_state.message == (
+        "Shape 2 is not tracked: its first key lies on frame 1015. Track from there, or set a key here (S)."
+    )
+    document.apply("Draw", edit.new_shape(project, SQUARE, 1016)[0])
+    tracking.forward()
+    assert view_state.message == (
+        "2 shapes not tracked: their first keys lie ahead. Track from there, or set keys here (S)."
+    )
+
+
+def test_the_first_key_of_a_shape_that_is_not_tracked_is_no_next_key(
+    tracking: Tracking, propagation: Propagation, document: Document
+) -> None:
+    document.apply("Draw", edit.new_shape(document.project, SQUARE, 1015)[0])
+    tracking.to_next_key()
+    assert propagation.asked == [(["shape-1"], range(1010, 1020), DEFAULT_CONFIG)]
+
+
 def test_before_a_key_there_is_nothing_to_track_up_to_it(
     tracking: Tracking, propagation: Propagation, view_state: ViewState
 ) -> None:

@@ -13,8 +13,9 @@ from pytestqt.qtbot import QtBot
 from app.features.boil import BoilOf, boil_of_document
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.timeline.boil_band import HEIGHT, most_of
+from app.timeline.boil_band import HEIGHT
 from app.timeline.keys.row_painter import DOUBT
+from app.timeline.marks import on_each_frame
 from app.timeline.timeline import Timeline
 from roam_core.review.boil import BOILING, boil
 from roam_core.roto import Project, RotoShape
@@ -90,8 +91,8 @@ def test_boil_is_measured_anew_only_around_a_key_that_changed(
 
 def test_of_several_shapes_each_frame_has_the_greatest() -> None:
     measured = [np.array([[1.0, 0.5], [3.0, 2.0]]), np.empty((0, 2)), np.array([[3.0, 1.0], [2.0, 0.1]])]
-    assert most_of(measured).tolist() == [[1.0, 0.5], [2.0, 0.1], [3.0, 2.0]]
-    assert most_of([]).shape == (0, 2)
+    assert on_each_frame(np.maximum, measured).tolist() == [[1.0, 0.5], [2.0, 0.1], [3.0, 2.0]]
+    assert on_each_frame(np.maximum, []).shape == (0, 2)
 
 
 def test_what_was_measured_by_the_picture_stands_until_its_keys_change(document: Document, timeline: Timeline) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
@@ -11,7 +13,8 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.timeline.confidence import _with_gaps, least_of
+from app.timeline.confidence import _with_gaps
+from app.timeline.marks import on_each_frame
 from app.timeline.timeline import Timeline
 from roam_core.roto import Keyframe, Origin, edit
 from tests.gui.timeline.places import SQUARE, x_of
@@ -55,10 +58,10 @@ def test_a_drag_over_the_plot_only_scrubs(qtbot: QtBot, timeline: Timeline, view
     assert view_state.selection.shapes == frozenset()
 
 
-def test_the_least_of_all_shapes_is_told_on_each_frame() -> None:
+def test_the_worst_of_all_shapes_is_told_on_each_frame() -> None:
     first, second = np.array([[1, 0.5], [2, 0.6], [7, 0.7]]), np.array([[2, 0.2], [3, 0.9]])
-    assert least_of([first, second]).tolist() == [[1, 0.5], [2, 0.2], [3, 0.9], [7, 0.7]]
-    assert least_of([]).shape == (0, 2)
+    assert on_each_frame(np.minimum, [first, second]).tolist() == [[1, 0.5], [2, 0.2], [3, 0.9], [7, 0.7]]
+    assert on_each_frame(np.minimum, []).shape == (0, 2)
 
 
 def test_the_least_line_is_there_for_several_shapes_and_doubt_is_filled(
@@ -89,3 +92,23 @@ def test_a_tip_tells_the_shapes_of_a_frame_the_worst_first(
         at = QPoint(x_of(timeline, frame) - timeline.confidence.lines.x(), 20)
         QApplication.sendEvent(port, QHelpEvent(QEvent.Type.ToolTip, at, port.mapToGlobal(at)))
     assert told == ["Frame 1015\n0.10  Shape 2\n0.20  Shape 1", "Frame 1045\nNothing is tracked here"]
+
+
+def test_another_button_than_the_left_one_neither_goes_to_a_frame_nor_selects(
+    qtbot: QtBot, timeline: Timeline, view_state: ViewState
+) -> None:
+    frame, port = view_state.frame, timeline.confidence.lines.viewport()
+    at = QPoint(x_of(timeline, 1015) + 2 - timeline.confidence.lines.x(), 30)
+    qtbot.mouseClick(port, Qt.MouseButton.RightButton, pos=at)
+    assert (view_state.frame, view_state.selection.shapes) == (frame, frozenset())
+
+
+def test_a_line_is_made_anew_where_its_shape_changed_and_no_other(timeline: Timeline, document: Document) -> None:
+    lines = timeline.confidence.lines
+    before = {shape_id: curve.getData()[1] for shape_id, curve in lines._curves.items()}
+    sure = Keyframe(1015, SQUARE, origin=Origin.ENGINE, confidence=0.7)
+    changed = replace(edit.set_engine_keys(document.project.shape("shape-2"), [sure]), colour=(1.0, 0.0, 0.0))
+    document.apply("Track", document.project.with_shape(changed))
+    assert lines._curves["shape-1"].getData()[1] is before["shape-1"]
+    assert 0.7 in lines._curves["shape-2"].getData()[1]
+    assert lines._curves["shape-2"].opts["pen"].color().getRgbF()[:3] == (1.0, 0.0, 0.0)

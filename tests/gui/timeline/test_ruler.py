@@ -88,3 +88,14 @@ def test_it_says_what_lies_under_the_pointer(
     QApplication.sendEvent(timeline.ruler, QHelpEvent(QEvent.Type.ToolTip, at, timeline.ruler.mapToGlobal(at)))
     assert told[0].startswith(tip)
     assert timeline.ruler.tip_at(QPointF(at)) == told[0]
+
+
+def test_a_press_beside_the_frames_leaves_the_playhead_where_it_is(
+    qtbot: QtBot, timeline: Timeline, view_state: ViewState
+) -> None:
+    """It went to the first frame."""
+    view_state.set_frame(1020)
+    drag(qtbot, timeline, QPoint(40, 8), QPoint(60, 8))
+    assert view_state.frame == 1020
+    drag(qtbot, timeline, QPoint(x_of(timeline, 1020), 8), QPoint(40, 8))
+    assert view_state.frame == 1001

@@ -110,3 +110,13 @@ def test_a_track_of_an_older_project_tells_no_confidence(timeline: Timeline, doc
     document.apply("Age", document.project.map_item(tracked, aged))
     tip = timeline.tracks.tip_at(QPointF(x_of(timeline, DOUBTED), 8))
     assert tip.endswith("tracked before confidence was kept")
+
+
+def test_an_adjust_key_of_a_locked_layer_stays(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState, tracked: str
+) -> None:
+    document.apply("Lock", edit.set_properties(document.project, tracked, locked=True))
+    before = document.project
+    qtbot.mouseClick(timeline.tracks, RIGHT, pos=QPoint(x_of(timeline, ADJUSTED), ROW // 2))
+    assert document.project is before
+    assert view_state.message == "Planar 1 is locked; unlock it to remove its adjust keys."

@@ -93,6 +93,12 @@ def test_a_missing_feather_counts_as_none_between_keys() -> None:
     assert moving().at(15).feather is None
 
 
+def test_a_lifetime_that_ends_before_it_begins_holds_no_frame() -> None:
+    shape = replace(moving(), lifetime=(20, 12))
+    assert shape.lifetime == (20, 20)
+    assert not any(shape.exists_at(frame) for frame in range(10, 23))
+
+
 def test_lifetime_is_half_open() -> None:
     shape = replace(moving(), lifetime=(12, 20))
     assert [shape.exists_at(frame) for frame in (11, 12, 19.5, 20)] == [False, True, True, False]

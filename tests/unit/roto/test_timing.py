@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
@@ -104,6 +107,39 @@ def test_deleting_spares_the_engines_keys_and_the_last_of_all(project: Project) 
     lone = edit.add_shape(Project(), RotoShape("c", "c", (Keyframe(1, SQUARE),)))
     with pytest.raises(RoamError, match="at least one key"):
         timing.delete_keys(lone, [("c", 1)])
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "goes"),
+    [
+        (10, 40, {10: 10, 15: 25, 20: 40}),
+        (0, 20, {10: 0, 15: 10, 20: 20}),
+        (10, 12, {10: 10, 15: 11, 20: 12}),
+        (10, 3, {10: 10, 15: 11, 20: 12}),
+        (10, 20, {10: 10, 15: 15, 20: 20}),
+    ],
+)
+def test_stretched_frames_keep_their_order_and_their_shares(first: int, last: int, goes: dict[int, int]) -> None:
+    assert timing.stretched([15, 10, 20, 10], first, last) == goes
+
+
+@given(st.sets(st.integers(-50, 200), min_size=1, max_size=20), st.integers(-50, 50), st.integers(-50, 300))
+def test_each_stretched_frame_has_a_place_of_its_own(frames: set[int], first: int, last: int) -> None:
+    goes = list(timing.stretched(frames, first, last).items())
+    assert [frame for frame, _ in goes] == sorted(frames)
+    assert all(a < b for (_, a), (_, b) in pairwise(goes))
+    assert goes[0][1] == first
+    if len(goes) > 1:
+        assert goes[-1][1] == max(last, first + len(goes) - 1)
+
+
+def test_retimed_keys_take_the_place_of_others_and_the_engines_stay(project: Project) -> None:
+    own = [("a", frame) for frame in project.shape("a").artist_frames]
+    first, *_, last = project.shape("a").artist_frames
+    after = timing.retime_keys(project, own, timing.stretched({frame for _, frame in own}, first, last + 10)).shape("a")
+    assert (after.artist_frames[0], after.artist_frames[-1]) == (first, last + 10)
+    engine = [key.frame for key in project.shape("a").keys if key.origin is Origin.ENGINE]
+    assert [key.frame for key in after.keys if key.origin is Origin.ENGINE] == engine
 
 
 def test_interpolation_is_set_where_keys_are(project: Project) -> None:
