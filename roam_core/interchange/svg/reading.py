@@ -15,6 +15,7 @@ from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.interchange.svg.compound import joined
+from roam_core.interchange.svg.crossings import taken_apart
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
 from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size
 from roam_core.interchange.svg.path import Spline
@@ -275,9 +276,13 @@ class SvgReader(ShapeReader):
             splines, is_whole = outlines(element, kind, scope.box, self.check_parts)
             if not is_whole:
                 self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.")
+            rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
+            is_filled = self._is_filled(scope)
             for spline in splines:
-                if kind != "line" and len(spline.rows) > 2 and self._is_filled(scope):
+                if kind != "line" and len(spline.rows) > 2 and is_filled:
                     spline.close()
+            if rule == "evenodd" and is_filled:
+                splines = [loop for each in splines for loop in taken_apart(each, scope.to_pixels, self.check_parts)]
             made = [self._shape(element, spline, name, scope) for spline in splines]
         except (ValueError, OverflowError) as error:
             self.note(f"{brief(name)} was left out ({error}).")
@@ -293,7 +298,6 @@ class SvgReader(ShapeReader):
             self.lines_only += 1
         item: Item = made[0]
         if len(made) > 1:
-            rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
             compound = self.fresh_id("compound")
             parts = (
                 replace(part, visible=True, opacity=1.0, invert=False, compound=compound)
