@@ -6328,6 +6328,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} hat {count} lesbare Bilder, laut Kopf der Datei {claimed}: sie ist vielleicht abgeschnitten.</translation>
     </message>
     <message>
+        <source>{name} holds several pictures, of which the first is the mask: to have all, save them as numbered files.</source>
+        <translation>{name} enthält mehrere Bilder, von denen das erste die Maske ist: um alle zu haben, speichern Sie sie als nummerierte Dateien.</translation>
+    </message>
+    <message>
         <source>{name} holds several pictures, of which the first is the plate: to have all, save them as numbered files.</source>
         <translation>{name} enthält mehrere Bilder, von denen das erste die Plate ist: um alle zu haben, speichern Sie sie als nummerierte Dateien.</translation>
     </message>
