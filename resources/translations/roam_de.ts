@@ -3895,6 +3895,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Ebenen in Silhouette haben keine Deckkraft: Die von {name!r} ist eine Form darin, {veil!r}.</translation>
     </message>
     <message>
+        <source>Silhouette refuses shapes of a single point: {name!r} gets another one halfway around.</source>
+        <translation>Silhouette lehnt Formen aus einem einzigen Punkt ab: {name!r} bekommt auf halbem Weg einen zweiten.</translation>
+    </message>
+    <message>
         <source>Silhouette refuses shapes of a single point: {name!r} is left out.</source>
         <translation>Silhouette lehnt Formen aus einem einzigen Punkt ab: {name!r} entfällt.</translation>
     </message>

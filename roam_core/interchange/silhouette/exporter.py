@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.geometry import bspline
+from roam_core.geometry import bezier, bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import everything, is_feathered, shown_shapes, untimed_intersect
@@ -161,7 +161,15 @@ class _Writer(ShapeWriter):
 
     def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
         shape = without_smooth_keys(self.begun(shape))
-        if shape.point_count < 2:
+        if shape.point_count < 2 and _is_loop(shape):
+            self.notes.append(
+                sentence(
+                    "Silhouette refuses shapes of a single point: {name!r} gets another one halfway around.",
+                    name=shape.name,
+                )
+            )
+            shape = shape.map_points(lambda points: bezier.split(points, 0, 0.5))
+        elif shape.point_count < 2:
             self.notes.append(
                 sentence("Silhouette refuses shapes of a single point: {name!r} is left out.", name=shape.name)
             )
@@ -242,6 +250,11 @@ def _folds(layer: Layer) -> bool:
             return False
         under.append(child)
     return True
+
+
+def _is_loop(shape: RotoShape) -> bool:
+    """Whether a shape of a single point goes around something by its handles."""
+    return shape.closed and any(bool((key.points != key.points[:, :1]).any()) for key in shape.keys)
 
 
 def _may_overlap(first: Item, second: Item) -> bool:

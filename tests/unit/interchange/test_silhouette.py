@@ -264,10 +264,24 @@ def test_what_is_lost_is_told(project: Project, tmp_path: Path) -> None:
     assert any("shutter" in note and "'Soft'" in note for note in notes)
 
 
-def test_a_single_point_is_left_out_and_told() -> None:
-    text, notes = silhouette_document(only(RotoShape("a", "Dot", (Keyframe(1001, points(1, 1)),))))
+@pytest.mark.parametrize("closed", [True, False])
+def test_a_single_point_is_left_out_and_told(closed: bool) -> None:
+    dot = bezier.polygon_points([(60.0, 90.0)]) if closed else points(1, 1)
+    text, notes = silhouette_document(only(RotoShape("a", "Dot", (Keyframe(1001, dot),), closed=closed)))
     assert judge(text)[1].shapes() == []
     assert notes == ("Silhouette refuses shapes of a single point: 'Dot' is left out.",)
+
+
+def test_a_loop_of_a_single_point_gets_a_second_one() -> None:
+    """It was left out, though its handles lead around something."""
+    loop = np.array([[[60.0, 90.0], [-40.0, 10.0], [180.0, 10.0]]])
+    project = only(RotoShape("a", "Loop", (Keyframe(1001, loop), Keyframe(1011, loop + 20.0))))
+    text, notes = silhouette_document(project)
+    assert notes == ("Silhouette refuses shapes of a single point: 'Loop' gets another one halfway around.",)
+    for frame in (1001, 1006, 1011):
+        ours = render_matte(project, frame, CLIP.size[::-1])
+        assert ours.sum() > 500
+        assert np.abs(matte(text, frame, CLIP.size[::-1]) - ours).mean() < 1e-3
 
 
 def test_nothing_is_lost_of_a_plain_shape() -> None:
