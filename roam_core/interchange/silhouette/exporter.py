@@ -9,6 +9,7 @@ description: what stands here follows the exporters that artists use to bring sh
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,8 +19,8 @@ from roam_core.geometry import bezier, bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import everything, is_feathered, shown_shapes, untimed_intersect
-from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.sums import UNIONS, Item, is_shown, soft_sums
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, tangent_notes
 from roam_core.interchange.xml import xml_text
@@ -95,13 +96,25 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     writer.fill_layer(root, replace(project.root, blend=BlendMode.ADD), 1.0)
     ET.indent(session, " ")
     text = f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n" + ET.tostring(session, encoding="unicode") + "\n"
-    if sums := [repr(item.name) for item in project.root.items() if item.blend is BlendMode.PLUS]:
-        names = ", ".join(sums[:6])
-        some = sentence("{names} and others", names=names) if len(sums) > 6 else names
-        writer.notes.append(
-            sentence("Silhouette has one Add for ROAM's add and plus: that is what {some} becomes.", some=some)
-        )
+    lost = [item.id for item in soft_sums(project.root)]
+    sums = [item for item in project.root.items() if item.blend is BlendMode.PLUS]
+    for told, items in (
+        (writer.losses, [item for item in sums if item.id in lost]),
+        (writer.notes, [item for item in sums if item.id not in lost]),
+    ):
+        if items:
+            told.append(
+                sentence(
+                    "Silhouette has one Add for ROAM's add and plus: that is what {some} becomes.", some=_some(items)
+                )
+            )
     return text, settled(writer.notes, writer.losses, options)
+
+
+def _some(items: Sequence[Item]) -> str:
+    """The names of some items, of which six are enough."""
+    names = ", ".join(repr(item.name) for item in items[:6])
+    return sentence("{names} and others", names=names) if len(items) > 6 else names
 
 
 def normalised(points: Array, clip: Clip) -> Array:

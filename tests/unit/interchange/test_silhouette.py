@@ -13,6 +13,7 @@ from scipy.interpolate import BSpline
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, read_shapes
+from roam_core.interchange.protocol import LossyExport
 from roam_core.interchange.silhouette.exporter import MODES, silhouette_document
 from roam_core.matte import render_matte
 from roam_core.roto import (
@@ -214,6 +215,17 @@ def test_layers_have_their_modes() -> None:
     written = [layer.properties["mode"] for layer in judge(text)[1].children]
     assert written == [MODES[mode] for mode in BlendMode]
     assert notes == ("Silhouette has one Add for ROAM's add and plus: that is what 'plus' becomes.",)
+
+
+def test_a_sum_of_what_is_dimmed_is_refused() -> None:
+    """Two halves make a whole in ROAM, three quarters in Silhouette; of what is opaque sum and union are one."""
+    halves = (square(100.0, opacity=0.5), square(110.0, opacity=0.5, blend=BlendMode.PLUS))
+    with pytest.raises(LossyExport, match="has one Add for ROAM's add and plus"):
+        silhouette_document(Project(CLIP, Layer("root", "Root", halves)))
+    text, _ = silhouette_document(Project(CLIP, Layer("root", "Root", halves)), ExportOptions(lossy=True))
+    assert matte(text, 1001, CLIP.size[::-1]).max() == pytest.approx(0.75)
+    for whole in ((replace(halves[0], opacity=1.0), halves[1]), (halves[1],)):
+        silhouette_document(Project(CLIP, Layer("root", "Root", whole)))
 
 
 def test_an_opacity_that_varies_is_keyed() -> None:
