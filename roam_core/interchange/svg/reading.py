@@ -21,7 +21,9 @@ from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, pic
 from roam_core.interchange.svg.path import Spline
 from roam_core.interchange.svg.properties import (
     blend_of,
+    fill_share,
     is_locked,
+    is_painted,
     is_shown,
     name_of,
     own_name,
@@ -38,6 +40,7 @@ from roam_core.interchange.svg.words import (
     lightness,
     moved,
     numbers,
+    paint_share,
     transform,
     xlink_href,
 )
@@ -289,12 +292,7 @@ class SvgReader(ShapeReader):
             return ()
         if not made:
             return ()
-        if (
-            not self.is_ours
-            and not scope.paints
-            and style.get("fill") == "none"
-            and style.get("stroke", "none") != "none"
-        ):
+        if not self.is_ours and not scope.paints and not self._is_filled(scope) and is_painted(style):
             self.lines_only += 1
         item: Item = made[0]
         if len(made) > 1:
@@ -316,14 +314,14 @@ class SvgReader(ShapeReader):
 
     def _is_filled(self, scope: Scope) -> bool:
         """Whether an outline is painted within: then its end is joined to its beginning, as every program shows it."""
-        return not self.is_ours and (scope.paints == "clip" or scope.style.get("fill", "black") != "none")
+        return not self.is_ours and (scope.paints == "clip" or paint_share(scope.style.get("fill", "")) > 0.0)
 
     def _painted(self, item: Item, name: str, scope: Scope) -> tuple[Item, ...]:
         """An item of a mask: white paint adds, black takes away; others stay as they are."""
         fill = scope.style.get("fill", "black")
         if scope.paints not in ("luminance", "alpha"):
             return (item,)
-        if fill == "none":
+        if paint_share(fill) == 0.0:
             return ()
         share = 1.0 if scope.paints == "alpha" else lightness(fill)
         if share is None:
@@ -361,10 +359,10 @@ class SvgReader(ShapeReader):
             closed=spline.closed,
             colour=mine or colour(style.get("fill")) or colour(style.get("stroke")) or NO_COLOUR,
             blend=blend_of(element),
-            opacity=opacity if self.is_ours or scope.paints == "clip" else opacity * share_of(style, "fill-opacity"),
+            opacity=opacity * fill_share(style) if self._is_filled(scope) and scope.paints != "clip" else opacity,
             invert=element.get("data-roam-invert") == "true",
             feather=self.grow * length(element.get("data-roam-feather"), 0.0),
-            visible=is_shown(style, True),
+            visible=is_shown(style, True) and (self.is_ours or scope.paints != "" or is_painted(style)),
             locked=is_locked(element),
         )
         if element.get("data-roam-spline") == SplineKind.BSPLINE.value and _still_b_spline(key.points, spline.closed):
