@@ -284,8 +284,8 @@ class SvgReader(ShapeReader):
             for spline in splines:
                 if kind != "line" and len(spline.rows) > 2 and is_filled:
                     spline.close()
-            if rule == "evenodd" and is_filled:
-                splines = [loop for each in splines for loop in taken_apart(each, scope.to_pixels, self.check_parts)]
+            if is_filled:
+                splines = taken_apart(splines, rule == "evenodd", scope.to_pixels, self.check_parts)
             made = [self._shape(element, spline, name, scope) for spline in splines]
         except (ValueError, OverflowError) as error:
             self.note(f"{brief(name)} was left out ({error}).")
