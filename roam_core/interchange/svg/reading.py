@@ -17,6 +17,7 @@ from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.interchange.svg.compound import joined
 from roam_core.interchange.svg.crossings import taken_apart
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
+from roam_core.interchange.svg.frames import mask_frame, reach_beyond
 from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size
 from roam_core.interchange.svg.path import Spline
 from roam_core.interchange.svg.properties import (
@@ -415,6 +416,9 @@ class SvgReader(ShapeReader):
             return None
         inner = replace(scope, to_pixels=into, style=style, used=used, paints=paints, depth=scope.depth + 1)
         parts = self._inside(target, inner)
+        frame = mask_frame(target, scope.box) if kind == "mask" else None
+        if frame is not None and reach_beyond(parts, frame, into):
+            self.note(f"The frame of the {what} of {brief(name)} was left out: what lies beyond it masks, too.")
         if "clip-path" in style or "mask" in style:
             self.note(f"What cuts the {what} of {brief(name)} itself was left out.")
         blend = BlendMode.INTERSECT
