@@ -194,7 +194,7 @@ class _Writer(ShapeWriter):
         properties = ET.SubElement(element, "Properties")
         share = opacity if shape.blend in SCALED_BY_THEIR_LAYER else 1.0
         self._add_opacity(properties, shape, product(shape.opacity, share))
-        _constant(properties, "motionBlur", _truth(shape.motion_blur is not None))
+        _constant(properties, "motionBlur", _truth(shape.is_blurred))
         _constant(properties, "outlineColor", _tuple(np.array(shape.colour)))
         _constant(properties, "mode", MODES[shape.blend])
         _constant(properties, "invert", _truth(shape.invert))
@@ -210,7 +210,7 @@ class _Writer(ShapeWriter):
                     "The feather of {name!r} is lost: how a Silhouette file holds it is not known.", name=shape.name
                 )
             )
-        if shape.motion_blur is not None:
+        if shape.is_blurred:
             self.notes.append(
                 sentence("Silhouette's shutter is the session's: that of {name!r} is left out.", name=shape.name)
             )
