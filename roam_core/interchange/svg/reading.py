@@ -17,8 +17,8 @@ from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.interchange.svg.compound import joined
 from roam_core.interchange.svg.crossings import taken_apart
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
-from roam_core.interchange.svg.frames import mask_frame, reach_beyond
-from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size
+from roam_core.interchange.svg.frames import UNCUT, cuts_off, mask_frame, picture_frame, reach_beyond
+from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size, view_box
 from roam_core.interchange.svg.path import Spline
 from roam_core.interchange.svg.properties import (
     blend_of,
@@ -203,9 +203,10 @@ class SvgReader(ShapeReader):
         return self._cut(made, name, inner) if made else ()
 
     def _group(self, element: Element, kind: str, name: str, scope: Scope) -> tuple[Item, ...]:
-        if kind == "svg":
-            scope = self._within(element, scope, element)
-        children = self._inside(element, scope)
+        inner = self._within(element, scope, element) if kind == "svg" else scope
+        children = self._inside(element, inner)
+        if kind == "svg" and cuts_off(element, element, children, scope.box, scope.to_pixels):
+            self.note(UNCUT.format(name=brief(name)))
         if scope.paints and share_of(scope.style, "opacity") == 1.0:
             return children
         layer = self._layer(name, children, scope.style, element)
@@ -226,14 +227,9 @@ class SvgReader(ShapeReader):
 
     def _within(self, picture: Element, scope: Scope, placed: Element) -> Scope:
         """The scope in a picture or symbol, at the place and of the size that `placed` says."""
-        x, y = (length(placed.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
-        sizes = (placed.get(word) or picture.get(word) for word in ("width", "height"))
-        size = tuple(length(word, whole, whole) for word, whole in zip(sizes, scope.box, strict=True))
-        if min(size) <= 0.0:
-            size = scope.box
+        x, y, *size = picture_frame(picture, placed, scope.box)
         moves = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
-        box = numbers(picture.get("viewBox"))
-        inner = (box[2], box[3]) if len(box) == 4 and min(box[2:]) > 0.0 else (size[0], size[1])
+        inner = (size[0], size[1]) if (box := view_box(picture)) is None else (box[2], box[3])
         return replace(scope, to_pixels=composed(composed(scope.to_pixels, moves), fitted(picture, *size)), box=inner)
 
     def _used(self, element: Element, name: str, scope: Scope) -> tuple[Item, ...]:
@@ -245,8 +241,9 @@ class SvgReader(ShapeReader):
         target, used = found
         scope = replace(scope, used=used)
         if local_name(target) in ("symbol", "svg"):
-            scope = self._within(target, scope, element)
-            made = self._inside(target, scope)
+            made = self._inside(target, self._within(target, scope, element))
+            if cuts_off(target, element, made, scope.box, scope.to_pixels):
+                self.note(UNCUT.format(name=brief(name)))
         else:
             x, y = (length(element.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
             moves = composed(scope.to_pixels, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))

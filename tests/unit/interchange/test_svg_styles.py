@@ -97,6 +97,10 @@ def test_a_clip_path_round_the_whole_picture_is_none(tmp_path: Path) -> None:
         ("<style>a:hover{fill:red}</style>", "The style rule for 'a:hover' was not understood"),
         ('<path d="M0 0H9V9" fill="none" stroke="red"/>', "1 of the outlines are drawn as lines only"),
         (
+            '<svg id="q" x="9" y="9" width="90" height="90" viewBox="0 0 10 10"><rect width="20" height="5"/></svg>',
+            "The frame of 'q' was left out",
+        ),
+        (
             '<mask id="m" maskUnits="userSpaceOnUse" width="60" height="60"><rect width="90" height="9" fill="white"/>'
             '</mask><rect id="q" width="99" height="99" mask="url(#m)"/>',
             "The frame of the mask of 'q' was left out",
