@@ -3928,6 +3928,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Ebenen in Silhouette haben keine Deckkraft: Die von {name!r} ist eine Form darin, {veil!r}.</translation>
     </message>
     <message>
+        <source>Silhouette refuses shapes of a single point: {name!r} gets another one halfway around.</source>
+        <translation>Silhouette lehnt Formen aus einem einzigen Punkt ab: {name!r} bekommt auf halbem Weg einen zweiten.</translation>
+    </message>
+    <message>
         <source>Silhouette refuses shapes of a single point: {name!r} is left out.</source>
         <translation>Silhouette lehnt Formen aus einem einzigen Punkt ab: {name!r} entfällt.</translation>
     </message>
@@ -6367,6 +6371,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} has {count} frames that can be read, its header says {claimed}: it may be cut short.</source>
         <translation>{name} hat {count} lesbare Bilder, laut Kopf der Datei {claimed}: sie ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{name} holds several pictures, of which the first is the mask: to have all, save them as numbered files.</source>
+        <translation>{name} enthält mehrere Bilder, von denen das erste die Maske ist: um alle zu haben, speichern Sie sie als nummerierte Dateien.</translation>
     </message>
     <message>
         <source>{name} holds several pictures, of which the first is the plate: to have all, save them as numbered files.</source>

@@ -41,6 +41,7 @@ from roam_core.matte.vectorise import (
     specks_left_out,
 )
 from roam_core.media.numbering import split_number
+from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
@@ -366,6 +367,8 @@ def tell_of_number(mask: Path, frames: tuple[int, ...], start: int) -> None:
 
 def _odd_about(mask: NDArray[Any], init: Path, count: int) -> Iterator[str]:
     """What an artist should know of a mask that became `count` shapes."""
+    if pages := unseen_of_mask(init):
+        yield pages
     if may_be_picture(coverage_of(mask)):
         yield (
             f"Most of the mask {init} is neither black nor white. If it is a picture, stop (Ctrl+C) and give a mask, "

@@ -182,7 +182,7 @@ class _Writer(ShapeWriter):
             "opacity": self._keyed(shape.opacity, straight_keys(shape.opacity)),
             "feather": self._keyed(shape.feather, straight_keys(shape.feather)),
             "activated": [[self._frame(frame), is_active] for frame, is_active in lifetime_steps(shape)],
-            "blur": None if blur is None else [blur.samples, blur.shutter, blur.phase],
+            "blur": None if blur is None or not blur.is_seen else [blur.samples, blur.shutter, blur.phase],
             "keys": [
                 [
                     moment.time,

@@ -86,14 +86,15 @@ def beside_zeros(value: Animatable) -> Animatable:
     """
     if not isinstance(value, Animated):
         return value
-    keys, added = straight_keys(value), list[ValueKey]()
+    keys, added, passes = straight_keys(value), list[ValueKey](), False
     for key, following in pairwise(keys):
         if key.interpolation is Interpolation.HOLD or key.value * following.value >= 0.0:
             continue
+        passes = True
         zero = key.frame + (following.frame - key.frame) * key.value / (key.value - following.value)
         around = {math.floor(zero), math.ceil(zero)} - {key.frame, following.frame}
         added += (ValueKey(frame, value.at(frame)) for frame in around)
-    return Animated((*keys, *added)) if added else value
+    return Animated((*keys, *added)) if passes else value
 
 
 def tangent_notes(root: Layer) -> list[str]:

@@ -1,6 +1,8 @@
-"""What of a plate's files is not shown, in a sentence for whoever opens it."""
+"""What of a plate's files, or of a mask's, is not looked at, in a sentence for whoever opens it."""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.media.decoding import has_several_images
@@ -18,12 +20,26 @@ def _further_pages(source: PlateSource) -> str:
     if isinstance(source, MoviePlate) or len(source.frames) > 1:
         return ""
     file = source.file_of(source.frames[0])
-    try:
-        if not has_several_images(file):
-            return ""
-    except RoamError:  # reading its frame will tell
+    if not _has_further_pages(file):
         return ""
     return sentence(
         "{name} holds several pictures, of which the first is the plate: to have all, save them as numbered files.",
         name=file.name,
     )
+
+
+def unseen_of_mask(file: Path) -> str:
+    """That a mask has further pages; "" where it has not."""
+    if not _has_further_pages(file):
+        return ""
+    return sentence(
+        "{name} holds several pictures, of which the first is the mask: to have all, save them as numbered files.",
+        name=file.name,
+    )
+
+
+def _has_further_pages(file: Path) -> bool:
+    try:
+        return has_several_images(file)
+    except RoamError:  # reading it will tell
+        return False

@@ -252,6 +252,11 @@ class RotoShape:
             object.__setattr__(self, "lifetime", (self.lifetime[0], self.lifetime[0]))
 
     @property
+    def is_blurred(self) -> bool:
+        """Whether its motion blurs it: it has motion blur whose shutter opens, and that is sampled."""
+        return self.motion_blur is not None and self.motion_blur.is_seen
+
+    @property
     def point_count(self) -> int:
         """How many points every key has."""
         return len(self.keys[0].points)

@@ -12,7 +12,7 @@ from ...jobs.picture_work import PictureWork
 from ...jobs.runner import Ending, Report
 from ...model.document import Document
 from ...model.view_state import ViewState
-from ...translation import tr
+from ...translation import tr, translated
 from .finishing import put_in
 
 
@@ -43,8 +43,9 @@ class MaskShapes:
         width, height = self._document.project.require_clip().size
         frame = self._view.frame
 
-        def look(report: Report) -> list[RotoShape]:
+        def look(report: Report) -> tuple[list[RotoShape], str]:
             from roam_core.matte.vectorise import read_mask, shapes_from_mask
+            from roam_core.media.unseen import unseen_of_mask
 
             report.progress(0.0, tr("Reading {name} …", name=path.name))
             shapes = shapes_from_mask(read_mask(path, (height, width)), frame)
@@ -52,12 +53,15 @@ class MaskShapes:
                 raise RoamError(
                     tr("Nothing is white in {name}; paint the object white and the rest black.", name=path.name)
                 )
-            return shapes
+            return shapes, translated(unseen_of_mask(path))
 
         self._pictures.find("mask", look, self._take, ended=self._end)
 
-    def _take(self, shapes: list[RotoShape]) -> None:
+    def _take(self, found: tuple[list[RotoShape], str]) -> None:
+        shapes, further_pages = found
         put_in(self._document, self._view, self._view.tool, shapes, tr("Shape from mask"))
+        if further_pages:
+            self._view.say(further_pages)
 
     def _end(self, ending: Ending, sentence: str) -> None:
         if ending is Ending.FAILED:

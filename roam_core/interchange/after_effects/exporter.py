@@ -100,7 +100,7 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
         "fps": clip.fps,
         "first": clip.first,
         "last": clip.last,
-        "blurred": any(shape.motion_blur is not None for shape in shapes),
+        "blurred": any(shape.is_blurred for shape in shapes),
     }
     lines = ",\n".join(f"    {javascript_literal(part)}" for part in parts)
     text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace("@PARTS@", f"[\n{lines}\n  ]")
@@ -164,7 +164,7 @@ class _Writer(ShapeWriter):
             "closed": shape.closed,
             "inverted": shape.invert,
             "locked": shape.locked,
-            "blurred": shape.motion_blur is not None,
+            "blurred": shape.is_blurred,
             "color": list(shape.colour),
             "feather": self._value(mapped(feather, abs)),
             "expansion": self._value(mapped(feather, lambda width: width / 2.0)),
@@ -214,7 +214,7 @@ class _Writer(ShapeWriter):
                     name=shape.name,
                 )
             )
-        if shape.motion_blur is not None:
+        if shape.is_blurred:
             self.notes.append(
                 sentence("After Effects' shutter is the composition's: that of {name!r} is left out.", name=shape.name)
             )

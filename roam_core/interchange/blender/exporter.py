@@ -243,7 +243,7 @@ class _Writer(ShapeWriter):
                     name=shape.name,
                 )
             )
-        if shape.motion_blur is not None:
+        if shape.is_blurred:
             self.notes.append(
                 sentence("Blender blurs masks in its compositor: the shutter of {name!r} is left out.", name=shape.name)
             )

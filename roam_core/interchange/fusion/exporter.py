@@ -329,15 +329,15 @@ def has_grey(item: RotoShape | Branch) -> bool:
     """True for what is neither black nor white, beside the pixels of hard edges."""
     if isinstance(item, Branch):
         return item.opacity != 1.0 or any(has_grey(inner) for inner in item.items if takes_part(inner))
-    return item.opacity != 1.0 or any(values_of(item.feather)) or item.motion_blur is not None
+    return item.opacity != 1.0 or any(values_of(item.feather)) or item.is_blurred
 
 
 def _motion_blur(shape: RotoShape) -> list[tuple[str, str]]:
     """Fusion's shutter in degrees, its centre in half shutters from the frame."""
     blur = shape.motion_blur
-    if blur is None:
+    if blur is None or not blur.is_seen:
         return []
-    bias = 0.0 if blur.shutter == 0.0 else (blur.phase + blur.shutter / 2.0) / (blur.shutter / 2.0)
+    bias = (blur.phase + blur.shutter / 2.0) / (blur.shutter / 2.0)
     values = (("MotionBlur", 1.0), ("Quality", blur.samples), ("ShutterAngle", 360.0 * blur.shutter))
     return [(name, f"Value = {_decimal(value)}") for name, value in (*values, ("CenterBias", bias))]
 

@@ -90,7 +90,7 @@ class _Writer(ShapeWriter):
             word
             for word, is_so in (
                 (sentence("feather"), is_feathered(shape)),
-                (sentence("motion blur"), shape.motion_blur is not None),
+                (sentence("motion blur"), shape.is_blurred),
             )
             if is_so
         ]

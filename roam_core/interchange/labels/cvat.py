@@ -146,7 +146,7 @@ class _Writer(ShapeWriter):
             self.losses.append(
                 sentence("Polygons of CVAT only add: the {what} of {name} is lost.", what=what, name=name)
             )
-        dim, blurred = not is_always(shape.opacity, 1.0), shape.motion_blur is not None
+        dim, blurred = not is_always(shape.opacity, 1.0), shape.is_blurred
         kinds = (
             (sentence("feather"), is_feathered(shape)),
             (sentence("opacity"), dim),

@@ -18,6 +18,7 @@ from roam_core.media import open_clip
 from roam_core.media.decoding import read_channels
 from roam_core.media.sequence import ImageSequence
 from roam_core.media.source import DamagedFrame, PlateSource
+from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import scale_for
 from roam_core.roto import Clip, RotoShape
 from roam_core.translatable import N_
@@ -55,6 +56,8 @@ class MaskImporter:
         reader = ShapeReader(path, clip, _placed(options, source, clip))
         if reader.options is not options:
             reader.note(f"The mask bears no number of the clip's frames: its key stands on the first, {clip.first}.")
+        if isinstance(source, ImageSequence) and (pages := unseen_of_mask(source.file_of(source.frames[0]))):
+            reader.note(pages)
         wanted = _wanted(options.masks, source)
         tracker = _followed(source, reader, wanted)
         if not tracker.tracks:

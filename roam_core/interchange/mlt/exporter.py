@@ -135,7 +135,7 @@ class _Writer(ShapeWriter):
         if has_feather_curve(shape):
             lost = self.losses if shape.visible else self.notes
             lost.append(sentence("MLT has one feather all around: the feather curve of {name} is lost.", name=name))
-        if shape.motion_blur is not None:
+        if shape.is_blurred:
             self.notes.append(sentence("MLT has no motion blur: that of {name} is left out.", name=name))
 
 

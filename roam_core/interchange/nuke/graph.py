@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown, is_soft_sum, sums_as_unions
+from roam_core.interchange.sums import UNIONS, Item, is_shown, is_soft_sum, sums_as_unions
 from roam_core.roto import BlendMode, Layer, RotoShape
 from roam_core.roto.animated import is_always
 from roam_core.translatable import sentence

@@ -16,8 +16,8 @@ from roam_core.interchange.keys.keying import animated_of
 from roam_core.interchange.nuke.graph import OPERATIONS
 from roam_core.interchange.nuke.names import LAYER_KNOB, read_layer_word
 from roam_core.interchange.nuke.script import Word
-from roam_core.interchange.nuke.sums import Item
 from roam_core.interchange.reading import ShapeReader
+from roam_core.interchange.sums import Item
 from roam_core.roto import BlendMode, Layer
 from roam_core.roto.animated import Animatable, mapped
 

@@ -9,17 +9,18 @@ description: what stands here follows the exporters that artists use to bring sh
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.geometry import bspline
+from roam_core.geometry import bezier, bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import everything, is_feathered, shown_shapes, untimed_intersect
-from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.sums import UNIONS, Item, is_shown, soft_sums
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, tangent_notes
 from roam_core.interchange.xml import xml_text
@@ -95,13 +96,25 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     writer.fill_layer(root, replace(project.root, blend=BlendMode.ADD), 1.0)
     ET.indent(session, " ")
     text = f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n" + ET.tostring(session, encoding="unicode") + "\n"
-    if sums := [repr(item.name) for item in project.root.items() if item.blend is BlendMode.PLUS]:
-        names = ", ".join(sums[:6])
-        some = sentence("{names} and others", names=names) if len(sums) > 6 else names
-        writer.notes.append(
-            sentence("Silhouette has one Add for ROAM's add and plus: that is what {some} becomes.", some=some)
-        )
+    lost = [item.id for item in soft_sums(project.root)]
+    sums = [item for item in project.root.items() if item.blend is BlendMode.PLUS]
+    for told, items in (
+        (writer.losses, [item for item in sums if item.id in lost]),
+        (writer.notes, [item for item in sums if item.id not in lost]),
+    ):
+        if items:
+            told.append(
+                sentence(
+                    "Silhouette has one Add for ROAM's add and plus: that is what {some} becomes.", some=_some(items)
+                )
+            )
     return text, settled(writer.notes, writer.losses, options)
+
+
+def _some(items: Sequence[Item]) -> str:
+    """The names of some items, of which six are enough."""
+    names = ", ".join(repr(item.name) for item in items[:6])
+    return sentence("{names} and others", names=names) if len(items) > 6 else names
 
 
 def normalised(points: Array, clip: Clip) -> Array:
@@ -161,7 +174,15 @@ class _Writer(ShapeWriter):
 
     def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
         shape = without_smooth_keys(self.begun(shape))
-        if shape.point_count < 2:
+        if shape.point_count < 2 and _is_loop(shape):
+            self.notes.append(
+                sentence(
+                    "Silhouette refuses shapes of a single point: {name!r} gets another one halfway around.",
+                    name=shape.name,
+                )
+            )
+            shape = shape.map_points(lambda points: bezier.split(points, 0, 0.5))
+        elif shape.point_count < 2:
             self.notes.append(
                 sentence("Silhouette refuses shapes of a single point: {name!r} is left out.", name=shape.name)
             )
@@ -173,7 +194,7 @@ class _Writer(ShapeWriter):
         properties = ET.SubElement(element, "Properties")
         share = opacity if shape.blend in SCALED_BY_THEIR_LAYER else 1.0
         self._add_opacity(properties, shape, product(shape.opacity, share))
-        _constant(properties, "motionBlur", _truth(shape.motion_blur is not None))
+        _constant(properties, "motionBlur", _truth(shape.is_blurred))
         _constant(properties, "outlineColor", _tuple(np.array(shape.colour)))
         _constant(properties, "mode", MODES[shape.blend])
         _constant(properties, "invert", _truth(shape.invert))
@@ -189,7 +210,7 @@ class _Writer(ShapeWriter):
                     "The feather of {name!r} is lost: how a Silhouette file holds it is not known.", name=shape.name
                 )
             )
-        if shape.motion_blur is not None:
+        if shape.is_blurred:
             self.notes.append(
                 sentence("Silhouette's shutter is the session's: that of {name!r} is left out.", name=shape.name)
             )
@@ -242,6 +263,11 @@ def _folds(layer: Layer) -> bool:
             return False
         under.append(child)
     return True
+
+
+def _is_loop(shape: RotoShape) -> bool:
+    """Whether a shape of a single point goes around something by its handles."""
+    return shape.closed and any(bool((key.points != key.points[:, :1]).any()) for key in shape.keys)
 
 
 def _may_overlap(first: Item, second: Item) -> bool:

@@ -14,7 +14,7 @@ from roam_core.roto import BlendMode, RotoShape
 TOLERANCE = 0.5
 """Pixels by which outlines may stray where it is asked which of them lies in which."""
 ASKED = 3
-"""Points of an outline of which it is asked whether they lie in another."""
+"""Places of an outline of which it is asked whether they lie in another."""
 CORNERS_PER_PART, AT_ONCE = 128, 1 << 18
 """Corners of the other that count for a part each time, and that are looked at together."""
 
@@ -49,9 +49,9 @@ def joined(made: list[RotoShape], is_even_odd: bool, count: Callable[[int], None
 
 
 def _few(shape: RotoShape) -> Array:
-    """A few anchors `(ASKED, 2)` of a shape, spread over it."""
-    few: Array = shape.keys[0].points[np.arange(ASKED) * shape.point_count // ASKED, bezier.ANCHOR]
-    return few
+    """A few places `(ASKED, 2)` of a shape between its anchors, in which others may touch it."""
+    segments = np.arange(ASKED) * shape.point_count // ASKED
+    return bezier.evaluate(shape.keys[0].points, segments, np.full(ASKED, 0.5))
 
 
 def _lie_in(places: Array, line: Array) -> Array:

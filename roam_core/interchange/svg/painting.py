@@ -272,7 +272,7 @@ class Painter(ShapeWriter):
                     more=more,
                 )
             )
-        if shape.motion_blur is not None:
+        if shape.is_blurred:
             self.notes.append(
                 sentence("A still picture has no shutter: that of {name!r} is left out.", name=shape.name)
             )

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from itertools import islice
 from xml.etree.ElementTree import Element
 
-from roam_core.interchange.svg.words import INSENSITIVE, LABEL, numbers
+from roam_core.interchange.svg.words import INSENSITIVE, LABEL, numbers, paint_share
 from roam_core.interchange.xml import local_name
 from roam_core.roto import BlendMode
 
@@ -43,6 +43,16 @@ def share_of(style: Mapping[str, str], word: str) -> float:
     text = style.get(word, "")
     values = numbers(text)
     return min(max(values[0] / (100.0 if "%" in text else 1.0), 0.0), 1.0) if values else 1.0
+
+
+def fill_share(style: Mapping[str, str]) -> float:
+    """How opaque an outline is painted within, in [0, 1]."""
+    return share_of(style, "fill-opacity") * paint_share(style.get("fill", ""))
+
+
+def is_painted(style: Mapping[str, str]) -> bool:
+    """Whether anything is seen of an outline; many drawings hold a frame around all of which nothing is."""
+    return paint_share(style.get("fill", "")) > 0.0 or paint_share(style.get("stroke", "none")) > 0.0
 
 
 def is_locked(element: Element) -> bool:

@@ -15,12 +15,16 @@ from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.interchange.svg.compound import joined
+from roam_core.interchange.svg.crossings import taken_apart
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
-from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size
+from roam_core.interchange.svg.frames import UNCUT, cuts_off, mask_frame, picture_frame, reach_beyond
+from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size, view_box
 from roam_core.interchange.svg.path import Spline
 from roam_core.interchange.svg.properties import (
     blend_of,
+    fill_share,
     is_locked,
+    is_painted,
     is_shown,
     name_of,
     own_name,
@@ -37,6 +41,7 @@ from roam_core.interchange.svg.words import (
     lightness,
     moved,
     numbers,
+    paint_share,
     transform,
     xlink_href,
 )
@@ -198,9 +203,10 @@ class SvgReader(ShapeReader):
         return self._cut(made, name, inner) if made else ()
 
     def _group(self, element: Element, kind: str, name: str, scope: Scope) -> tuple[Item, ...]:
-        if kind == "svg":
-            scope = self._within(element, scope, element)
-        children = self._inside(element, scope)
+        inner = self._within(element, scope, element) if kind == "svg" else scope
+        children = self._inside(element, inner)
+        if kind == "svg" and cuts_off(element, element, children, scope.box, scope.to_pixels):
+            self.note(UNCUT.format(name=brief(name)))
         if scope.paints and share_of(scope.style, "opacity") == 1.0:
             return children
         layer = self._layer(name, children, scope.style, element)
@@ -221,14 +227,9 @@ class SvgReader(ShapeReader):
 
     def _within(self, picture: Element, scope: Scope, placed: Element) -> Scope:
         """The scope in a picture or symbol, at the place and of the size that `placed` says."""
-        x, y = (length(placed.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
-        sizes = (placed.get(word) or picture.get(word) for word in ("width", "height"))
-        size = tuple(length(word, whole, whole) for word, whole in zip(sizes, scope.box, strict=True))
-        if min(size) <= 0.0:
-            size = scope.box
+        x, y, *size = picture_frame(picture, placed, scope.box)
         moves = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
-        box = numbers(picture.get("viewBox"))
-        inner = (box[2], box[3]) if len(box) == 4 and min(box[2:]) > 0.0 else (size[0], size[1])
+        inner = (size[0], size[1]) if (box := view_box(picture)) is None else (box[2], box[3])
         return replace(scope, to_pixels=composed(composed(scope.to_pixels, moves), fitted(picture, *size)), box=inner)
 
     def _used(self, element: Element, name: str, scope: Scope) -> tuple[Item, ...]:
@@ -240,8 +241,9 @@ class SvgReader(ShapeReader):
         target, used = found
         scope = replace(scope, used=used)
         if local_name(target) in ("symbol", "svg"):
-            scope = self._within(target, scope, element)
-            made = self._inside(target, scope)
+            made = self._inside(target, self._within(target, scope, element))
+            if cuts_off(target, element, made, scope.box, scope.to_pixels):
+                self.note(UNCUT.format(name=brief(name)))
         else:
             x, y = (length(element.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
             moves = composed(scope.to_pixels, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
@@ -275,25 +277,23 @@ class SvgReader(ShapeReader):
             splines, is_whole = outlines(element, kind, scope.box, self.check_parts)
             if not is_whole:
                 self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.")
+            rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
+            is_filled = self._is_filled(scope)
             for spline in splines:
-                if kind != "line" and len(spline.rows) > 2 and self._is_filled(scope):
+                if kind != "line" and len(spline.rows) > 2 and is_filled:
                     spline.close()
+            if is_filled:
+                splines = taken_apart(splines, rule == "evenodd", scope.to_pixels, self.check_parts)
             made = [self._shape(element, spline, name, scope) for spline in splines]
         except (ValueError, OverflowError) as error:
             self.note(f"{brief(name)} was left out ({error}).")
             return ()
         if not made:
             return ()
-        if (
-            not self.is_ours
-            and not scope.paints
-            and style.get("fill") == "none"
-            and style.get("stroke", "none") != "none"
-        ):
+        if not self.is_ours and not scope.paints and not self._is_filled(scope) and is_painted(style):
             self.lines_only += 1
         item: Item = made[0]
         if len(made) > 1:
-            rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
             compound = self.fresh_id("compound")
             parts = (
                 replace(part, visible=True, opacity=1.0, invert=False, compound=compound)
@@ -312,14 +312,14 @@ class SvgReader(ShapeReader):
 
     def _is_filled(self, scope: Scope) -> bool:
         """Whether an outline is painted within: then its end is joined to its beginning, as every program shows it."""
-        return not self.is_ours and (scope.paints == "clip" or scope.style.get("fill", "black") != "none")
+        return not self.is_ours and (scope.paints == "clip" or paint_share(scope.style.get("fill", "")) > 0.0)
 
     def _painted(self, item: Item, name: str, scope: Scope) -> tuple[Item, ...]:
         """An item of a mask: white paint adds, black takes away; others stay as they are."""
         fill = scope.style.get("fill", "black")
         if scope.paints not in ("luminance", "alpha"):
             return (item,)
-        if fill == "none":
+        if paint_share(fill) == 0.0:
             return ()
         share = 1.0 if scope.paints == "alpha" else lightness(fill)
         if share is None:
@@ -357,10 +357,10 @@ class SvgReader(ShapeReader):
             closed=spline.closed,
             colour=mine or colour(style.get("fill")) or colour(style.get("stroke")) or NO_COLOUR,
             blend=blend_of(element),
-            opacity=opacity if self.is_ours or scope.paints == "clip" else opacity * share_of(style, "fill-opacity"),
+            opacity=opacity * fill_share(style) if self._is_filled(scope) and scope.paints != "clip" else opacity,
             invert=element.get("data-roam-invert") == "true",
             feather=self.grow * length(element.get("data-roam-feather"), 0.0),
-            visible=is_shown(style, True),
+            visible=is_shown(style, True) and (self.is_ours or scope.paints != "" or is_painted(style)),
             locked=is_locked(element),
         )
         if element.get("data-roam-spline") == SplineKind.BSPLINE.value and _still_b_spline(key.points, spline.closed):
@@ -413,6 +413,9 @@ class SvgReader(ShapeReader):
             return None
         inner = replace(scope, to_pixels=into, style=style, used=used, paints=paints, depth=scope.depth + 1)
         parts = self._inside(target, inner)
+        frame = mask_frame(target, scope.box) if kind == "mask" else None
+        if frame is not None and reach_beyond(parts, frame, into):
+            self.note(f"The frame of the {what} of {brief(name)} was left out: what lies beyond it masks, too.")
         if "clip-path" in style or "mask" in style:
             self.note(f"What cuts the {what} of {brief(name)} itself was left out.")
         blend = BlendMode.INTERSECT

@@ -81,18 +81,37 @@ def length(text: str | None, whole: float, default: float = 0.0) -> float:
 
 
 def colour(text: str | None) -> tuple[float, float, float] | None:
-    """A colour of the forms `#rgb`, `#rrggbb` and `rgb(...)`, or one of CSS's sixteen old names, or None."""
+    """A colour of the forms `#rgb`, `#rrggbb` and `rgb(...)`, or one of CSS's sixteen old names, or None.
+
+    What such a form says of transparency is passed over: `paint_share` has it.
+    """
     text = (text or "").strip().lower()
     text = COLOURS.get(text, text)
-    if re.fullmatch(r"#[0-9a-f]{3}", text):
+    if re.fullmatch(r"#[0-9a-f]{3,4}", text):
         text = "#" + "".join(2 * digit for digit in text[1:])
-    if re.fullmatch(r"#[0-9a-f]{6}", text):
+    if re.fullmatch(r"#[0-9a-f]{6}(?:[0-9a-f]{2})?", text):
         red, green, blue = (int(text[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
         return red, green, blue
-    if text.startswith("rgb(") and len(shares := numbers(text)) == 3:
-        red, green, blue = (min(max(share / (100.0 if "%" in text else 255.0), 0.0), 1.0) for share in shares)
+    if (found := _RGB.fullmatch(text)) and len(shares := numbers(found.group(1))) == 3:
+        red, green, blue = (min(max(share / (100.0 if "%" in found.group(1) else 255.0), 0.0), 1.0) for share in shares)
         return red, green, blue
     return None
+
+
+_RGB = re.compile(rf"rgba?\(((?:[\s,]*{NUMBER}\s*%?){{3}})(?:\s*[,/]\s*({NUMBER}\s*%?))?\s*\)")
+
+
+def paint_share(text: str) -> float:
+    """How opaque a paint is by itself, in [0, 1]: 0 for `none` and `transparent`, 1 for what is no colour."""
+    text = text.strip().lower()
+    if text in ("none", "transparent"):
+        return 0.0
+    if re.fullmatch(r"#(?:[0-9a-f]{4}|[0-9a-f]{8})", text):
+        return int(text[4:] * 2 if len(text) == 5 else text[7:], 16) / 255.0
+    if (found := _RGB.fullmatch(text)) and found.group(2):
+        share = numbers(found.group(2))[0] / (100.0 if "%" in found.group(2) else 1.0)
+        return min(max(share, 0.0), 1.0)
+    return 1.0
 
 
 def lightness(text: str) -> float | None:

@@ -12,7 +12,8 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.registry import SHAPE_SUFFIXES, importer_for
-from roam_core.roto import Project, Spline, control_points
+from roam_core.roto import Layer, MotionBlur, Project, Spline, control_points
+from tests.unit.interchange.conftest import CLIP, animated
 
 
 def test_every_format_is_known_by_its_own_name() -> None:
@@ -26,6 +27,19 @@ def test_an_unknown_format_is_answered_with_the_known_ones() -> None:
     with pytest.raises(RoamError, match=r"no export format 'flame'; there are: .*mattes.*nuke.*silhouette"):
         exporter_for("flame")
     assert "flame" not in EXPORTERS
+
+
+@pytest.mark.parametrize("blur", [MotionBlur(shutter=0.0), MotionBlur(samples=1)], ids=["shut", "one sample"])
+@pytest.mark.parametrize("name", ["silhouette", "after-effects", "fusion", "blender", "natron", "svg", "mlt", "cvat"])
+def test_motion_blur_that_blurs_nothing_is_none(tmp_path: Path, name: str, blur: MotionBlur) -> None:
+    """Other programs would blur by a shutter of their own. Formats that hold all its numbers keep it."""
+    written = []
+    for shape in (animated("A"), replace(animated("A"), motion_blur=blur)):
+        path = tmp_path / f"p{EXPORTERS[name].suffix}"
+        project = Project(CLIP, Layer("root", "Root", (shape,)))
+        notes = EXPORTERS[name].export(project, path, ExportOptions(frame=1001))
+        written.append((path.read_text(encoding="utf-8"), notes))
+    assert written[0] == written[1]
 
 
 @pytest.mark.parametrize("name", [name for name in EXPORTERS if name not in ("mattes", "mlt")])  # they write several

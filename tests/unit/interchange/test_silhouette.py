@@ -13,6 +13,7 @@ from scipy.interpolate import BSpline
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, read_shapes
+from roam_core.interchange.protocol import LossyExport
 from roam_core.interchange.silhouette.exporter import MODES, silhouette_document
 from roam_core.matte import render_matte
 from roam_core.roto import (
@@ -216,6 +217,17 @@ def test_layers_have_their_modes() -> None:
     assert notes == ("Silhouette has one Add for ROAM's add and plus: that is what 'plus' becomes.",)
 
 
+def test_a_sum_of_what_is_dimmed_is_refused() -> None:
+    """Two halves make a whole in ROAM, three quarters in Silhouette; of what is opaque sum and union are one."""
+    halves = (square(100.0, opacity=0.5), square(110.0, opacity=0.5, blend=BlendMode.PLUS))
+    with pytest.raises(LossyExport, match="has one Add for ROAM's add and plus"):
+        silhouette_document(Project(CLIP, Layer("root", "Root", halves)))
+    text, _ = silhouette_document(Project(CLIP, Layer("root", "Root", halves)), ExportOptions(lossy=True))
+    assert matte(text, 1001, CLIP.size[::-1]).max() == pytest.approx(0.75)
+    for whole in ((replace(halves[0], opacity=1.0), halves[1]), (halves[1],)):
+        silhouette_document(Project(CLIP, Layer("root", "Root", whole)))
+
+
 def test_an_opacity_that_varies_is_keyed() -> None:
     smooth, hold = Interpolation.SMOOTH, Interpolation.HOLD
     value = Animated((ValueKey(1001, 0.0, smooth), ValueKey(1004, 1.0, hold), ValueKey(1010, 0.25)))
@@ -264,10 +276,24 @@ def test_what_is_lost_is_told(project: Project, tmp_path: Path) -> None:
     assert any("shutter" in note and "'Soft'" in note for note in notes)
 
 
-def test_a_single_point_is_left_out_and_told() -> None:
-    text, notes = silhouette_document(only(RotoShape("a", "Dot", (Keyframe(1001, points(1, 1)),))))
+@pytest.mark.parametrize("closed", [True, False])
+def test_a_single_point_is_left_out_and_told(closed: bool) -> None:
+    dot = bezier.polygon_points([(60.0, 90.0)]) if closed else points(1, 1)
+    text, notes = silhouette_document(only(RotoShape("a", "Dot", (Keyframe(1001, dot),), closed=closed)))
     assert judge(text)[1].shapes() == []
     assert notes == ("Silhouette refuses shapes of a single point: 'Dot' is left out.",)
+
+
+def test_a_loop_of_a_single_point_gets_a_second_one() -> None:
+    """It was left out, though its handles lead around something."""
+    loop = np.array([[[60.0, 90.0], [-40.0, 10.0], [180.0, 10.0]]])
+    project = only(RotoShape("a", "Loop", (Keyframe(1001, loop), Keyframe(1011, loop + 20.0))))
+    text, notes = silhouette_document(project)
+    assert notes == ("Silhouette refuses shapes of a single point: 'Loop' gets another one halfway around.",)
+    for frame in (1001, 1006, 1011):
+        ours = render_matte(project, frame, CLIP.size[::-1])
+        assert ours.sum() > 500
+        assert np.abs(matte(text, frame, CLIP.size[::-1]) - ours).mean() < 1e-3
 
 
 def test_nothing_is_lost_of_a_plain_shape() -> None:

@@ -13,6 +13,7 @@ from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shape
 from roam_core.interchange.svg.format import svg_document
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Layer, Project, RotoShape
+from tests.judges import svg as svg_judge
 from tests.unit.interchange import qt_judge
 from tests.unit.interchange.conftest import animated, points
 from tests.unit.interchange.test_other_programs import NAMES, bent_leaf
@@ -126,6 +127,57 @@ def test_what_is_read_is_what_qt_paints(tmp_path: Path, name: str) -> None:
     assert np.abs(theirs - ours).max() < 0.2
     assert np.abs(theirs - ours).mean() < 0.002
     assert read_back.notes == ()
+
+
+TIED = {
+    "a star": '<path fill-rule="evenodd" d="M160 10 L220 190 L60 80 H260 L100 190 Z"/>',
+    "curves": '<path fill-rule="evenodd" '
+    'd="M40 100 C60 -60 300 -40 200 120 S40 180 120 60 S300 60 280 150 S60 230 40 100 Z"/>',
+    "a cubic that crosses itself": '<path fill-rule="evenodd" d="M60 180 C400 -60 -80 -60 260 180 Z"/>',
+    "in small units": '<g transform="scale(300 180)"><polygon fill-rule="evenodd" '
+    'points=".5,.05 .7,.95 .1,.4 .9,.4 .3,.95"/></g>',
+    "two that cross each other, too": '<path style="fill-rule:evenodd" d="M160 10 L220 190 L60 80 H260 L100 190 Z '
+    'M20 20 C300 20 20 180 300 180 C300 100 20 100 20 20"/>',
+    "a clip path": '<clipPath id="c"><path clip-rule="evenodd" d="M160 10 L220 190 L60 80 H260 L100 190 Z"/></clipPath>'
+    '<rect width="320" height="200" clip-path="url(#c)"/>',
+    "two that run against each other": '<path d="M10 10H190V150H10Z M100 80V190H300V80Z"/>',
+    "a hole that reaches out": '<path d="M10 10H190V150H10Z M100 40V90H300V40Z"/>',
+    "holes that overlap": '<path d="M10 10H310V190H10Z M40 40C40 220 200 140 200 40Z M140 90V170H280V90Z"/>',
+    "two that run alike": '<path d="M10 10H190V150H10Z M100 80H300V190H100Z"/>',
+    "one that is filled wherever it winds": '<path d="M160 10 L220 190 L60 80 H260 L100 190 Z"/>',
+}
+
+
+@pytest.mark.parametrize("name", TIED)
+def test_outlines_that_cross_are_filled_by_the_rule_of_their_path(tmp_path: Path, name: str) -> None:
+    """Where edges cross, a difference of coverages is not exact."""
+    pytest.importorskip("resvg_py", reason="resvg is the judge of SVG: install the extra dev")
+    text = drawing(TIED[name])
+    read_back = read(text, tmp_path)
+    theirs, ours = svg_judge.matte(text, SIZE), render_matte(read_back.layer, 1, SIZE[::-1])
+    assert theirs.sum() > 500
+    assert (np.abs(theirs - ours) > 0.2).sum() < 12
+    assert np.abs(theirs - ours).mean() < 0.002
+    assert read_back.notes == ()
+
+
+def test_outlines_that_run_alike_stay_as_they_were_drawn(tmp_path: Path) -> None:
+    read_back = read(drawing(TIED["two that run alike"]), tmp_path)
+    assert [shape.point_count for shape in read_back.layer.shapes()] == [4, 4]
+
+
+def test_crossings_of_a_hostile_outline_are_counted(tmp_path: Path) -> None:
+    """A thousand points anywhere cross each other some hundred thousand times."""
+    places = " ".join(f"{x:.1f} {y:.1f}" for x, y in np.random.default_rng(3).uniform(0.0, 200.0, (1000, 2)))
+    with pytest.raises(RoamError, match="parts"):
+        read(drawing(f'<polygon fill-rule="evenodd" points="{places}"/>'), tmp_path)
+
+
+def test_an_outline_that_does_not_cross_itself_stays_one_shape(tmp_path: Path) -> None:
+    read_back = read(drawing('<path fill-rule="evenodd" d="M20 20 C60 -10 90 50 200 20 V180 H20 Z"/>'), tmp_path)
+    (shape,) = read_back.layer.children
+    assert isinstance(shape, RotoShape)
+    assert shape.blend is BlendMode.ADD
 
 
 @pytest.mark.parametrize("origin", ["140 110", "140px,110", "43.75% 55%"])

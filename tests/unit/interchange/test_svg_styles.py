@@ -46,6 +46,11 @@ DRAWINGS = {
     '<path d="M350 60A10 4 70 0 1 420 90Z"/>',
     "visibility": f'<g visibility="hidden">{DISC}<rect visibility="visible" x="300" y="200" '
     'width="90" height="90"/></g>',
+    "a frame that nothing is seen of": f'<path d="M0 0h640v400H0z" fill="none"/>{DISC}<g fill="none">'
+    '<rect fill="inherit" width="640" height="400"/></g><rect fill="transparent" width="640" height="400"/>',
+    "paint that is transparent": '<rect x="20" y="30" width="200" height="150" fill="rgba(255, 0, 0, .8)"/>'
+    '<rect x="20" y="200" width="200" height="150" fill="#f00c"/>'
+    '<rect x="320" y="200" width="200" height="150" fill="#00ff00f0" fill-opacity=".8"/>',
     "traced": '<g transform="translate(0,400) scale(0.1,-0.1)" fill="#000000" stroke="none"><path d="M1000 3000 c500 0 '
     "800 -200 800 -700 0 -600 -400 -900 -900 -900 -400 0 -700 300 -700 800 0 500 300 800 800 800z M1000 2600 c-300 0 "
     '-400 -200 -400 -400 0 -300 200 -400 400 -400 200 0 400 200 400 400 0 200 -100 400 -400 400z"/></g>',
@@ -91,6 +96,15 @@ def test_a_clip_path_round_the_whole_picture_is_none(tmp_path: Path) -> None:
         ('<rect id="q" width="9" height="9" clip-path="circle(40%)"/>', "The clip path of 'q' is no outline"),
         ("<style>a:hover{fill:red}</style>", "The style rule for 'a:hover' was not understood"),
         ('<path d="M0 0H9V9" fill="none" stroke="red"/>', "1 of the outlines are drawn as lines only"),
+        (
+            '<svg id="q" x="9" y="9" width="90" height="90" viewBox="0 0 10 10"><rect width="20" height="5"/></svg>',
+            "The frame of 'q' was left out",
+        ),
+        (
+            '<mask id="m" maskUnits="userSpaceOnUse" width="60" height="60"><rect width="90" height="9" fill="white"/>'
+            '</mask><rect id="q" width="99" height="99" mask="url(#m)"/>',
+            "The frame of the mask of 'q' was left out",
+        ),
         (
             '<clipPath id="c" clipPathUnits="objectBoundingBox"><rect width="1" height="1"/></clipPath>'
             '<rect id="q" width="9" height="9" clip-path="url(#c)"/>',

@@ -27,7 +27,11 @@ DIMS = Animated((ValueKey(FIRST, 1.0, slopes=(0.0, -0.2)), ValueKey(LAST, 0.5, s
 SOFTENS = Animated((ValueKey(FIRST, 2.0, slopes=(0.0, 6.0)), ValueKey(LAST, 10.0, slopes=(0.0, 0.0))))
 THROUGH_ZERO = Animated((ValueKey(FIRST, 20.0), ValueKey(1006, -15.0, Interpolation.SMOOTH), ValueKey(LAST, 10.0)))
 """From outside of the outline to inside and back, by a straight and by a smooth span."""
+SMOOTH_ALONE = Animated((ValueKey(FIRST, 20.0, Interpolation.SMOOTH), ValueKey(LAST, -15.0)))
+BENT = Animated((ValueKey(FIRST, 20.0, slopes=(0.0, -9.0)), ValueKey(LAST, 15.0, slopes=(9.0, 0.0))))
+"""From outside to inside, and back, between two keys."""
 STEPS = Animated((ValueKey(FIRST, 16.0, Interpolation.HOLD), ValueKey(1010, 2.0, Interpolation.HOLD)))
+SIDES = ["through zero", "smooth through zero", "bent through zero", "steps"]
 KEEP = {"nuke", "nuke-python", "json"}
 """Formats that have tangents."""
 SOFT = {"nuke", "after-effects", "fusion", "blender", "natron", "json"}
@@ -92,7 +96,7 @@ def test_mlt_loses_opacity_bent_or_not(tmp_path: Path) -> None:
         EXPORTERS["mlt"].export(fading(), tmp_path / "out.json")
 
 
-@pytest.mark.parametrize("feather", [THROUGH_ZERO, STEPS], ids=["through zero", "steps"])
+@pytest.mark.parametrize("feather", [THROUGH_ZERO, SMOOTH_ALONE, BENT, STEPS], ids=SIDES)
 @pytest.mark.parametrize(
     "judge", [judge for judge in JUDGES if judge.exporter in SOFT], ids=lambda judge: judge.exporter
 )
@@ -103,7 +107,7 @@ def test_a_feather_is_as_wide_as_ours_and_on_its_side(judge: Judge, feather: Ani
     assert judged(judge, Scene(project), tmp_path).overlap >= 0.97
 
 
-@pytest.mark.parametrize("feather", [THROUGH_ZERO, STEPS], ids=["through zero", "steps"])
+@pytest.mark.parametrize("feather", [THROUGH_ZERO, SMOOTH_ALONE, BENT, STEPS], ids=SIDES)
 def test_a_feather_comes_back_from_fusion_as_wide_and_on_that_side(feather: Animated, tmp_path: Path) -> None:
     project = _project(blob("Softens", 150.0, 120.0, feather=feather))
     path = tmp_path / "out.setting"

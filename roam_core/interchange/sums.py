@@ -46,10 +46,20 @@ def is_soft_sum(item: Item, under: Sequence[Item]) -> bool:
 
 def sums_as_unions(layer: Layer) -> Iterator[Item]:
     """What is summed with something under it, where a union differs on edges alone."""
+    return (item for item, under in _sums(layer) if not is_soft_sum(item, under))
+
+
+def soft_sums(layer: Layer) -> Iterator[Item]:
+    """What is summed with something under it, where a union is another matte."""
+    return (item for item, under in _sums(layer) if is_soft_sum(item, under))
+
+
+def _sums(layer: Layer) -> Iterator[tuple[Item, tuple[Item, ...]]]:
+    """What is summed with something under it, and that."""
     under: list[Item] = []
     for child in filter(is_shown, layer.children):
-        if under and child.blend is BlendMode.PLUS and not is_soft_sum(child, under):
-            yield child
+        if under and child.blend is BlendMode.PLUS:
+            yield child, tuple(under)
         if isinstance(child, Layer):
-            yield from sums_as_unions(child)
+            yield from _sums(child)
         under.append(child)
