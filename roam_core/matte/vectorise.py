@@ -230,12 +230,13 @@ def _white_of(dtype: np.dtype[Any], top: float) -> float:
     """The integer that is white in a mask whose largest value is `top`.
 
     A picture of 8 or 16 bits is white where its type ends; one of 16 bits whose largest value is just that of 8, 10 or
-    12 bits holds such a picture. Wider integers come of arithmetic with one.
+    12 bits holds such a picture. Wider integers, and those with a sign, come of arithmetic with one.
     """
+    most = float(np.iinfo(dtype).max)
     if dtype == np.uint16 and top in NARROWER:
         return top
-    if dtype in (np.uint8, np.uint16):
-        return float(np.iinfo(dtype).max)
+    if dtype in (np.uint8, np.uint16) or top == most:
+        return most
     return next((white for white in PICTURES if top <= white), max(top, 1.0))
 
 
