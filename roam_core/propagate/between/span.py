@@ -85,6 +85,8 @@ def fill_span(
         at a safe point after `token` was cancelled.
     """
     shapes, start, stop = shapes_of(shapes), frame_number(start), frame_number(stop)
+    if stop < start:
+        raise ValueError(f"a span goes from an earlier frame to a later one, not from {start} to {stop}")
     images = _by_frame(images, start, stop)
     only = names_of(only, (shape.id for shape in shapes))
     asked = [only is None or shape.id in only for shape in shapes]
