@@ -355,6 +355,8 @@ class JsonReader(ShapeReader):
         if not isinstance(lifetime, list) or len(lifetime) != 2 or not _numbers(lifetime):
             raise self._refusal(place, '"lifetime" must be null or a first frame and the frame after the last')
         start, stop = (self._frame(frame, place) for frame in lifetime)
+        if stop < start:
+            raise self._refusal(place, '"lifetime" must not end before it begins')
         return start, stop
 
     def _frame(self, number: float, place: str) -> int:
