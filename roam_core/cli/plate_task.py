@@ -14,7 +14,7 @@ from roam_core.cli.overwriting import project_writer, tell_of_holder
 from roam_core.cli.picking import Picking, trackable
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import require_target
+from roam_core.cli.targets import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free

@@ -18,7 +18,7 @@ from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, other_frames, tell
 from roam_core.cli.spans import asked_frames
 from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import require_writable
+from roam_core.cli.targets import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.matte_style import SUFFIXES, MatteStyle, Parts
