@@ -6329,11 +6329,15 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>{name} holds several pictures, of which the first is the plate: to have all, save them as numbered files.</source>
-        <translation>{name} enthält mehrere Bilder, von denen das erste die Plate ist: um alle zu haben, speichern Sie sie als nummerierte Dateien.</translation>
+        <translation>{name} enthält mehrere Bilder, von denen das erste die Plate ist: bitte als nummerierte Dateien speichern, um alle zu haben.</translation>
     </message>
     <message>
         <source>{name} in {layer}</source>
         <translation>{name} in {layer}</translation>
+    </message>
+    <message>
+        <source>{name} is a picture in colour, no mask; paint the object white and the rest black.</source>
+        <translation>{name} ist ein Farbbild, keine Maske; das Objekt weiß malen und den Rest schwarz.</translation>
     </message>
     <message>
         <source>{name} is a single point; draw an outline around the object to track it.</source>
