@@ -6,6 +6,7 @@ and the number of its points are bounded before memory is spent on them.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
@@ -283,6 +284,13 @@ def origin_of(key: Key) -> dict[str, Any]:
 def brief(name: str) -> str:
     """A name of a file as it may stand in a sentence: quoted, on one line, and short."""
     return repr(name if len(name) <= 60 else name[:57] + "...")
+
+
+def are_numbers(values: list[Any]) -> bool:
+    """True when all values of a JSON are finite numbers that a float can hold."""
+    return all(
+        isinstance(v, int | float) and not isinstance(v, bool) and abs(v) < 1e30 and math.isfinite(v) for v in values
+    )
 
 
 def sensible(keys: tuple[Keyframe, ...]) -> bool:

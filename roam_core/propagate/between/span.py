@@ -19,7 +19,7 @@ from roam_core.features import PreparedFrame
 from roam_core.features.blank import is_blank
 from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
-from roam_core.params import RegionParams, RoamParams, params_for, scale_for
+from roam_core.params import DEFAULT_CONFIG, RegionParams, RoamParams, params_for, scale_for
 from roam_core.params.steadiness import STEADINESS
 from roam_core.propagate.between.both_keys import as_on_another, as_on_both
 from roam_core.propagate.between.directional_pass import DirectionalPass, ReadPicture, directional_pass
@@ -46,7 +46,7 @@ def fill_span(
     shapes: Sequence[RotoShape],
     start: int,
     stop: int,
-    config: str | RoamParams = "best",
+    config: str | RoamParams = DEFAULT_CONFIG,
     token: CancelToken | None = None,
     progress: Progress | None = None,
     clip: str = "",
