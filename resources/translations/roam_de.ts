@@ -938,6 +938,10 @@ Jetzt: {level}, {changes}</translation>
         <source>Curves carried through a shot</source>
         <translation>Kurven, durch den Shot getragen</translation>
     </message>
+    <message>
+        <source>Curves of {name}</source>
+        <translation>Kurven von {name}</translation>
+    </message>
     <message numerus="yes">
         <source>Cusp %n point(s)</source>
         <translation>
@@ -1361,6 +1365,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Filled {done} of {all} pieces on {count} processes</source>
         <translation>{done} von {all} Teilen gefüllt, auf {count} Prozessen</translation>
+    </message>
+    <message>
+        <source>Filling between keys</source>
+        <translation>Zwischen Keyframes wird gefüllt</translation>
     </message>
     <message>
         <source>Filling frames {first} to {last}</source>
@@ -2224,6 +2232,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Bitte Frame {frame} prüfen: Die Konfidenz des Flächen-Tracks ist dort {confidence:.2f}.</translation>
     </message>
     <message>
+        <source>Looking at frame {frame}</source>
+        <translation>Frame {frame} wird vermessen</translation>
+    </message>
+    <message>
+        <source>Looking at the masks</source>
+        <translation>Masken werden geprüft</translation>
+    </message>
+    <message>
         <source>Looking at the plate&apos;s edge …</source>
         <translation>Die Kante der Plate wird vermessen …</translation>
     </message>
@@ -2316,6 +2332,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Markierungen</translation>
     </message>
     <message>
+        <source>Mask of frame {frame}</source>
+        <translation>Maske von Frame {frame}</translation>
+    </message>
+    <message>
         <source>Mask pictures</source>
         <translation>Maskenbilder</translation>
     </message>
@@ -2334,6 +2354,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Matte</source>
         <translation>Matte</translation>
+    </message>
+    <message>
+        <source>Matte of frame {frame}</source>
+        <translation>Matte von Frame {frame}</translation>
     </message>
     <message>
         <source>Mattes (PNG, EXR, TIFF)</source>
@@ -2578,6 +2602,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>No edge of these shapes could be read in the plate; nothing was changed.</source>
         <translation>Keine Kante dieser Formen ließ sich in der Plate messen; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>No font of this machine has {named}: {unknown} stands for each; install a font that has them.</source>
+        <translation>Keine Schrift dieses Rechners hat {named}: Für jedes steht {unknown}; bitte eine passende Schrift installieren.</translation>
     </message>
     <message>
         <source>No frame between these keys shows anything: there is nothing to fill.</source>
@@ -3695,6 +3723,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Shape panel</source>
         <translation>Formbereich</translation>
+    </message>
+    <message>
+        <source>Shape {name}</source>
+        <translation>Form {name}</translation>
     </message>
     <message>
         <source>Shapes</source>
@@ -4989,8 +5021,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Vorgabe und eigene Tasten in eine Datei schreiben, für einen anderen Rechner</translation>
     </message>
     <message>
+        <source>Writing {name}</source>
+        <translation>{name} wird geschrieben</translation>
+    </message>
+    <message>
         <source>Writing {name} …</source>
         <translation>{name} wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Wrote {count} frame(s) at {fps:g} fps to {path}.</source>
+        <translation>Nach {path} geschrieben, mit {fps:g} fps; Frames: {count}.</translation>
+    </message>
+    <message>
+        <source>Wrote {count} frame(s) on {pages} page(s) to {path} and {more} more.</source>
+        <translation>Nach {path} und {more} weiteren geschrieben; Frames: {count}, Seiten: {pages}.</translation>
+    </message>
+    <message>
+        <source>Wrote {count} frame(s) on {pages} page(s) to {path}.</source>
+        <translation>Nach {path} geschrieben; Frames: {count}, Seiten: {pages}.</translation>
+    </message>
+    <message>
+        <source>Wrote {count} picture(s) to {path}.</source>
+        <translation>Nach {path} geschrieben; Bilder: {count}.</translation>
+    </message>
+    <message>
+        <source>Wrote {made} matte(s){place}.</source>
+        <translation>Geschriebene Mattes{place}: {made}.</translation>
+    </message>
+    <message>
+        <source>Wrote {made} matte(s){place}; {kept} there already.</source>
+        <translation>Geschriebene Mattes{place}: {made}; schon vorhanden: {kept}.</translation>
     </message>
     <message>
         <source>You will be asked about {names} again.</source>
@@ -5661,6 +5721,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Out</translation>
     </message>
     <message>
+        <source>part {number} of {count}</source>
+        <translation>Teil {number} von {count}</translation>
+    </message>
+    <message>
         <source>pen spline draw roto mask path</source>
         <translation>stift feder spline zeichnen roto maske pfad</translation>
     </message>
@@ -6262,6 +6326,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{keys} stops</source>
         <translation>{keys} hält an</translation>
+    </message>
+    <message>
+        <source>{made} {unwritten}</source>
+        <translation>{made} {unwritten}</translation>
     </message>
     <message>
         <source>{name!r} does not exist on frame {frame}: it is left out.</source>

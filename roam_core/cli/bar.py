@@ -20,6 +20,6 @@ def bar(total: float, counts: str = "") -> Any:
 
 @contextmanager
 def progress_bar() -> Iterator[Progress]:
-    """What tells a bar how far the work is, as a share of it."""
+    """What tells a bar how far the work is, as a share of it. The bar never goes back."""
     with bar(1.0) as shown:
-        yield lambda share, _: shown.update(share - shown.n)
+        yield lambda share, _: shown.update(max(share - shown.n, 0.0))

@@ -23,6 +23,7 @@ from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
 from roam_core.roto.bounds import is_near
 from roam_core.roto.imported import IMPORT, stamped
+from roam_core.translatable import sentence
 
 MAX_BYTES = 48 << 20
 """Larger files are refused before they are read; a format whose text takes longer to read has a lower bound."""
@@ -212,7 +213,7 @@ class ShapeReader:
             raise RoamError(
                 f"{self.path} holds more than {much} (at shape {brief(shape)}); split it into several files."
             )
-        self.options.advance(0.0, f"Shape {brief(shape)}")
+        self.options.advance(0.0, sentence("Shape {name}", name=brief(shape)))
 
     def check_keys(self, count: int) -> None:
         """Count the keys of an animated value with those of shapes; refuse more than a file may hold."""

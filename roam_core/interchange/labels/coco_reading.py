@@ -17,6 +17,7 @@ from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, br
 from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Layer, RotoShape
+from roam_core.translatable import sentence
 
 MAX_RUNS, MAX_RUNS_OF_ONE = 40_000, 12_000
 """Of all masks of a file, and of one: noise has more, and shapes are not fitted to it in any time."""
@@ -170,7 +171,7 @@ class CocoReader(ShapeReader):
     def _fitted(self, name: str, masks: dict[int, Any], run: list[int]) -> list[RotoShape]:
         shapes: list[RotoShape] = []
         for frame in run:
-            self.options.advance(0.0, f"Mask of frame {frame}")
+            self.options.advance(0.0, sentence("Mask of frame {frame}", frame=frame))
             try:
                 mask = self._mask(masks[frame])
             except (ValueError, TypeError, OverflowError) as error:

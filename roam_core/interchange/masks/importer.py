@@ -23,7 +23,7 @@ from roam_core.media.sequence import ImageSequence
 from roam_core.media.source import DamagedFrame, PlateSource
 from roam_core.params import scale_for
 from roam_core.roto import Clip, RotoShape
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 READING = 0.25
 """Share of the work that reading the masks is."""
@@ -96,7 +96,7 @@ def _require_masks(source: PlateSource, reader: ShapeReader) -> None:
     """Refuse a folder of photographs before hours go into the outlines of their brightest places."""
     frames = source.frames
     probed = sorted({frames[0], frames[len(frames) // 2], frames[-1]})
-    reader.options.advance(0.0, "Looking at the masks")
+    reader.options.advance(0.0, sentence("Looking at the masks"))
     with suppress(DamagedFrame):  # it is told where it is read in its turn
         if all(is_in_colour(_stored(source, number)) for number in probed):
             raise RoamError(
@@ -110,7 +110,7 @@ def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Track
     tracker = Tracker(max(FOLLOWED * 2.0 * wanted.scrap, 1.0))
     frames, grey = source.frames, 0
     for done, number in enumerate(frames):
-        reader.options.advance(READING * done / len(frames), f"Mask of frame {number}")
+        reader.options.advance(READING * done / len(frames), sentence("Mask of frame {frame}", frame=number))
         try:
             field = _coverage(source, number)
         except DamagedFrame as damage:
@@ -165,7 +165,7 @@ class _Progress:
 
     def told(self, track: Track, name: str, share: float) -> None:
         at = (self.done + share * _work(track)) / self.whole
-        self.reader.options.advance(READING + (1.0 - READING) * min(at, 1.0), f"Curves of {name}")
+        self.reader.options.advance(READING + (1.0 - READING) * min(at, 1.0), sentence("Curves of {name}", name=name))
 
 
 def _work(track: Track) -> float:
@@ -179,7 +179,7 @@ def _fitted_shapes(
     token = reader.options.token
     parts: list[tuple[Track, Fitted]] = []
     for number, track in enumerate(tracks, start=1):
-        name = f"part {number} of {len(tracks)}"
+        name = sentence("part {number} of {count}", number=number, count=len(tracks))
         found = part_as_keys(
             track,
             wanted,

@@ -39,6 +39,7 @@ from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
 from roam_core.roto.shape import shapes_of
 from roam_core.threads import each
+from roam_core.translatable import sentence
 
 
 def fill_span(
@@ -202,7 +203,7 @@ class _Meter:
 
     def _tell(self, share: float) -> None:
         if self._progress is not None:
-            self._progress(min(share, 1.0), "Filling between keys")
+            self._progress(min(share, 1.0), sentence("Filling between keys"))
 
 
 @dataclass(frozen=True, eq=False)
