@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 
-from ..translation import tr
+from ..translation import tr, translated
 
 PROGRESS_INTERVAL = 0.05
 """Seconds between two progress reports: as often as an eye can follow."""
@@ -41,12 +41,12 @@ class Report:
         self._next_progress = 0.0
 
     def progress(self, fraction: float, text: str) -> None:
-        """Tell how far the work is; calls that follow each other too closely are left out."""
+        """Tell how far the work is, in the window's language; calls that follow too closely are left out."""
         self.token.check()
         now = time.monotonic()
         if now >= self._next_progress or fraction >= 1.0:
             self._next_progress = now + PROGRESS_INTERVAL
-            self._post("progress", (fraction, text))
+            self._post("progress", (fraction, translated(text)))
 
     def partial(self, result: object) -> None:
         """Hand a finished part to the window."""

@@ -963,6 +963,10 @@ Jetzt: {level}, {changes}</translation>
         <source>Curves carried through a shot</source>
         <translation>Kurven, durch den Shot getragen</translation>
     </message>
+    <message>
+        <source>Curves of {name}</source>
+        <translation>Kurven von {name}</translation>
+    </message>
     <message numerus="yes">
         <source>Cusp %n point(s)</source>
         <translation>
@@ -1390,6 +1394,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Filled {done} of {all} pieces on {count} processes</source>
         <translation>{done} von {all} Teilen gefüllt, auf {count} Prozessen</translation>
+    </message>
+    <message>
+        <source>Filling between keys</source>
+        <translation>Zwischen Keyframes wird gefüllt</translation>
     </message>
     <message>
         <source>Filling frames {first} to {last}</source>
@@ -2257,6 +2265,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Bitte Frame {frame} prüfen: Die Konfidenz des Flächen-Tracks ist dort {confidence:.2f}.</translation>
     </message>
     <message>
+        <source>Looking at frame {frame}</source>
+        <translation>Frame {frame} wird vermessen</translation>
+    </message>
+    <message>
+        <source>Looking at the masks</source>
+        <translation>Masken werden geprüft</translation>
+    </message>
+    <message>
         <source>Looking at the plate&apos;s edge …</source>
         <translation>Die Kante der Plate wird vermessen …</translation>
     </message>
@@ -2349,6 +2365,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Markierungen</translation>
     </message>
     <message>
+        <source>Mask of frame {frame}</source>
+        <translation>Maske von Frame {frame}</translation>
+    </message>
+    <message>
         <source>Mask pictures</source>
         <translation>Maskenbilder</translation>
     </message>
@@ -2367,6 +2387,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Matte</source>
         <translation>Matte</translation>
+    </message>
+    <message>
+        <source>Matte of frame {frame}</source>
+        <translation>Matte von Frame {frame}</translation>
     </message>
     <message>
         <source>Mattes (PNG, EXR, TIFF)</source>
@@ -2611,6 +2635,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>No edge of these shapes could be read in the plate; nothing was changed.</source>
         <translation>Keine Kante dieser Formen ließ sich in der Plate messen; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>No font of this machine has {named}: {unknown} stands for each; install a font that has them.</source>
+        <translation>Keine Schrift dieses Rechners hat {named}: Für jedes steht {unknown}; bitte eine passende Schrift installieren.</translation>
     </message>
     <message>
         <source>No frame between these keys shows anything: there is nothing to fill.</source>
@@ -3728,6 +3756,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Shape panel</source>
         <translation>Formbereich</translation>
+    </message>
+    <message>
+        <source>Shape {name}</source>
+        <translation>Form {name}</translation>
     </message>
     <message>
         <source>Shapes</source>
@@ -5034,8 +5066,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Vorgabe und eigene Tasten in eine Datei schreiben, für einen anderen Rechner</translation>
     </message>
     <message>
+        <source>Writing {name}</source>
+        <translation>{name} wird geschrieben</translation>
+    </message>
+    <message>
         <source>Writing {name} …</source>
         <translation>{name} wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Wrote {count} frame(s) at {fps:g} fps to {path}.</source>
+        <translation>Nach {path} geschrieben, mit {fps:g} fps; Frames: {count}.</translation>
+    </message>
+    <message>
+        <source>Wrote {count} frame(s) on {pages} page(s) to {path} and {more} more.</source>
+        <translation>Nach {path} und {more} weiteren geschrieben; Frames: {count}, Seiten: {pages}.</translation>
+    </message>
+    <message>
+        <source>Wrote {count} frame(s) on {pages} page(s) to {path}.</source>
+        <translation>Nach {path} geschrieben; Frames: {count}, Seiten: {pages}.</translation>
+    </message>
+    <message>
+        <source>Wrote {count} picture(s) to {path}.</source>
+        <translation>Nach {path} geschrieben; Bilder: {count}.</translation>
+    </message>
+    <message>
+        <source>Wrote {made} matte(s){place}.</source>
+        <translation>Geschriebene Mattes{place}: {made}.</translation>
+    </message>
+    <message>
+        <source>Wrote {made} matte(s){place}; {kept} there already.</source>
+        <translation>Geschriebene Mattes{place}: {made}; schon vorhanden: {kept}.</translation>
     </message>
     <message>
         <source>You will be asked about {names} again.</source>
@@ -5706,6 +5766,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Out</translation>
     </message>
     <message>
+        <source>part {number} of {count}</source>
+        <translation>Teil {number} von {count}</translation>
+    </message>
+    <message>
         <source>pen spline draw roto mask path</source>
         <translation>stift feder spline zeichnen roto maske pfad</translation>
     </message>
@@ -6309,6 +6373,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{keys} hält an</translation>
     </message>
     <message>
+        <source>{made} {unwritten}</source>
+        <translation>{made} {unwritten}</translation>
+    </message>
+    <message>
         <source>{name!r} does not exist on frame {frame}: it is left out.</source>
         <translation>{name!r} existiert auf Frame {frame} nicht und entfällt.</translation>
     </message>
@@ -6378,11 +6446,15 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>{name} holds several pictures, of which the first is the plate: to have all, save them as numbered files.</source>
-        <translation>{name} enthält mehrere Bilder, von denen das erste die Plate ist: um alle zu haben, speichern Sie sie als nummerierte Dateien.</translation>
+        <translation>{name} enthält mehrere Bilder, von denen das erste die Plate ist: bitte als nummerierte Dateien speichern, um alle zu haben.</translation>
     </message>
     <message>
         <source>{name} in {layer}</source>
         <translation>{name} in {layer}</translation>
+    </message>
+    <message>
+        <source>{name} is a picture in colour, no mask; paint the object white and the rest black.</source>
+        <translation>{name} ist ein Farbbild, keine Maske; das Objekt weiß malen und den Rest schwarz.</translation>
     </message>
     <message>
         <source>{name} is a single point; draw an outline around the object to track it.</source>

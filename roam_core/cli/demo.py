@@ -15,7 +15,8 @@ from roam_core.cli.configuring import configured
 from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import Plate, opened
-from roam_core.cli.track import Report, frame_range, print_line, require_target, require_writable, track_project
+from roam_core.cli.targets import require_target, require_writable
+from roam_core.cli.track import Report, frame_range, print_line, track_project
 from roam_core.errors import RoamError
 from roam_core.installation import demo
 from roam_core.interchange.authorship import Kind

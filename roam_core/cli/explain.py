@@ -19,7 +19,7 @@ from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, picked
 from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import require_target
+from roam_core.cli.targets import require_target
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.interchange.authorship import Kind

@@ -5,14 +5,17 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
+from roam_core.cli.bar import progress_bar
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_options, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, tell
+from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.matte_style import SUFFIXES
@@ -90,7 +93,8 @@ def run(arguments: argparse.Namespace) -> int:
     )
     tell(without_effect(exporter, arguments))
     try:
-        notes = exporter.export(project, arguments.out, options)
+        with cancelling() as token, progress_bar() as progress:
+            notes = exporter.export(project, arguments.out, replace(options, progress=progress, token=token))
     except LossyExport as refusal:
         raise RoamError(f"{refusal} To write it all the same, say --lossy.") from None
     if not project.shapes:

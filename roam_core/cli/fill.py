@@ -8,7 +8,6 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from tqdm import tqdm
@@ -18,6 +17,7 @@ from roam_core.cli.bar import bar
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
+from roam_core.cli.matte_files import matte_targets, write_mattes
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
@@ -26,10 +26,9 @@ from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.spans import Gap, gaps_of, is_filled, part_files, taken, within
 from roam_core.cli.spreading import filled_apart
 from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import matte_path, matte_targets, require_target, require_writable
+from roam_core.cli.targets import require_target, require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
-from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media.partial import PartialPicture
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
@@ -197,14 +196,6 @@ class Pictures(Mapping[int, PartialPicture]):
 
     def __len__(self) -> int:
         return len(self._plate.source.frames)
-
-
-def write_mattes(plate: Plate, project: Project, frames: Sequence[int], folder: Path) -> None:
-    """One matte for each frame of the plate in `frames`, named as the plate's frames."""
-    width, height = plate.source.size
-    for frame in frames:
-        if frame in plate.source.frames:
-            write_matte(project.root, frame, matte_path(plate, frame, folder), (height, width))
 
 
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:

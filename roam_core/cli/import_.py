@@ -6,11 +6,13 @@ import argparse
 import sys
 from pathlib import Path
 
+from roam_core.cli.bar import progress_bar
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import loaded, opened
-from roam_core.cli.track import require_target
+from roam_core.cli.stopping import cancelling
+from roam_core.cli.targets import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange import ImportOptions, KeyChoice, MaskOptions, importer_for
 from roam_core.interchange.authorship import Kind
@@ -71,8 +73,9 @@ def run(arguments: argparse.Namespace) -> int:
     )
     tell_of_holder(target)
     masks = MaskOptions(arguments.tolerance, KeyChoice(arguments.keys), arguments.speckle)
-    options = ImportOptions(frame_offset=arguments.frame_offset, masks=masks)
-    imported = importer.read(arguments.source, project.require_clip(), options)
+    with cancelling() as token, progress_bar() as progress:
+        options = ImportOptions(arguments.frame_offset, masks=masks, progress=progress, token=token)
+        imported = importer.read(arguments.source, project.require_clip(), options)
     count = sum(1 for _ in imported.layer.shapes())
     if not arguments.json or count == 0:  # why nothing could be read is told in any case
         for note in imported.notes:

@@ -17,7 +17,8 @@ from roam_core.cli.paths import path_word
 from roam_core.cli.picking import Picking, add_shapes, picked, trackable
 from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import first_key, frame_range, require_target
+from roam_core.cli.targets import require_target
+from roam_core.cli.track import first_key, frame_range
 from roam_core.errors import RoamError
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.interchange.authorship import Kind

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
 from roam_core.cancel import CancelToken, Progress
-from roam_core.cli.bar import bar
+from roam_core.cli.bar import progress_bar
 from roam_core.cli.overwriting import project_writer, tell_of_holder
 from roam_core.cli.picking import Picking, trackable
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import require_target
+from roam_core.cli.targets import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
@@ -71,7 +70,7 @@ class PlateTask:
             sources = Sources.of(plate.source, self.source)
             require_free([(self.target, Kind.PROJECT)], sources, overwrite=self.overwrite, rewritten=self.source)
             tell_of_holder(self.target)
-            with cancelling() as token, _progress() as progress:
+            with cancelling() as token, progress_bar() as progress:
                 return at(plate.read_or_bridge, token, progress)
 
     def write(self, shapes: Sequence[RotoShape]) -> None:
@@ -81,9 +80,3 @@ class PlateTask:
             if new is not old:
                 project = project.with_shape(new)
         self.writer(project)
-
-
-@contextmanager
-def _progress() -> Iterator[Progress]:
-    with bar(1.0) as shown:
-        yield lambda fraction, _: shown.update(fraction - shown.n)

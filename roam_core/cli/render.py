@@ -17,7 +17,8 @@ from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, other_frames, tell
 from roam_core.cli.spans import asked_frames
-from roam_core.cli.track import require_writable
+from roam_core.cli.stopping import cancelling
+from roam_core.cli.targets import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.matte_style import SUFFIXES, MatteStyle, Parts
@@ -78,7 +79,10 @@ def run(arguments: argparse.Namespace) -> int:
         overwrite=arguments.overwrite,
     )
     require_writable(arguments.out, create=True)
-    with tqdm(total=len(frames), unit="frame", disable=not sys.stderr.isatty(), leave=False) as bar:
+    with (
+        cancelling() as token,
+        tqdm(total=len(frames), unit="frame", disable=not sys.stderr.isatty(), leave=False) as bar,
+    ):
         written = write_mattes(
             project,
             frames,
@@ -89,6 +93,7 @@ def run(arguments: argparse.Namespace) -> int:
             pixel_aspect=clip.pixel_aspect,
             fps=clip.fps,
             progress=lambda share, _: show(bar, share),
+            token=token,
         )
     if frames and not (written.made or written.kept):
         raise RoamError(f"Nothing is visible in {arguments.project} that could have a matte of its own.")

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 
 from roam_core.arrays import Array
-from roam_core.cancel import Progress
-from roam_core.cli.bar import bar
+from roam_core.cli.bar import progress_bar
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
@@ -115,7 +113,7 @@ def _write(arguments: argparse.Namespace, project: Project, within: range) -> st
     with opened(str(clip.path), clip) as plate:
         sources = Sources.of(plate.source, arguments.project)
         require_free(request.targets(), sources, overwrite=arguments.overwrite)
-        with cancelling() as token, _progress() as progress:
+        with cancelling() as token, progress_bar() as progress:
             return write_review(request, plate.read, token, progress)
 
 
@@ -136,7 +134,7 @@ def burns_of(words: str) -> frozenset[Burn]:
 def _measured(project: Project) -> Mapping[str, Array]:
     """The boil of all shapes by the picture."""
     clip = project.require_clip()
-    with opened(str(clip.path), clip) as plate, cancelling() as token, _progress() as progress:
+    with opened(str(clip.path), clip) as plate, cancelling() as token, progress_bar() as progress:
         return boil_by_picture(plate.read_or_bridge, project.shapes, token, progress)
 
 
@@ -173,9 +171,3 @@ def _note(mark: Mark) -> dict[str, object]:
 def _finding(found: Finding) -> dict[str, object]:
     measure = "confidence" if found.kind is FindingKind.DOUBT else "boil"
     return {"kind": found.kind.value, "frame": found.frame, "shape": found.name, measure: round(found.value, 3)}
-
-
-@contextmanager
-def _progress() -> Iterator[Progress]:
-    with bar(1.0) as shown:
-        yield lambda fraction, _: shown.update(fraction - shown.n)

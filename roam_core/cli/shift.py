@@ -12,7 +12,7 @@ from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_hol
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, require_plate
-from roam_core.cli.track import require_target
+from roam_core.cli.targets import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free

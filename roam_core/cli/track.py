@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -14,11 +13,10 @@ from typing import Any
 from numpy.typing import NDArray
 from tqdm import tqdm
 
-from roam_core.atomic_write import writable_target
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
-from roam_core.cli.matte_options import require_no_picture
+from roam_core.cli.matte_files import matte_targets, write_mattes
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
@@ -26,15 +24,16 @@ from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plain_start import plain_start
 from roam_core.cli.plate import Plate, add_reading, opened, tell
 from roam_core.cli.stopping import cancelling
+from roam_core.cli.targets import require_target, require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
-from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
 from roam_core.interchange.registry import SHAPE_SUFFIXES, read_shapes
 from roam_core.interchange.targets import PROJECT, Sources, require_free
 from roam_core.matte.vectorise import (
     LEAST_AREA,
     coverage_of,
+    is_in_colour,
     may_be_picture,
     read_mask,
     shapes_from_mask,
@@ -161,20 +160,6 @@ def results(arguments: argparse.Namespace, plate: Plate, frames: range) -> list[
     return made
 
 
-def matte_targets(plate: Plate, frames: Iterable[int], folder: Path | None) -> list[tuple[Path, Kind]]:
-    """The mattes of a plate's frames. Refuses a folder that is named as pictures are."""
-    if folder is None:
-        return []
-    require_no_picture(folder, "Mattes are named as the plate's frames.")
-    there = set(plate.source.frames)
-    return [(matte_path(plate, frame, folder), Kind.PICTURE) for frame in frames if frame in there]
-
-
-def matte_path(plate: Plate, frame: int, folder: Path) -> Path:
-    """Where the matte of a frame goes: it has the frame's own name."""
-    return folder / f"{plate.source.frame_name(frame)}.png"
-
-
 def track_project(
     plate: Plate,
     project: Project,
@@ -234,16 +219,13 @@ class Mattes:
 
     def add(self, project: Project, solved: FrameResult) -> None:
         """Take up one more frame; `project` holds it."""
-        if solved.frame in self._plate.source.frames:
-            self._waiting.append(solved.frame)
+        self._waiting.append(solved.frame)
         if any(result.termination is not Termination.MISSING_FRAME for result in solved.results):
             self.finish(project)
 
     def finish(self, project: Project) -> None:
         """Write what waits."""
-        width, height = self._plate.source.size
-        for frame in self._waiting:
-            write_matte(project.root, frame, matte_path(self._plate, frame, self._folder), (height, width))
+        write_mattes(self._plate, project, self._waiting, self._folder)
         self._waiting.clear()
 
 
@@ -345,6 +327,10 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
         return replace(given, clip=replace(clip, extra=given.clip.extra if given.clip else {}))
     width, height = plate.source.size
     mask = read_mask(init, (height, width))
+    if is_in_colour(mask):
+        raise RoamError(
+            f"{init} is a picture in colour, no mask; give the object's mask, white inside and black elsewhere."
+        )
     shapes: list[RotoShape] = shapes_from_mask(mask, start)
     if not shapes:
         brightest = float(coverage_of(mask).max())
@@ -395,29 +381,6 @@ def require_landmarks(config: str, path: Path) -> None:
     if path.suffix.lower() != ".nk":
         raise RoamError(f"Landmarks are written as a Nuke script; {path.name} does not end in .nk.")
     require_target(path)
-
-
-def require_target(path: Path) -> None:
-    """Refuse a file that could not be written at the end, before any work is done for it."""
-    if path.is_dir():
-        raise RoamError(f"{path} is a folder; name the file to write.")
-    require_writable(path.parent, create=False)
-    writable_target(path)
-
-
-def require_writable(folder: Path, *, create: bool) -> None:
-    """Refuse a target before any work is done for it; make the folder where that is asked for."""
-    if folder.exists() and not folder.is_dir():
-        raise RoamError(f"{folder} is a file; name a folder to write to.")
-    try:
-        if create:
-            folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
-    if not folder.is_dir():
-        raise RoamError(f"The folder {folder} does not exist; make it first, or name another.")
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
 
 
 def print_line(solved: FrameResult) -> None:

@@ -106,3 +106,14 @@ def signed_distance(inside: Bools, reach: float) -> Float32:
     inner = cv2.distanceTransform(mask, cv2.DIST_L2, 3)
     outer = cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3)
     return np.asarray(np.clip(inner - outer, -reach, reach), dtype=np.float32)
+
+
+def reduced(grey: UInt8, factor: float) -> UInt8:
+    """A copy of grey levels `(h, w)` by `factor` as wide and high: at least a pixel, however thin the picture."""
+    if factor == 1.0:
+        return np.ascontiguousarray(grey)
+    size, fx, fy = None, factor, factor
+    height, width = (round(side * factor) for side in grey.shape)
+    if min(height, width) == 0:  # OpenCV would refuse it
+        size, fx, fy = (max(width, 1), max(height, 1)), 0.0, 0.0
+    return np.asarray(cv2.resize(grey, size, fx=fx, fy=fy, interpolation=cv2.INTER_AREA), dtype=np.uint8)

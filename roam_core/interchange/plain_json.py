@@ -7,7 +7,6 @@ absolute; frames are the plate's own.
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
@@ -18,7 +17,7 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
-from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
+from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, brief, sensible
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import (
     Animated,
@@ -258,7 +257,7 @@ class JsonReader(ShapeReader):
         )
 
     def _points(self, rows: list[Any], place: str) -> Array:
-        if not rows or not all(isinstance(row, list) and len(row) in (2, 6) and _numbers(row) for row in rows):
+        if not rows or not all(isinstance(row, list) and len(row) in (2, 6) and are_numbers(row) for row in rows):
             raise self._refusal(place, "each point must be a list of two or six numbers, and there must be one")
         return np.array([row * (6 // len(row)) for row in rows], dtype=np.float64).reshape(-1, 3, 2)
 
@@ -287,7 +286,7 @@ class JsonReader(ShapeReader):
 
     def _number(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
         value = values.get(field, default)
-        if not _numbers([value]):
+        if not are_numbers([value]):
             raise self._refusal(place, f'"{field}" must be a number')
         assert isinstance(value, int | float)
         return float(value)
@@ -314,7 +313,7 @@ class JsonReader(ShapeReader):
         """Of a key's tangents, per frame; None where it has none."""
         if pair is None:
             return None
-        if not isinstance(pair, list) or len(pair) != 2 or not _numbers(pair):
+        if not isinstance(pair, list) or len(pair) != 2 or not are_numbers(pair):
             raise self._refusal(place, '"slopes" must be two numbers')
         return float(pair[0]), float(pair[1])
 
@@ -332,7 +331,7 @@ class JsonReader(ShapeReader):
 
     def _colour(self, values: dict[str, Any], place: str) -> list[float]:
         value = values.get("colour", list(NO_COLOUR))
-        if not isinstance(value, list) or len(value) != 3 or not _numbers(value):
+        if not isinstance(value, list) or len(value) != 3 or not are_numbers(value):
             raise self._refusal(place, '"colour" must be a list of three numbers')
         return [min(max(float(share), 0.0), 1.0) for share in value]
 
@@ -352,11 +351,11 @@ class JsonReader(ShapeReader):
         lifetime = values.get("lifetime")
         if lifetime is None:
             return None
-        if not isinstance(lifetime, list) or len(lifetime) != 2 or not _numbers(lifetime):
+        if not isinstance(lifetime, list) or len(lifetime) != 2 or not are_numbers(lifetime):
             raise self._refusal(place, '"lifetime" must be null or a first frame and the frame after the last')
         start, stop = (self._frame(frame, place) for frame in lifetime)
         if stop < start:
-            raise self._refusal(place, "the lifetime ends before it begins")
+            raise self._refusal(place, '"lifetime" must not end before it begins')
         return start, stop
 
     def _frame(self, number: float, place: str) -> int:
@@ -372,10 +371,3 @@ def _as_bspline(shape: RotoShape) -> RotoShape:
     if all(bspline.is_bspline(key.points, shape.closed, 1e-9 * max(most, 1.0)) for key in shape.keys):
         return replace(shape, spline=Spline.BSPLINE)
     return control_points.with_spline(shape, Spline.BSPLINE)
-
-
-def _numbers(values: list[Any]) -> bool:
-    """True when all values are finite numbers that a float can hold."""
-    return all(
-        isinstance(v, int | float) and not isinstance(v, bool) and abs(v) < 1e30 and math.isfinite(v) for v in values
-    )

@@ -195,7 +195,7 @@ class ShapeWriter:
 
     def begun_for(self, shape: RotoShape, motion: Motion) -> tuple[RotoShape, tuple[Slopes | None, ...]]:
         """As `begun`, for a format that moves points by `motion`; and the slopes of reduced cubic spans, or nothing."""
-        self.options.advance(self.done / self.total, f"Shape {shape.name}")
+        self.options.advance(self.done / self.total, sentence("Shape {name}", name=shape.name))
         self.done += 1
         if shape.spline not in self.KINDS or not is_of_its_kind(shape):
             self.notes.append(

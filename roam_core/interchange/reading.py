@@ -6,6 +6,7 @@ and the number of its points are bounded before memory is spent on them.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
@@ -22,6 +23,7 @@ from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
 from roam_core.roto.bounds import is_near
 from roam_core.roto.imported import IMPORT, stamped
+from roam_core.translatable import sentence
 
 MAX_BYTES = 48 << 20
 """Larger files are refused before they are read; a format whose text takes longer to read has a lower bound."""
@@ -211,7 +213,7 @@ class ShapeReader:
             raise RoamError(
                 f"{self.path} holds more than {much} (at shape {brief(shape)}); split it into several files."
             )
-        self.options.advance(0.0, f"Shape {brief(shape)}")
+        self.options.advance(0.0, sentence("Shape {name}", name=brief(shape)))
 
     def check_keys(self, count: int) -> None:
         """Count the keys of an animated value with those of shapes; refuse more than a file may hold."""
@@ -283,6 +285,13 @@ def origin_of(key: Key) -> dict[str, Any]:
 def brief(name: str) -> str:
     """A name of a file as it may stand in a sentence: quoted, on one line, and short."""
     return repr(name if len(name) <= 60 else name[:57] + "...")
+
+
+def are_numbers(values: list[Any]) -> bool:
+    """True when all values of a JSON are finite numbers that a float can hold."""
+    return all(
+        isinstance(v, int | float) and not isinstance(v, bool) and abs(v) < 1e30 and math.isfinite(v) for v in values
+    )
 
 
 def sensible(keys: tuple[Keyframe, ...]) -> bool:

@@ -9,6 +9,7 @@ from typing import ClassVar
 from roam_core.atomic_write import write_atomically
 from roam_core.interchange.protocol import STANDARD, ExportOptions
 from roam_core.roto import Project
+from roam_core.translatable import sentence
 
 
 class TextExporter(ABC):
@@ -26,6 +27,6 @@ class TextExporter(ABC):
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `project` to `path`, which appears when it is whole; what the format cannot hold comes back told."""
         text, told = self.document(project, options)
-        options.advance(1.0, f"Writing {path.name}")
+        options.advance(1.0, sentence("Writing {name}", name=path.name))
         write_atomically(path, text.encode(self.encoding))
         return told

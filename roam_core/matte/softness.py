@@ -22,6 +22,7 @@ from roam_core.media.source import ReadImage
 from roam_core.params.softness import SoftnessParams
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.feather import frames_along
+from roam_core.translatable import sentence
 
 Spot = tuple[str, int]
 """A key: the id of its shape, and its frame."""
@@ -96,7 +97,7 @@ def measured(
     edges: dict[Spot, Edge] = {}
     for done, frame in enumerate(frames):
         token.check()
-        progress(done / len(frames), f"Looking at frame {frame}")
+        progress(done / len(frames), sentence("Looking at frame {frame}", frame=frame))
         with suppress(MissingFrame):
             edges |= edges_at(read(frame), asked, shapes, frame, params)
     token.check()

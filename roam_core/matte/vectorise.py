@@ -37,6 +37,8 @@ SHADES = (0.05, 0.95)
 """Coverage between these is a shade: noise of a lossy format is none, a soft edge is."""
 MOST_SHADES = 0.5
 """The share of shades in a mask above which it may be a picture: of the pictures of DAVIS the least is .86."""
+COLOURED = 0.1
+"""The share of colours in such a mask above which it is a picture: of the pictures of DAVIS the least is .2."""
 
 
 def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None = None) -> list[RotoShape]:
@@ -170,12 +172,30 @@ def may_be_picture(coverage: Array) -> bool:
     return bool(((coverage > SHADES[0]) & (coverage < SHADES[1])).mean() > MOST_SHADES)
 
 
+def is_in_colour(mask: NDArray[Any]) -> bool:
+    """Whether a mask `(h, w)` or `(h, w, c)` is a photograph: most of it neither black nor white, and some not grey."""
+    if mask.ndim != 3 or mask.shape[2] < 3 or not may_be_picture(coverage_of(mask)):
+        return False
+    colours = _colours(mask)
+    if colours.ndim == 2:
+        return False
+    white = np.iinfo(mask.dtype).max if np.issubdtype(mask.dtype, np.integer) else 1.0
+    spread = np.ptp(colours.astype(np.float64), axis=2) / white
+    return bool((spread > SHADES[0]).mean() > COLOURED)
+
+
 def _telling(mask: NDArray[Any]) -> NDArray[Any]:
     """The channel (h, w) of a mask that tells what is inside: alpha, or at each pixel the brightest colour."""
+    telling = _colours(mask)
+    return telling.max(axis=2) if telling.ndim == 3 else telling
+
+
+def _colours(mask: NDArray[Any]) -> NDArray[Any]:
+    """What of a mask tells what is inside: its alpha (h, w), or its colours (h, w, c) where that is opaque all over."""
     if mask.ndim == 3 and mask.shape[2] in (2, 4):
         alpha = _shares(mask[:, :, -1])
-        return mask[:, :, -1] if alpha.size and alpha.min() < 1.0 else mask[:, :, :-1].max(axis=2)
-    return mask.max(axis=2) if mask.ndim == 3 else mask
+        return mask[:, :, -1] if alpha.size and alpha.min() < 1.0 else mask[:, :, :-1]
+    return mask
 
 
 def _labels(channel: NDArray[Any]) -> NDArray[Any]:
@@ -230,12 +250,13 @@ def _white_of(dtype: np.dtype[Any], top: float) -> float:
     """The integer that is white in a mask whose largest value is `top`.
 
     A picture of 8 or 16 bits is white where its type ends; one of 16 bits whose largest value is just that of 8, 10 or
-    12 bits holds such a picture. Wider integers come of arithmetic with one.
+    12 bits holds such a picture. Wider integers, and those with a sign, come of arithmetic with one.
     """
+    most = float(np.iinfo(dtype).max)
     if dtype == np.uint16 and top in NARROWER:
         return top
-    if dtype in (np.uint8, np.uint16):
-        return float(np.iinfo(dtype).max)
+    if dtype in (np.uint8, np.uint16) or top == most:
+        return most
     return next((white for white in PICTURES if top <= white), max(top, 1.0))
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from roam_core.arrays import Array, UInt8
 from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import reduced
 from roam_core.geometry import similarity
 from roam_core.params import KltParams, RoamParams
 
@@ -49,7 +50,7 @@ def followed_points(
     if region.is_empty:
         return none, none, 0.0
     reduce = min(1.0, params.motion_size / max(region.x1 - region.x0, region.y1 - region.y0))
-    old, new = (_reduced(frame.grey_within(region), reduce) for frame in (before, after))
+    old, new = (reduced(frame.grey_within(region), reduce) for frame in (before, after))
     start = _corners(old, (line - np.asarray(region.origin)) * reduce, params.motion_features, params.klt)
     if len(start) < 3:
         return none, none, 0.0
@@ -58,12 +59,6 @@ def followed_points(
     source = (start + 0.5) / reduce + np.asarray(region.origin)
     target = (end + 0.5) / reduce + np.asarray(region.origin)
     return source, target, params.motion_threshold * 0.5 / reduce
-
-
-def _reduced(grey: UInt8, factor: float) -> UInt8:
-    if factor == 1.0:
-        return np.ascontiguousarray(grey)
-    return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
 def _corners(grey: UInt8, line: Array, count: int, params: KltParams) -> Array:

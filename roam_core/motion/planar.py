@@ -15,6 +15,7 @@ import numpy as np
 
 from roam_core.arrays import Array, UInt8
 from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import reduced
 from roam_core.geometry import bezier, projective
 from roam_core.geometry.plane_motion import PlaneMotion, ransac
 from roam_core.params import PLANAR, PlanarParams, scale_for
@@ -176,7 +177,7 @@ def _matched(old: Reference, new: PreparedFrame, corners: Array, since: Array) -
     params, region = old.params, _surroundings(corners, new.size)
     shrunk = min(1.0, params.side / max(region.x1 - region.x0, region.y1 - region.y0))
     origin = np.asarray(region.origin, dtype=np.float64)
-    a = _reduced(old.grey[region.shifted(-old.part.x0, -old.part.y0).slices], shrunk)
+    a = reduced(old.grey[region.shifted(-old.part.x0, -old.part.y0).slices], shrunk)
     # From a pixel of the reduced reference, in OpenCV's coordinates, to one of the new picture.
     to_full = np.array(
         [[1 / shrunk, 0, origin[0] + 0.5 / shrunk], [0, 1 / shrunk, origin[1] + 0.5 / shrunk], [0, 0, 1]]
@@ -211,9 +212,3 @@ def _alike(picture: UInt8, model: UInt8) -> UInt8:
     gain = float(np.clip(model.std() / max(spread, 1.0), 0.5, 2.0))
     levels = np.clip((np.arange(256) - mean) * gain + model.mean(), 0, 255)
     return np.asarray(cv2.LUT(picture, np.round(levels).astype(np.uint8)), dtype=np.uint8)
-
-
-def _reduced(grey: UInt8, factor: float) -> UInt8:
-    if factor == 1.0:
-        return np.ascontiguousarray(grey)
-    return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)

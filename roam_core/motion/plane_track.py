@@ -19,7 +19,7 @@ from roam_core.arrays import Array, Bools, UInt8
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame, Region
-from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
+from roam_core.features.grid import FROM_CENTRES, TO_CENTRES, reduced
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, fit, ransac
 from roam_core.media.partial import ReadFrame
@@ -210,7 +210,7 @@ class PlaneTracker:
         region = Region.around(extent, params.travel * self._scale, picture.size)
         shrunk = min(1.0, params.side / max(region.x1 - region.x0, region.y1 - region.y0))
         parts = self._before.grey, picture.grey, self._seen
-        old, new, mask = (_reduced(each[region.slices], shrunk) for each in parts)
+        old, new, mask = (reduced(each[region.slices], shrunk) for each in parts)
         source, target = followed(
             old, new, corners_in(old, mask, params.corners), params.window, returned=params.returned
         )
@@ -298,12 +298,6 @@ def _seen_in(picture: PreparedFrame, match: _Match, first: UInt8) -> UInt8:
         first, TO_CENTRES @ match.matrix @ FROM_CENTRES, (width, height), flags=cv2.INTER_NEAREST
     )
     return np.where((weights > 0.5) & (whole > 0), 255, 0).astype(np.uint8)
-
-
-def _reduced(grey: UInt8, factor: float) -> UInt8:
-    if factor == 1.0:
-        return np.ascontiguousarray(grey)
-    return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
 def _go_on() -> None:

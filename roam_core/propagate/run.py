@@ -49,6 +49,14 @@ def track(
     belong to, and are not given back: what is wanted comes out the same whichever of its object is. With `alone` each
     shape is solved as if there were no others.
 
+    Parameters
+    ----------
+    read : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; raises `MissingFrame` where there is
+        none. What else it raises ends the run.
+    frames : in the order in which they are gone through, rising or falling.
+    config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
+    clip : identity of the clip for the stamps of ENGINE keys (`provenance.clip_stamp`).
+
     Raises
     ------
     Cancelled

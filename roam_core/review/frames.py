@@ -37,14 +37,16 @@ HINT = N_("1001,1010-1020 or 1001-1048x5, x10 for every tenth, all, keys, notes,
 def chosen_frames(project: Project, words: str, within: range | None = None) -> tuple[int, ...]:
     """The frames that `words` name, with commas between them, in the order of time; only those of the clip.
 
-    Of `within`, a range of the clip's frames, only those that lie in it: every tenth then counts from its first.
+    Of `within`, a range of the clip's frames, only those that lie in it: every tenth then counts from its first. Keys
+    and notes that lie beside the clip are passed over; numbers beside it are a mistake.
 
     Raises
     ------
     RoamError
-        for a word that names no frames, and where none of the clip's is named.
+        for a word that names no frames, for numbers beside the clip, and where none is left.
     """
-    frames = project.require_clip().frame_range if within is None else within
+    clip = project.require_clip().frame_range
+    frames = clip if within is None else within
     found: set[int] = set()
     for word in (part.strip() for part in words.split(",")):
         if word in WORDS:
@@ -54,6 +56,7 @@ def chosen_frames(project: Project, words: str, within: range | None = None) -> 
         elif (numbers := _NUMBERS.fullmatch(word)) and numbers[3] != "0":
             first, last = int(numbers[1]), int(numbers[2] or numbers[1])
             step = int(numbers[3] or 1)
+            _require_of(clip, word, first, last)
             found.update(frame for frame in frames if first <= frame <= last and (frame - first) % step == 0)
         else:
             raise RoamError(f"{word!r} names no frames; say {HINT}.")
@@ -61,3 +64,11 @@ def chosen_frames(project: Project, words: str, within: range | None = None) -> 
     if not chosen:
         raise RoamError(f"There is no frame of {words!r} between {frames.start} and {frames.stop - 1}.")
     return chosen
+
+
+def _require_of(clip: range, word: str, first: int, last: int) -> None:
+    """A sentence for the numbers of a word that are no frames of the clip, or in the wrong order."""
+    if last < first:
+        raise RoamError(f"{word!r} ends before it begins; the first frame comes first.")
+    if not (first in clip and last in clip):
+        raise RoamError(f"{word!r} lies outside the clip's frames {clip.start}-{clip.stop - 1}.")

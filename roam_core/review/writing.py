@@ -27,6 +27,7 @@ from roam_core.review.picture import review_picture
 from roam_core.review.sheet import SheetLayout, page_paths, page_picture
 from roam_core.roto import Project
 from roam_core.roto.timing import mark_at
+from roam_core.translatable import sentence
 
 PNG = ".png"
 PICTURE_NAME = "review.{frame:04d}.png"
@@ -122,9 +123,10 @@ def write_review(
         raise RoamError("There is no frame to write.")
     shown = _Frames(request, read, token or CancelToken(), progress or (lambda fraction, words: None))
     write = {Output.MOVIE: _write_movie, Output.PICTURES: _write_pictures, Output.SHEET: _write_sheet}
-    sentence = write[request.output](request, shown) + _unwritten(request)
-    shown.progress(1.0, sentence)
-    return sentence
+    made, unwritten = write[request.output](request, shown), _unwritten(request)
+    said = sentence("{made} {unwritten}", made=made, unwritten=unwritten) if unwritten else made
+    shown.progress(1.0, said)
+    return said
 
 
 class _Frames:
@@ -137,7 +139,7 @@ class _Frames:
     def plate(self, frame: int) -> Any | None:
         """The working picture of a frame; None where the plate lacks it."""
         self._token.check()
-        self.progress(self._done / len(self._request.frames), f"Frame {frame}")
+        self.progress(self._done / len(self._request.frames), sentence("Frame {frame}", frame=frame))
         self._done += 1
         try:
             return self._read(frame)
@@ -156,14 +158,14 @@ def _write_movie(request: ReviewRequest, shown: _Frames) -> str:
     _make(request.path.parent)
     writable_target(request.path)  # before an hour's pictures are made for it
     count = write_movie(request.path, (picture for _, picture in shown.pictures()), request.size, fps)
-    return f"Wrote {count} frame(s) at {fps:g} fps to {request.path}."
+    return sentence("Wrote {count} frame(s) at {fps:g} fps to {path}.", count=count, fps=fps, path=request.path)
 
 
 def _write_pictures(request: ReviewRequest, shown: _Frames) -> str:
     _make(request.path)
     for frame, picture in shown.pictures():
         _write_png(request.path / PICTURE_NAME.format(frame=frame), picture)
-    return f"Wrote {len(request.frames)} picture(s) to {request.path}."
+    return sentence("Wrote {count} picture(s) to {path}.", count=len(request.frames), path=request.path)
 
 
 def _write_sheet(request: ReviewRequest, shown: _Frames) -> str:
@@ -176,8 +178,16 @@ def _write_sheet(request: ReviewRequest, shown: _Frames) -> str:
     for number, (path, frames) in enumerate(zip(paths, pages, strict=True), 1):
         title = f"{clip.name}   frames {request.frames[0]}-{request.frames[-1]}   page {number} of {len(pages)}"
         _write_png(path, page_picture(request.project, frames, shown.plate, request.look, request.layout, title))
-    more = f" and {len(paths) - 1} more" if len(paths) > 1 else ""
-    return f"Wrote {len(request.frames)} frame(s) on {len(paths)} page(s) to {paths[0]}{more}."
+    count, more = len(request.frames), len(paths) - 1
+    if not more:
+        return sentence("Wrote {count} frame(s) on {pages} page(s) to {path}.", count=count, pages=1, path=paths[0])
+    return sentence(
+        "Wrote {count} frame(s) on {pages} page(s) to {path} and {more} more.",
+        count=count,
+        pages=len(paths),
+        path=paths[0],
+        more=more,
+    )
 
 
 def _write_png(path: Path, picture: UInt8) -> None:
@@ -193,7 +203,11 @@ def _unwritten(request: ReviewRequest) -> str:
     if not unknown:
         return ""
     named = unknown if len(unknown) <= MOST_NAMED else f"{unknown[:MOST_NAMED]}{ELLIPSIS}"
-    return f" No font of this machine has {named}: {UNKNOWN} stands for each; install a font that has them."
+    return sentence(
+        "No font of this machine has {named}: {unknown} stands for each; install a font that has them.",
+        named=named,
+        unknown=UNKNOWN,
+    )
 
 
 def _make(folder: Path) -> None:

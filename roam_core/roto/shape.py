@@ -76,6 +76,21 @@ def lifetime_of(start: int | None, stop: int | None) -> tuple[int, int] | None:
     return start, stop
 
 
+def _lifetime_of(pair: Any, name: str) -> tuple[int, int] | None:
+    """What a shape was given as its lifetime, as two plain frame numbers; None for always.
+
+    One that ends before it begins holds no frame.
+    """
+    try:
+        start, stop = (None if end is None else frame_number(end) for end in pair)
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"the lifetime of {name!r} is a first frame and the frame after the last, not {shown(pair)}"
+        ) from None
+    lifetime = lifetime_of(start, stop)
+    return None if lifetime is None else (lifetime[0], max(lifetime))
+
+
 @dataclass(frozen=True, eq=False)
 class Outline:
     """A shape at one moment: `points (P, 3, 2)`, the `feather` offsets of its points or None, and whether it closes."""
@@ -139,6 +154,7 @@ class Keyframe:
         if len(points) == 0:
             raise ValueError("a key has no points")
         object.__setattr__(self, "frame", frame_number(self.frame))
+        object.__setattr__(self, "set_points", tuple(self.set_points))
         if not (isinstance(self.origin, Origin) and isinstance(self.interpolation, Interpolation)):
             object.__setattr__(self, "origin", Origin(self.origin))
             object.__setattr__(self, "interpolation", Interpolation(self.interpolation))
@@ -149,7 +165,10 @@ class Keyframe:
                 raise ValueError(f"a key's feather has shape {feather.shape}, its points {points.shape}")
             object.__setattr__(self, "feather", feather)
         if self.vertex_confidence is not None:
-            object.__setattr__(self, "vertex_confidence", frozen_array(self.vertex_confidence))
+            trusted = frozen_array(self.vertex_confidence)
+            if trusted.shape != points.shape[:1]:
+                raise ValueError(f"a key's vertex_confidence has shape {trusted.shape}, its points {points.shape}")
+            object.__setattr__(self, "vertex_confidence", trusted)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Keyframe) and self._value() == other._value()
@@ -246,10 +265,10 @@ class RotoShape:
             raise ValueError(f"shape {self.name!r} has two keys on one frame")
         for value in ("opacity", "feather"):
             object.__setattr__(self, value, checked(getattr(self, value), f"the {value} of {self.name!r}"))
-        if self.lifetime is not None and None in self.lifetime:
-            object.__setattr__(self, "lifetime", lifetime_of(*self.lifetime))
-        if self.lifetime is not None and self.lifetime[1] < self.lifetime[0]:
-            object.__setattr__(self, "lifetime", (self.lifetime[0], self.lifetime[0]))
+        for name in ("colour", "depth"):  # lists would make equal shapes differ
+            object.__setattr__(self, name, tuple(getattr(self, name)))
+        if self.lifetime is not None:
+            object.__setattr__(self, "lifetime", _lifetime_of(self.lifetime, self.name))
 
     @property
     def is_blurred(self) -> bool:

@@ -17,6 +17,7 @@ from app.actions.actions import Actions
 from app.actions.keymaps import load_keymap
 from app.actions.search_words import words_for
 from app.canvas.plate.pixel_marks import values_text
+from app.jobs.runner import Report, Runner
 from app.model.preferences import Preferences, load_preferences, save_preferences
 from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, moment, number, shown_language, speak, tr, translated
 from roam_core.translatable import listed, sentence
@@ -134,3 +135,16 @@ def test_the_language_is_kept_and_one_that_is_none_is_not_believed(tmp_path: Pat
     assert load_preferences(path).language == "de"
     path.write_text(path.read_text().replace('"de"', '"xx"'))
     assert load_preferences(path).language == SYSTEM
+
+
+def test_how_far_the_engine_is_is_said_in_german(german: None, qtbot: QtBot, runner: Runner) -> None:
+    def work(report: Report) -> str:
+        report.progress(1.0, sentence("Curves of {name}", name=sentence("part {number} of {count}", number=2, count=3)))
+        return ""
+
+    told: list[str] = []
+    job = runner.start("test", work)
+    job.progress.connect(lambda _, text: told.append(text))
+    with qtbot.waitSignal(job.ended):
+        pass
+    assert told == ["Kurven von Teil 2 von 3"]

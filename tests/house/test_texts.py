@@ -154,3 +154,22 @@ def test_files_of_translations_are_there_for_every_language() -> None:
     folder = Path(ROOT / "resources" / "translations")
     wanted = {f"roam_{code}.{kind}" for code in LANGUAGES if code != SOURCE for kind in ("ts", "qm")}
     assert {path.name for path in folder.iterdir()} == wanted
+
+
+def progress_words(path: Path) -> Iterator[tuple[int, ast.expr]]:
+    """What a module of the engine tells to `progress` and `advance`: the lines and the texts."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if name_of(node) in {"progress", "_progress", "advance"} and isinstance(node, ast.Call) and len(node.args) == 2:
+            yield node.lineno, node.args[1]
+
+
+def test_what_the_engine_tells_of_its_progress_can_be_translated() -> None:
+    """The window shows it: "Matte of frame 1003" stood in the middle of German."""
+    engine = [path for path in (ROOT / "roam_core").rglob("*.py") if path.parent.name not in {"cli", "studio"}]
+    plain = [
+        f"{path.relative_to(ROOT)}:{line}"
+        for path in sorted(engine)
+        for line, words in progress_words(path)
+        if isinstance(words, ast.JoinedStr | ast.Constant)
+    ]
+    assert not plain, "write these by roam_core.translatable.sentence"

@@ -44,11 +44,19 @@ class MaskShapes:
         frame = self._view.frame
 
         def look(report: Report) -> tuple[list[RotoShape], str]:
-            from roam_core.matte.vectorise import read_mask, shapes_from_mask
+            from roam_core.matte.vectorise import is_in_colour, read_mask, shapes_from_mask
             from roam_core.media.unseen import unseen_of_mask
 
             report.progress(0.0, tr("Reading {name} …", name=path.name))
-            shapes = shapes_from_mask(read_mask(path, (height, width)), frame)
+            mask = read_mask(path, (height, width))
+            if is_in_colour(mask):
+                raise RoamError(
+                    tr(
+                        "{name} is a picture in colour, no mask; paint the object white and the rest black.",
+                        name=path.name,
+                    )
+                )
+            shapes = shapes_from_mask(mask, frame)
             if not shapes:
                 raise RoamError(
                     tr("Nothing is white in {name}; paint the object white and the rest black.", name=path.name)

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.roto import RotoShape
 
 from ...model.document import Document
-from ...translation import tr
+from ...translation import tr, translated
 from ..runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
@@ -146,4 +146,4 @@ def _write(report: Report, writing: _Writing) -> str:
     from roam_core.review.writing import write_review
 
     report.progress(0.0, tr("Writing {name} …", name=writing.request.path.name))
-    return write_review(writing.request, writing.read, report.token, report.progress)
+    return translated(write_review(writing.request, writing.read, report.token, report.progress))

@@ -48,7 +48,7 @@ class CocoExporter:
         """Write the objects on all chosen frames."""
         document, notes, losses = coco_document(project, options)
         told = settled(notes, losses, options)
-        options.advance(1.0, f"Writing {path.name}")
+        options.advance(1.0, sentence("Writing {name}", name=path.name))
         write_atomically(path, (_dumps(document) + "\n").encode("ascii"))
         return told
 
@@ -111,7 +111,7 @@ class _Writer(ShapeWriter):
         images: list[dict[str, Any]] = []
         annotations: list[dict[str, Any]] = []
         for number, frame in enumerate(frames, start=1):
-            told_to.advance(number / (len(frames) + 1), f"Frame {frame}")
+            told_to.advance(number / (len(frames) + 1), sentence("Frame {frame}", frame=frame))
             told = frame + self.options.frame_offset
             file_name = f"{self.clip.path.stem.rstrip('.#%0123456789d') or 'frame'}.{told:06d}.png"
             images.append({"id": number, "width": width, "height": height, "file_name": file_name, "frame": told})

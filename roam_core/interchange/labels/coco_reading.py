@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -14,10 +13,11 @@ import numpy as np
 from roam_core.arrays import Array, Bools
 from roam_core.errors import RoamError
 from roam_core.interchange.labels.polygons import mask_of, polygon_key, runs_of_text
-from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
+from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, brief, sensible
 from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Layer, RotoShape
+from roam_core.translatable import sentence
 
 MAX_RUNS, MAX_RUNS_OF_ONE = 40_000, 12_000
 """Of all masks of a file, and of one: noise has more, and shapes are not fitted to it in any time."""
@@ -79,7 +79,7 @@ class CocoReader(ShapeReader):
         return (name, str(track)) if isinstance(track, int | str) else (name,)
 
     def _size(self, images: list[dict[str, Any]]) -> tuple[float, float] | None:
-        sizes = {(image.get("width"), image.get("height")) for image in images if _are_numbers(_sides(image))}
+        sizes = {(image.get("width"), image.get("height")) for image in images if are_numbers(_sides(image))}
         if len(sizes) > 1:
             raise RoamError(f"{self.path} speaks of pictures of several sizes, which cannot be frames of one clip.")
         if not sizes:
@@ -131,7 +131,7 @@ class CocoReader(ShapeReader):
         return [Layer(self.fresh_id("layer"), name, pieces)]
 
     def _places(self, polygon: Any, name: str) -> Array | None:
-        if not isinstance(polygon, list) or len(polygon) < 6 or len(polygon) % 2 or not _are_numbers(polygon):
+        if not isinstance(polygon, list) or len(polygon) < 6 or len(polygon) % 2 or not are_numbers(polygon):
             self.note(f"A polygon of {brief(name)} is damaged and was left out.")
             return None
         return np.array(polygon, dtype=np.float64).reshape(-1, 2)
@@ -171,7 +171,7 @@ class CocoReader(ShapeReader):
     def _fitted(self, name: str, masks: dict[int, Any], run: list[int]) -> list[RotoShape]:
         shapes: list[RotoShape] = []
         for frame in run:
-            self.options.advance(0.0, f"Mask of frame {frame}")
+            self.options.advance(0.0, sentence("Mask of frame {frame}", frame=frame))
             try:
                 mask = self._mask(masks[frame])
             except (ValueError, TypeError, OverflowError) as error:
@@ -231,9 +231,3 @@ class CocoReader(ShapeReader):
 
 def _sides(image: dict[str, Any]) -> list[Any]:
     return [image.get("width"), image.get("height")]
-
-
-def _are_numbers(values: list[Any]) -> bool:
-    return all(
-        isinstance(v, int | float) and not isinstance(v, bool) and abs(v) < 1e30 and math.isfinite(v) for v in values
-    )

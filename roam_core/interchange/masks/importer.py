@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
@@ -13,7 +16,7 @@ from roam_core.interchange.masks.sequence import Fitted, Wanted, as_shapes, in_o
 from roam_core.interchange.masks.tracks import Track, Tracker
 from roam_core.interchange.protocol import KeyChoice
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, MaskOptions, ShapeReader
-from roam_core.matte.vectorise import coverage_of, may_be_picture
+from roam_core.matte.vectorise import coverage_of, is_in_colour, may_be_picture
 from roam_core.media import open_clip
 from roam_core.media.decoding import read_channels
 from roam_core.media.sequence import ImageSequence
@@ -21,7 +24,7 @@ from roam_core.media.source import DamagedFrame, PlateSource
 from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import scale_for
 from roam_core.roto import Clip, RotoShape
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 READING = 0.25
 """Share of the work that reading the masks is."""
@@ -59,6 +62,7 @@ class MaskImporter:
         if isinstance(source, ImageSequence) and (pages := unseen_of_mask(source.file_of(source.frames[0]))):
             reader.note(pages)
         wanted = _wanted(options.masks, source)
+        _require_masks(source, reader)
         tracker = _followed(source, reader, wanted)
         if not tracker.tracks:
             raise RoamError(f"Nothing is white in the masks {path}; paint the object white and the rest black.")
@@ -91,12 +95,25 @@ def _speck(asked: MaskOptions, source: PlateSource) -> float:
     return asked.speckle_for(source.size)
 
 
+def _require_masks(source: PlateSource, reader: ShapeReader) -> None:
+    """Refuse a folder of photographs before hours go into the outlines of their brightest places."""
+    frames = source.frames
+    probed = sorted({frames[0], frames[len(frames) // 2], frames[-1]})
+    reader.options.advance(0.0, sentence("Looking at the masks"))
+    with suppress(DamagedFrame):  # it is told where it is read in its turn
+        if all(is_in_colour(_stored(source, number)) for number in probed):
+            raise RoamError(
+                f"{reader.path} holds pictures in colour, no masks; give the masks of them, white inside and black "
+                "elsewhere."
+            )
+
+
 def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Tracker:
     """The parts of all masks that can be read."""
     tracker = Tracker(max(FOLLOWED * 2.0 * wanted.scrap, 1.0))
     frames, grey = source.frames, 0
     for done, number in enumerate(frames):
-        reader.options.advance(READING * done / len(frames), f"Mask of frame {number}")
+        reader.options.advance(READING * done / len(frames), sentence("Mask of frame {frame}", frame=number))
         try:
             field = _coverage(source, number)
         except DamagedFrame as damage:
@@ -114,12 +131,17 @@ def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Track
 
 def _coverage(source: PlateSource, number: int) -> Array:
     """A mask as coverage: its alpha where it has one that is not white all over, else its brightest channel."""
+    return coverage_of(_stored(source, number))
+
+
+def _stored(source: PlateSource, number: int) -> NDArray[Any]:
+    """The pixels of a mask with all their channels, in the type in which they are stored."""
     width, height = source.size
     if isinstance(source, ImageSequence):
         stored = read_channels(source.file_of(number))
         if stored is not None and stored.shape[:2] == (height, width):
-            return coverage_of(stored)
-    return coverage_of(source.read(number))  # a movie; and what is wrong with a picture is told in reading it
+            return stored
+    return source.read(number)  # a movie; and what is wrong with a picture is told in reading it
 
 
 def _without_specks(tracker: Tracker, reader: ShapeReader, speck: float) -> list[Track]:
@@ -146,7 +168,7 @@ class _Progress:
 
     def told(self, track: Track, name: str, share: float) -> None:
         at = (self.done + share * _work(track)) / self.whole
-        self.reader.options.advance(READING + (1.0 - READING) * min(at, 1.0), f"Curves of {name}")
+        self.reader.options.advance(READING + (1.0 - READING) * min(at, 1.0), sentence("Curves of {name}", name=name))
 
 
 def _work(track: Track) -> float:
@@ -160,7 +182,7 @@ def _fitted_shapes(
     token = reader.options.token
     parts: list[tuple[Track, Fitted]] = []
     for number, track in enumerate(tracks, start=1):
-        name = f"part {number} of {len(tracks)}"
+        name = sentence("part {number} of {count}", number=number, count=len(tracks))
         found = part_as_keys(
             track,
             wanted,

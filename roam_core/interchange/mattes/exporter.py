@@ -17,7 +17,7 @@ from roam_core.interchange.naming import file_words, is_numbered, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.matte import Patch, render_matte, shape_patch
 from roam_core.roto import Layer, Project, RotoShape
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 Shapes = Project | Layer | Sequence[RotoShape]
 NAME = "{name}"
@@ -160,8 +160,10 @@ class Written:
 
     def report(self, place: str = "") -> str:
         """One sentence on how many there are of each; `place` tells where, such as " to mattes"."""
-        kept = f"; {len(self.kept)} there already" if self.kept else ""
-        return f"Wrote {len(self.made)} matte(s){place}{kept}."
+        made, kept = len(self.made), len(self.kept)
+        if not kept:
+            return sentence("Wrote {made} matte(s){place}.", made=made, place=place)
+        return sentence("Wrote {made} matte(s){place}; {kept} there already.", made=made, place=place, kept=kept)
 
 
 def write_mattes(
@@ -216,7 +218,7 @@ def write_mattes(
         if token is not None:
             token.check()
         if progress is not None:
-            progress(done / len(plan), f"Matte of frame {frame}")
+            progress(done / len(plan), sentence("Matte of frame {frame}", frame=frame))
         if _is_kept(paths, style):
             kept += paths
         else:

@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from roam_core.interchange.literals import whole
 from roam_core.interchange.naming import ascii_name, distinct
 from roam_core.roto import Layer
 from roam_core.translatable import sentence
@@ -53,7 +54,7 @@ class Names:
             if plain != item.name:
                 plain = distinct(plain.strip() or "unnamed", taken)
                 taken.add(plain)
-                names.changed[plain] = _sound(item.name)
+                names.changed[plain] = whole(item.name)
             names.by_id[item.id] = plain
         return names
 
@@ -120,7 +121,7 @@ _BARE = re.compile(r"[A-Za-z][A-Za-z0-9_.-]*")
 
 def inert(text: str) -> str:
     """Any text as a line of a label, which Nuke evaluates: nothing of it runs."""
-    return _CONTROL.sub(" ", _sound(text)).translate(_HARMLESS)
+    return _CONTROL.sub(" ", whole(text)).translate(_HARMLESS)
 
 
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
@@ -138,19 +139,12 @@ def _plain(name: str) -> str:
 
 def _coded(text: str) -> str:
     """Any text as letters, digits and `_.-`, everything else as `%` and two hexadecimal digits for each byte."""
-    return re.sub(rb"[^A-Za-z0-9_.-]", lambda found: b"%%%02X" % found.group()[0], _sound(text).encode()).decode(
-        "ascii"
-    )
+    return re.sub(rb"[^A-Za-z0-9_.-]", lambda found: b"%%%02X" % found.group()[0], whole(text).encode()).decode("ascii")
 
 
 def _decoded(word: str) -> str:
     codes = re.sub(rb"%([0-9A-Fa-f]{2})", lambda found: bytes([int(found.group(1), 16)]), word.encode())
     return codes.decode("utf-8", "replace")
-
-
-def _sound(text: str) -> str:
-    """Without lone surrogates, which UTF-8 cannot hold."""
-    return text.encode("utf-16-le", "surrogatepass").decode("utf-16-le", "replace")
 
 
 def _listed(changed: dict[str, str]) -> str:

@@ -79,7 +79,7 @@ class NukeTracksExporter:
             if isinstance(layer, Layer) and layer.transform is not None and len(layer.transform.frames) > 1:
                 nodes += _nodes(layer.name, *layer_motion(project, layer, options), writer)
         for shape in baked.shapes:
-            options.advance(writer.done / writer.total, f"Shape {shape.name}")
+            options.advance(writer.done / writer.total, sentence("Shape {name}", name=shape.name))
             writer.done += 1
             shape = exported_keys(shape, options, writer.notes)
             if len(shape.keys) < 2:
@@ -88,7 +88,7 @@ class NukeTracksExporter:
             corners, frames = box_motion(shape)
             reference = reference_frame(shape)
             nodes += _nodes(shape.name, frames, corners, corners[frames.index(reference)], reference, writer)
-        options.advance(1.0, f"Writing {path.name}")
+        options.advance(1.0, sentence("Writing {name}", name=path.name))
         write_atomically(path, (HEAD + "".join(nodes)).encode("utf-8"))
         return tuple(writer.notes)
 

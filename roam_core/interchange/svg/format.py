@@ -45,7 +45,7 @@ class SvgFormat:
         options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
         if not is_numbered(path.name):
             text, notes = svg_document(project, frame, options)
-            options.advance(1.0, f"Writing {path.name}")
+            options.advance(1.0, sentence("Writing {name}", name=path.name))
             write_atomically(path, text.encode("utf-8"))
             return notes
         smoothed: list[str] = []
@@ -54,7 +54,7 @@ class SvgFormat:
         name_for, told = numbering(path.name, options.frame_offset), dict.fromkeys(smoothed)
         absent: dict[str, list[int]] = {}
         for done, frame in enumerate(frames):
-            options.advance(done / len(frames), f"Frame {frame}")
+            options.advance(done / len(frames), sentence("Frame {frame}", frame=frame))
             picture = _picture(project, frame, replace(options, progress=None))
             write_atomically(path.with_name(name_for(frame)), picture.text.encode("utf-8"))
             told |= dict.fromkeys(picture.notes)

@@ -19,7 +19,7 @@ from roam_core.features import PreparedFrame
 from roam_core.features.blank import is_blank
 from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
-from roam_core.params import RegionParams, RoamParams, params_for, scale_for
+from roam_core.params import DEFAULT_CONFIG, RegionParams, RoamParams, params_for, scale_for
 from roam_core.params.steadiness import STEADINESS
 from roam_core.propagate.between.both_keys import as_on_another, as_on_both
 from roam_core.propagate.between.directional_pass import DirectionalPass, ReadPicture, directional_pass
@@ -39,6 +39,7 @@ from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
 from roam_core.roto.shape import shapes_of
 from roam_core.threads import each
+from roam_core.translatable import sentence
 
 
 def fill_span(
@@ -46,7 +47,7 @@ def fill_span(
     shapes: Sequence[RotoShape],
     start: int,
     stop: int,
-    config: str | RoamParams = "best",
+    config: str | RoamParams = DEFAULT_CONFIG,
     token: CancelToken | None = None,
     progress: Progress | None = None,
     clip: str = "",
@@ -85,6 +86,8 @@ def fill_span(
         at a safe point after `token` was cancelled.
     """
     shapes, start, stop = shapes_of(shapes), frame_number(start), frame_number(stop)
+    if stop < start:
+        raise ValueError(f"a span goes from an earlier frame to a later one, not from {start} to {stop}")
     images = _by_frame(images, start, stop)
     only = names_of(only, (shape.id for shape in shapes))
     asked = [only is None or shape.id in only for shape in shapes]
@@ -200,7 +203,7 @@ class _Meter:
 
     def _tell(self, share: float) -> None:
         if self._progress is not None:
-            self._progress(min(share, 1.0), "Filling between keys")
+            self._progress(min(share, 1.0), sentence("Filling between keys"))
 
 
 @dataclass(frozen=True, eq=False)

@@ -105,6 +105,8 @@ def engine_key(frame: int, solved: Solved, feather: Array | None, inputs: str) -
 class Landmarks:
     """The landmarks of one shape on one frame, for those who want the motion of places on the object.
 
+    The arrays are read-only copies: the engine goes on from its own, whatever a caller does.
+
     Attributes
     ----------
     ids : (M,) who they are: never given twice among those that go back to one outline.
@@ -116,6 +118,12 @@ class Landmarks:
     ids: Indices
     positions: Array
     learned_on: int
+
+    def __post_init__(self) -> None:
+        for name in ("ids", "positions"):
+            array = np.array(getattr(self, name))
+            array.setflags(write=False)
+            object.__setattr__(self, name, array)
 
 
 @dataclass(frozen=True)

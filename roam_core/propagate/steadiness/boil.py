@@ -17,6 +17,7 @@ from roam_core.params import scale_for
 from roam_core.params.steadiness import ResidualParams
 from roam_core.propagate.steadiness.residual import Flows, Places, residual
 from roam_core.roto import BlendMode, RotoShape
+from roam_core.translatable import sentence
 
 Spot = tuple[str, int]
 """The id of a shape, and a frame."""
@@ -69,7 +70,7 @@ def boil(
         if token is not None:
             token.check()
         if progress is not None:
-            progress(done / len(frames), f"Looking at frame {frame}")
+            progress(done / len(frames), sentence("Looking at frame {frame}", frame=frame))
         try:
             pictures[frame] = PreparedFrame(read(frame))
         except MissingFrame:

@@ -20,6 +20,7 @@ from roam_core.propagate.steadiness.residual import Flows, Places, both_ways
 from roam_core.propagate.steadiness.settle import settled
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto import control_points as controls
+from roam_core.translatable import sentence
 
 
 def steadied(
@@ -147,7 +148,7 @@ def _watched(
         if token is not None:
             token.check()
         if progress is not None:
-            progress(done / len(wanted), f"Looking at frame {frame}")
+            progress(done / len(wanted), sentence("Looking at frame {frame}", frame=frame))
         try:
             picture = PreparedFrame(read(frame))
         except MissingFrame:

@@ -20,6 +20,7 @@ from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.params import CUT_OUT
 from roam_core.proposal.assist.growing import grown
 from roam_core.roto import BlendMode, RotoShape
+from roam_core.translatable import sentence
 
 Spot = tuple[float, float]
 
@@ -185,7 +186,7 @@ class _Told:
         if self.token is not None:
             self.token.check()
         if self.progress is not None:
-            self.progress((self.part + share) / self.parts, "Finding the object …")
+            self.progress((self.part + share) / self.parts, sentence("Finding the object …"))
 
 
 def _fitted(piece: _Piece, cut: Bools, frame: int) -> list[RotoShape]:

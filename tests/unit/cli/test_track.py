@@ -253,10 +253,22 @@ def test_a_run_of_which_nothing_is_kept_says_so(
     assert ("Nothing of this run is kept: to keep it, name a project with --save" in done.err) == (not kept)
 
 
-def test_a_picture_in_place_of_a_mask_is_told(roam: Roam, plate: Plate) -> None:
-    picture = next(iter(sorted(plate.folder.iterdir())))
-    done = roam("track", plate.folder, "--init", picture, "--end", 1001)
-    assert f"Most of the mask {picture} is neither black nor white. If it is a picture" in done.err
+def test_a_picture_in_place_of_a_mask_is_told(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    picture, grey = next(iter(sorted(plate.folder.iterdir()))), tmp_path / "grey.png"
+    cv2.imwrite(str(grey), cv2.imread(str(picture), cv2.IMREAD_GRAYSCALE))
+    done = roam("track", plate.folder, "--init", grey, "--end", 1001)
+    assert f"Most of the mask {grey} is neither black nor white. If it is a picture" in done.err
+
+
+def test_a_photograph_in_place_of_a_mask_is_refused(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    picture = tmp_path / "photo.png"
+    grey = cv2.imread(str(next(iter(sorted(plate.folder.iterdir())))), cv2.IMREAD_GRAYSCALE)
+    assert grey is not None
+    cv2.imwrite(str(picture), np.dstack([grey, grey // 2 + 30, grey // 3 + 60]))
+    done = roam("track", plate.folder, "--init", picture, "--save", tmp_path / "p.roam")
+    assert done.status == 1
+    assert f"{picture} is a picture in colour, no mask; give the object's mask" in done.err
+    assert not (tmp_path / "p.roam").exists()
     assert "If it is a picture" not in roam("track", plate.folder, "--init", plate.mask, "--end", 1001).err
 
 

@@ -94,6 +94,19 @@ def test_pictures_in_place_of_masks_are_told(tmp_path: Path) -> None:
     assert any(note.startswith(told) for note in read_shapes(folder, CLIP).notes)
 
 
+def test_photographs_in_place_of_masks_are_refused_before_hours_go_into_them(tmp_path: Path) -> None:
+    grey = cv2.GaussianBlur(np.random.default_rng(5).integers(0, 255, (120, 160), np.uint8), (0, 0), 9)
+    colour = np.dstack([grey, grey // 2 + 20, grey // 3 + 60])
+    read: list[str] = []
+    options = ImportOptions(progress=lambda _, text: read.append(text))
+    with pytest.raises(RoamError, match="plate holds pictures in colour, no masks; give the masks of them"):
+        read_shapes(write(tmp_path / "plate", colour, colour, colour), CLIP, options)
+    assert read == ["Looking at the masks"]
+    alpha = np.dstack([colour, discs((60, 50))])
+    for name, masks in {"one": (colour, discs((60, 50))), "alpha": (alpha, alpha)}.items():
+        assert list(read_shapes(write(tmp_path / name, *masks), CLIP).layer.shapes())
+
+
 def test_soft_masks_are_no_pictures(tmp_path: Path) -> None:
     soft = cv2.GaussianBlur(discs((60, 50), (110, 60)), (0, 0), 12)
     assert not any("pictures" in note for note in read_shapes(write(tmp_path / "masks", soft), CLIP).notes)

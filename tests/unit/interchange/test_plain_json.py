@@ -171,7 +171,7 @@ SHAPE, KEY = ("items", 0, "items", 0), ("items", 0, "items", 0, "keys", 0)
         ((*SHAPE, "blend"), ["add"], '"blend" must be one of'),
         ((*SHAPE, "colour"), [1, 2], '"colour" must be a list of three numbers'),
         ((*SHAPE, "lifetime"), [5], '"lifetime" must be null or a first frame'),
-        ((*SHAPE, "lifetime"), [9, 5], "the lifetime ends before it begins"),
+        ((*SHAPE, "lifetime"), [1009, 1002], '"lifetime" must not end before it begins'),
         ((*SHAPE, "motion_blur"), {"shutter": -1, "phase": 0}, "must have 1 to 1024 samples"),
         ((*SHAPE, "keys"), [], "has no key"),
         ((*KEY, "frame"), 1e12, "is no frame number"),

@@ -240,6 +240,12 @@ def test_integers_that_arithmetic_made_of_a_mask_are_white_where_it_was(kind: ty
     np.testing.assert_array_equal(coverage_of((mask // 255).astype(kind) * kind(white)), mask / 255.0)
 
 
+@pytest.mark.parametrize("kind", [np.int8, np.int16, np.int32])
+def test_integers_with_a_sign_are_white_where_their_type_ends(kind: type) -> None:
+    mask = box((20, 20, 60, 50))
+    np.testing.assert_array_equal(coverage_of((mask // 255).astype(kind) * kind(np.iinfo(kind).max)), mask / 255.0)
+
+
 @pytest.mark.parametrize("brightest", [17, 200, 254, 256, 1000, 16383])
 def test_a_dark_picture_of_sixteen_bits_is_no_mask(brightest: int) -> None:
     assert shapes_from_mask((box((20, 20, 60, 50)) > 0).astype(np.uint16) * np.uint16(brightest)) == []

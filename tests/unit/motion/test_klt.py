@@ -79,3 +79,11 @@ def test_points_that_something_covers_are_dropped_and_not_followed_to_where_it_l
     assert np.count_nonzero(seen) >= 10
     assert np.hypot(*(target - source - (3.0, 1.0))[seen].T).max() < 0.5
     assert np.count_nonzero(source[:, 0] > 84.0) <= 0.1 * len(source)
+
+
+@pytest.mark.parametrize("size", [(3, 5000), (5000, 3)])
+def test_a_strip_of_which_no_line_would_be_left_when_reduced_stands_still(size: tuple[int, int]) -> None:
+    picture = PreparedFrame(np.random.default_rng(2).integers(0, 255, (*size, 3), np.uint8))
+    line = np.array([[0.0, 0.0], [size[1], 0.0], [size[1], size[0]], [0.0, size[0]]])
+    warp = similarity_warp(picture, picture, line, RoamParams(), 1.0)
+    np.testing.assert_allclose(warp.transform, similarity.IDENTITY, atol=0.05)

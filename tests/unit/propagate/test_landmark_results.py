@@ -115,3 +115,17 @@ def test_a_run_that_is_taken_up_again_knows_the_same_landmarks(memory: TrackMemo
         assert (one.frame, seen(one).learned_on) == (other.frame, seen(other).learned_on)
         npt.assert_array_equal(seen(one).ids, seen(other).ids)
         npt.assert_array_equal(seen(one).positions, seen(other).positions)
+
+
+def test_what_a_caller_does_with_landmarks_reaches_no_tracker(blob_shot: Shot) -> None:
+    tracker = Tracker(config="medium")
+    tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
+    landmarks = tracker.step(blob_shot.read(1002), 1002).landmarks
+    assert landmarks is not None
+    with pytest.raises(ValueError, match="read-only"):
+        landmarks.positions[:] += 30.0
+    with pytest.raises(ValueError, match="read-only"):
+        landmarks.ids[:] = 0
+    again = tracker.given().landmarks
+    assert again is not None
+    assert not np.shares_memory(again.positions, landmarks.positions)

@@ -224,6 +224,22 @@ def test_words_that_name_no_frames_are_refused(project: Project, words: str) -> 
         chosen_frames(project, words)
 
 
+@pytest.mark.parametrize("words", ["1011", "1002,999", "1001-1011", "900-1003", "-5", "1002, 1000-1010x3"])
+def test_numbers_beside_the_clip_are_refused(project: Project, words: str) -> None:
+    """They were left out without a word."""
+    with pytest.raises(RoamError, match="lies outside the clip's frames 1001-1010"):
+        chosen_frames(project, words)
+
+
+def test_a_range_that_ends_before_it_begins_is_refused(project: Project) -> None:
+    with pytest.raises(RoamError, match="'1005-1002' ends before it begins"):
+        chosen_frames(project, "1001,1005-1002")
+
+
+def test_of_numbers_that_a_narrower_range_leaves_out_nothing_is_said(project: Project) -> None:
+    assert chosen_frames(project, "1001-1010x3", range(1002, 1006)) == (1004,)
+
+
 def test_a_choice_without_frames_is_refused(project: Project) -> None:
     with pytest.raises(RoamError, match="There is no frame of 'boil' between 1001 and 1010"):
         chosen_frames(project, "boil")

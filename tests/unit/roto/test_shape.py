@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import FrozenInstanceError, replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -103,6 +104,27 @@ def test_lifetime_is_half_open() -> None:
     shape = replace(moving(), lifetime=(12, 20))
     assert [shape.exists_at(frame) for frame in (11, 12, 19.5, 20)] == [False, True, True, False]
     assert moving().exists_at(-5000)
+
+
+@pytest.mark.parametrize("pair", [(9, 12, 4), (9.5, 12), (9,), "ab", 9])
+def test_what_is_no_lifetime_is_refused_where_it_is_given(pair: Any) -> None:
+    """It came to light when the project was saved."""
+    with pytest.raises(ValueError, match="the lifetime of 'A' is a first frame and the frame after the last"):
+        replace(moving(), lifetime=pair)
+
+
+def test_shapes_from_lists_are_those_from_tuples() -> None:
+    """They differed after they had been saved, and could not be hashed."""
+    listed = replace(moving(), lifetime=[9, np.int64(12)], depth=[(3, 1)], colour=[0.1, 0.2, 0.3])  # type: ignore[arg-type]
+    told = replace(moving(), lifetime=(9, 12), depth=((3, 1),), colour=(0.1, 0.2, 0.3))
+    assert listed == told
+    assert hash(listed) == hash(told)
+    assert Keyframe(1, TRIANGLE, set_points=[0, 1]) == Keyframe(1, TRIANGLE, set_points=(0, 1))  # type: ignore[arg-type]
+
+
+def test_trust_in_points_is_one_number_a_point() -> None:
+    with pytest.raises(ValueError, match=r"vertex_confidence has shape \(1,\), its points \(3, 3, 2\)"):
+        Keyframe(1, TRIANGLE, vertex_confidence=[0.5])  # type: ignore[arg-type]
 
 
 def test_key_at_finds_keys_only() -> None:

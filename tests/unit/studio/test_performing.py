@@ -9,8 +9,11 @@ from typing import Any
 import pytest
 
 from roam_core import load_project
+from roam_core.cancel import CancelToken
 from roam_core.cli import main, performing
+from roam_core.cli.main import INTERRUPTED
 from roam_core.cli.performing import perform
+from roam_core.cli.stopping import cancelled_by
 from roam_core.roto import file
 from roam_core.studio.finding import jobs_from
 from roam_core.studio.pictures import doubtful
@@ -148,6 +151,32 @@ def test_a_refusal_is_told_and_nothing_recorded(show: Path, tmp_path: Path) -> N
     assert outcome["status"] == "failed"
     assert "init.png" in outcome["said"]
     assert not Path(track.record).exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("import", "mattes", "--into", "p.roam", "--save", "out.roam"),
+        ("render", "p.roam", "--out", "out"),
+        ("export", "p.roam", "out", "--to", "nuke"),
+    ],
+    ids=lambda words: words[0],
+)
+def test_steps_that_solve_nothing_hear_that_their_batch_ends_too(
+    show: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...]
+) -> None:
+    """Ctrl-C waited for the last matte of the longest of them."""
+    carried_out(show, tmp_path / "made")
+    (tmp_path / "made/sh010/mattes").rename(tmp_path / "mattes")
+    (tmp_path / "made/sh010/sh010.roam").rename(tmp_path / "p.roam")
+    monkeypatch.chdir(tmp_path)
+    token = CancelToken()
+    token.cancel()
+    with cancelled_by(token):
+        assert main(list(words)) == INTERRUPTED
+    assert not Path("out.roam").exists()
+    assert not Path("out").is_file()
+    assert not Path("out").exists() or not list(Path("out").iterdir())
 
 
 def test_a_cancelled_step_stops_and_is_not_taken_for_done(

@@ -237,6 +237,12 @@ def test_what_cannot_be_filled_is_refused_with_a_sentence(shot: Shot, change: ob
         fill_span(pictures(shot), [change(keyed(shot, FIRST, LAST))], FIRST, LAST)
 
 
+def test_a_span_that_ends_before_it_begins_is_called_so(shot: Shot) -> None:
+    """It was said that the shape had no two keys there, which it has."""
+    with pytest.raises(ValueError, match=f"from an earlier frame to a later one, not from {LAST} to {FIRST}"):
+        fill_span(pictures(shot), [keyed(shot, FIRST, LAST)], LAST, FIRST)
+
+
 def test_neighbouring_keys_leave_nothing_to_fill_and_come_back_as_they_are(shot: Shot) -> None:
     shape = keyed(shot, FIRST, FIRST + 1)
     assert fill_span(pictures(shot), [shape], FIRST, FIRST + 1) == [shape]
