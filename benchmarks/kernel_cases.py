@@ -30,7 +30,7 @@ from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, o
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, log_ratio, nearest_colours
 from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.kernels.oblivious_trees import grown, mean_of_leaves, shares
-from roam_core.kernels.patch_alignment import aligned
+from roam_core.kernels.patch_alignment import aligned, sides
 from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, affines, energies, refined
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
@@ -147,16 +147,29 @@ def _background() -> Case:
     return _call(best_matches, _picture(), _picture(), np.ones(GRID, dtype=bool), 5, 1, 2.0, 0.5)
 
 
-def _patches() -> Case:
+def _learned() -> tuple[Patches, Levels]:
+    """The patches of a blurred picture, and the levels of the same."""
     grid, params = Grid.over(Region(0, 0, GRID[1], GRID[0]), 1.0), PatchParams()
     frame, inside = PreparedFrame(cv2.GaussianBlur(_picture(), (0, 0), 2.0)), np.zeros(GRID, dtype=bool)
     inside[20:-20, 20:-20] = True
     patches = Patches.learned(frame, inside, np.ones(GRID, dtype=bool), grid, 1.0, params)
     assert patches is not None
-    start, now = patches.on_key, Levels.of(frame, grid, params)
+    return patches, Levels.of(frame, grid, params)
+
+
+def _patches() -> Case:
+    patches, now = _learned()
+    start = patches.on_key
     beside = start.affines + np.array([1.0, -1.0, 0.0, 0.0, 0.0, 0.0])
     how = patches.alignment
     return _call(aligned, patches.templates, now.coarse, now.fine, beside, start.affines, start.likeness, how)
+
+
+def _sides() -> Case:
+    patches, now = _learned()
+    places, weights = patches.on_key.affines, np.ones(len(patches.on_key.affines))
+    said = patches.picture, patches.depth, now.fine, patches.params.alike, patches.params.ramp
+    return _call(sides, patches.templates.centres, places, weights, patches.radius, *said)
 
 
 def _log_ratio() -> Case:
@@ -325,6 +338,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "row_sums": lambda: _call(row_sums, _field()),
     "settled": _settling,
     "shares": lambda: _call(shares, *_one_test_a_level()),
+    "sides": _sides,
     "step_counts": lambda: _call(step_counts, segments(_spline()), 0.05),
     "swept_coverage": lambda: _call(swept_coverage, _outline(), _outline() + 8.0, SIZE),
     "vertices": lambda: _call(vertices, segments(_spline()), step_counts(segments(_spline()), 0.05)),

@@ -323,12 +323,11 @@ CLIP = Clip("/plates/plate.%04d.exr", FIRST, LAST, (96, 72))  # type: ignore[arg
         Project(CLIP, Layer("root", "Root", (SHAPE, SHAPE))),
         Project(CLIP, Layer("root", "Root", (replace(SHAPE, id=5),))),  # type: ignore[arg-type]
         Project(CLIP, Layer("root", "Root", (replace(SHAPE, name=5),))),  # type: ignore[arg-type]
-        Project(CLIP, Layer("root", "Root", (replace(SHAPE, lifetime=(1.5, 3)),))),  # type: ignore[arg-type]
         Project(CLIP, Layer("root", "Root", (RotoShape("a", "A", (Keyframe(1, SHAPE.keys[0].points * np.nan),)),))),
         Project(CLIP, Layer("root", "Root", (RotoShape("a", "A", (Keyframe(10**12, SHAPE.keys[0].points),)),))),
         Project(replace(CLIP, first=LAST + 1)),
     ],
-    ids=["twice", "id", "name", "lifetime", "nan", "far", "clip"],
+    ids=["twice", "id", "name", "nan", "far", "clip"],
 )
 def test_a_project_that_could_not_be_opened_again_is_not_written(tmp_path: Path, project: Project) -> None:
     path = tmp_path / "p.roam"

@@ -95,8 +95,8 @@ def test_a_shape_that_exists_on_no_frame_is_seen_in_no_program(
     lifetime: tuple[int, int], opacity: float | Animated, tmp_path: Path
 ) -> None:
     gone = block(1, 0.0, opacity=opacity, lifetime=lifetime)
-    assert [(key.frame, key.value) for key in opacity_keys(gone)] == [(5, 0.0)]
-    assert lifetime_steps(gone) == [(5, False)]
+    assert [(key.frame, key.value) for key in opacity_keys(gone)] == [(lifetime[0], 0.0)]
+    assert lifetime_steps(gone) == [(lifetime[0], False)]
     made = Project(Clip(Path("plate"), 1, 12, SIZE[::-1]), Layer("root", "Root", (gone, block(2, 10.0))))
     for name, suffix in (("nuke", "nk"), ("silhouette", "fxs"), ("fusion", "setting")):
         path = tmp_path / f"p.{suffix}"
