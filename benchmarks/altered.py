@@ -1,7 +1,8 @@
-"""Altered shots: the object beside its own copy, in haze or in shadow, the camera zooming, shaken, or out of focus.
+"""Altered shots: the object beside its own copy, behind a trunk, in haze or shadow, zoomed, shaken or out of focus.
 
 A copy, as one of two players of a team or two cars of a kind, lies behind the object, so what is true of that stays
-true. It goes beside it, or comes near from far off until the two touch. The same frames are tracked as they are, too.
+true. It goes beside it, or comes near from far off until the two touch. What a trunk hides is not true of it. The
+same frames are tracked as they are, too.
 """
 
 from __future__ import annotations
@@ -38,6 +39,11 @@ HAZE = 0.7, 0.75
 
 SHADOW = 0.55, 3.0
 """How much darker a shadow is, and how softly it ends, in pixels."""
+
+TRUNK = 0.15
+"""How wide the trunk is, as a share of the picture's width."""
+BARK = (100.0, 80.0, 57.0), 0.3
+"""Its mean colour, in levels of 255, and by which share of that it deviates from place to place."""
 
 Frames = tuple[list[Image], list[Bools]]
 """The pictures of a run, and their true masks."""
@@ -110,6 +116,31 @@ def shadowed(pictures: Sequence[Image], masks: Sequence[Bools]) -> Frames:
     return found, list(masks)
 
 
+def behind_a_trunk(pictures: Sequence[Image], masks: Sequence[Bools]) -> Frames:
+    """As a trunk goes before the object from its left to its right; it lies beside it on the first frame."""
+    height, width = masks[0].shape
+    bark = _bark(height, round(TRUNK * width))
+    wide, columns = bark.shape[1], np.arange(width)
+    half = 0.5 * (_width(masks[0]) + wide) + 3.0
+    found, seen = [], []
+    for picture, mask, way in zip(pictures, masks, np.linspace(-half, half, len(masks)), strict=True):
+        of_trunk = columns - round(_middle(mask)[0] + way - 0.5 * wide)
+        hidden = (of_trunk >= 0) & (of_trunk < wide)
+        is_levels = picture.dtype == np.uint8
+        before = picture.copy()
+        before[:, hidden] = bark[:, of_trunk[hidden]] if is_levels else bark[:, of_trunk[hidden]] / 255.0
+        found.append(before)
+        seen.append(mask & ~hidden)
+    return found, seen
+
+
+def _bark(height: int, width: int) -> Array:
+    """The picture `(height, width, 3)` of a trunk, in levels of 255."""
+    noise = cv2.GaussianBlur(np.random.default_rng(0).normal(size=(height, width)), (0, 0), sigmaX=1.2, sigmaY=9.0)
+    colour, share = BARK
+    return np.asarray(np.clip(np.array(colour) * (1.0 + share * noise / noise.std())[..., None], 0.0, 255.0))
+
+
 ALTERATIONS: dict[str, Callable[[Sequence[Image], Sequence[Bools]], Frames]] = {
     "as it is": lambda pictures, masks: (list(pictures), list(masks)),
     "a copy beside it": lambda pictures, masks: beside_its_copy(pictures, masks, [BESIDE] * len(masks)),
@@ -120,6 +151,7 @@ ALTERATIONS: dict[str, Callable[[Sequence[Image], Sequence[Bools]], Frames]] = {
     "out of focus": defocused,
     "in haze": hazy,
     "in shadow": shadowed,
+    "behind a trunk": behind_a_trunk,
 }
 """By name what becomes of the pictures and the masks of a run, the key first."""
 
@@ -189,7 +221,13 @@ def _offset(mask: Bools, widths: float) -> int:
     if len(columns) == 0:
         return 0
     side = 1 if columns[0] + columns[-1] < mask.shape[1] else -1
-    return round(side * widths * float(np.ptp(columns) + 1))
+    return round(side * widths * _width(mask))
+
+
+def _width(mask: Bools) -> float:
+    """Columns from the first to the last that a mask has something in; 0 of an empty one."""
+    columns = np.flatnonzero(mask.any(axis=0))
+    return float(np.ptp(columns) + 1) if len(columns) else 0.0
 
 
 def with_copy(picture: Image, mask: Bools, offset: int) -> Image:

@@ -8,6 +8,24 @@ from roam_core.params.stamped import later
 
 
 @dataclass(frozen=True)
+class KeypointParams:
+    """Parameters of keypoints that are known again (`motion.keypoints`). Lengths are pixels of a 480-line image.
+
+    Attributes
+    ----------
+    clearly : share of the distance of the next best one that the best one's may have (Lowe, 7.1).
+    fewest : keypoints that must agree. near : pixels by which they may miss. trials : pairs that are tried.
+    sizes : times that the object may have become larger or smaller since it was last seen.
+    """
+
+    clearly: float = 0.8
+    fewest: int = 5
+    near: float = 4.0
+    trials: int = 512
+    sizes: float = 2.0
+
+
+@dataclass(frozen=True)
 class RedetectionParams:
     """Parameters of looking for an object as it was on its key (`propagate.frame.redetection`).
 
@@ -26,9 +44,11 @@ class RedetectionParams:
     least, distinct : root of its area on the key in pixels, and nats by which it differs there from its
         surroundings, from which it can be known again by its colours.
     posed : share of `RegionParams.doubted` under which an object is looked for that is held to its pose.
-    long_gone, sometimes : frames unseen after which an object is looked for on every fourth frame only.
+    long_gone, sometimes : frames unseen after which an object is looked for on every fourth frame only; and frames on
+        which what has come back is looked for by its keypoints.
     near, pace : roots of its area around its last place within which an object is looked for, and by how many more
         a frame unseen.
+    keypoints : of the object, by which it is known again.
     """
 
     across: float = 16.0
@@ -47,3 +67,4 @@ class RedetectionParams:
     sometimes: int = 4
     near: float = 2.0
     pace: float = 0.5
+    keypoints: KeypointParams = later(KeypointParams())

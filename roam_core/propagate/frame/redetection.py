@@ -19,7 +19,8 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
 from roam_core.kernels.coverage import coverage
-from roam_core.params import RedetectionParams, RegionParams
+from roam_core.motion.keypoints import Keypoints
+from roam_core.params import RedetectionParams, RegionParams, scale_for
 from roam_core.proposal.cues.evidence import Field, KeyMemory
 from roam_core.threads import each
 
@@ -37,6 +38,7 @@ class LastSeen:
     middle : (2,) centroid of what was last seen of it. params : where it is looked for. since : frames since then.
     largest : the largest area that it has had when it was whole, where that is more than `area`.
     surroundings : (3, 3) similarity by which what lay around it on the key had gone when it was last whole.
+    returning : frames on which it is still looked for by its keypoints, since it was out of sight.
     """
 
     carried: Array
@@ -46,6 +48,7 @@ class LastSeen:
     since: int = 0
     largest: float = 0.0
     surroundings: Array = field(default_factory=lambda: np.eye(3))
+    returning: int = 0
 
     def sizes(self, surroundings: Array | None = None) -> list[float]:
         """Sizes in relation to `carried` that the object may have, up to the largest that it has had.
@@ -77,7 +80,7 @@ class LastSeen:
 
     def missed(self) -> LastSeen:
         """After one more frame on which the object was not seen."""
-        return replace(self, since=self.since + 1)
+        return replace(self, since=self.since + 1, returning=self.params.long_gone)
 
     def after(self, key: KeyMemory, region: Field, resemblance: float = 1.0) -> LastSeen:
         """After a frame on which the object was seen, as `region`; `key` knows the way from the key to there.
@@ -86,11 +89,12 @@ class LastSeen:
         `almost` full `resemblance` (`AppearanceTemplate.resemblance`) on.
         """
         area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
+        returning = max(self.returning - 1, 0)
         if resemblance >= self.params.almost and area_of(region) >= self.params.whole * area:
             largest = max(area, self.area, self.largest)
             middle = middle_of(region)
-            return LastSeen(key.to_now, area, middle, self.params, largest=largest, surroundings=key.surroundings)
-        return replace(self, middle=middle_of(region), since=0)
+            return LastSeen(key.to_now, area, middle, self.params, 0, largest, key.surroundings, returning)
+        return replace(self, middle=middle_of(region), since=0, returning=returning)
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,6 +169,12 @@ class AppearanceTemplate:
         likeness = self._likeness(self.frame, np.eye(2), self.middle, 2.0 * cell)
         return likeness.best(self.middle, 2.0 * cell)[0]
 
+    @cached_property
+    def keypoints(self) -> Keypoints:
+        """Its keypoints on the key."""
+        grid = Grid.over(_whole(self.frame), 1.0 / scale_for(self.frame.size))
+        return Keypoints.of(self.frame, grid, self.region.on(grid) > 0.5)
+
     @property
     def is_distinct(self) -> bool:
         """Whether it is large enough on the key, and its colours tell it from its surroundings there."""
@@ -203,6 +213,25 @@ class AppearanceTemplate:
         placed[:2, :2] = turns[chosen]
         placed[:2, 2] = place - turns[chosen] @ self.middle
         return placed
+
+    def found_by_keypoints(self, frame: PreparedFrame, last_seen: LastSeen) -> Array | None:
+        """The similarity `(3, 3)` from the key that its keypoints which are in sight agree on; None where too few do.
+
+        They are looked for where it may be, as a whole. What has changed its size too much is something else.
+        """
+        params, scale = self.params.keypoints, scale_for(frame.size)
+        if len(self.keypoints.places) < params.fewest:
+            return None
+        room = last_seen.reach + self._extent_under(last_seen.carried[:2, :2])
+        area = Region.around(last_seen.middle[None], room, frame.size)
+        if area.is_empty:
+            return None
+        seen = Keypoints.of(frame, Grid.over(area, 1.0 / scale))
+        placed = self.keypoints.similarity_to(seen, params.near * scale, params)
+        if placed is None:
+            return None
+        size = _size_of(placed) / _size_of(last_seen.carried)
+        return placed if 1.0 / params.sizes < size < params.sizes else None
 
     def resemblance(self, frame: PreparedFrame, line: Array) -> float:
         """How much like the object what the closed polyline `(N, 2)` encloses looks: 1 as on the key, 0 not at all.

@@ -71,17 +71,30 @@ def step(
 
     Where that leaves the object lost or in doubt it is looked for around its last place, as it was on the key, and
     taken from there if that promises more. If it is not found, and what is left is something else, that is let go.
+    An object that was out of sight is taken from where its keypoints are known again, if that promises anything.
     """
     frame = state.key.in_its_light(frame)
     if state.pose is not None and params.pose is not None:
         state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params, covers))
     carried = _carried(state, frame, params, token, tuple(covers))
+    is_returning = carried.state.last_seen.returning > 0
+    if not is_returning and not _is_doubted(carried.state, params):
+        return carried
+
+    def carried_from(found: RegionState) -> RegionStep:
+        around = carried.state.key.surroundings
+        return replace(_carried(found, frame, params, token, tuple(covers), around), redetected=True)
+
+    known = _known_again(state, carried.state, frame, params) if is_returning else None
+    if known is not None:
+        again = carried_from(known)
+        if again.state.trust > params.believed and not _is_background(again, params):
+            return again
     if not _is_doubted(carried.state, params):
         return carried
     found = _as_last_seen(state, carried.state, frame, params)
     if found is not None:
-        around = carried.state.key.surroundings
-        again = replace(_carried(found, frame, params, token, tuple(covers), around), redetected=True)
+        again = carried_from(found)
         compared = _promise(again.state, carried.state)
         if is_better(again.state.trust, compared, carried.state.trust, params) and not _is_background(again, params):
             return again
@@ -116,11 +129,14 @@ def _is_gone(state: RegionState, observation: Observation, params: RegionParams)
 
 
 def _is_doubted(state: RegionState, params: RegionParams) -> bool:
-    """Whether so little is to be expected of a frame that the object is looked for on it.
+    """Whether so little is to be expected of a frame that the object is looked for on it by its colours.
 
-    A limb that is held to its pose soon has lookalikes: only where less is to be expected of it. What its colours do
-    not tell from its surroundings has them everywhere: only where nothing is left of it.
+    So is one that has come back of late: what is seen of it need not be all. A limb that is held to its pose soon has
+    lookalikes: only where less is to be expected of it. What its colours do not tell from its surroundings has them
+    everywhere: only where nothing is left of it.
     """
+    if state.last_seen.returning > 0 and state.appearance.is_distinct and not state.is_posed:
+        return True
     bound = params.doubted
     if state.trust < bound and not state.appearance.is_distinct:
         bound = min(bound, params.hopeless)
@@ -151,6 +167,23 @@ def _as_last_seen(
     to_now = state.appearance.found(frame, carried.last_seen, key_behind, carried.key.surroundings)
     if to_now is None:
         return None
+    return _as_on_key_at(to_now, state, carried, frame, params)
+
+
+def _known_again(
+    state: RegionState, carried: RegionState, frame: PreparedFrame, params: RegionParams
+) -> RegionState | None:
+    """As if, the frame before, the object had lain as on the key where its keypoints are known again on `frame`."""
+    if not carried.last_seen.is_worth_a_look or carried.is_posed:
+        return None
+    to_now = state.appearance.found_by_keypoints(frame, carried.last_seen)
+    return None if to_now is None else _as_on_key_at(to_now, state, carried, frame, params)
+
+
+def _as_on_key_at(
+    to_now: Array, state: RegionState, carried: RegionState, frame: PreparedFrame, params: RegionParams
+) -> RegionState:
+    """As if, the frame before, the object had lain as on the key where `to_now (3, 3)` puts it."""
     picture = as_on_key(state.key.frame, to_now)
     parts = tuple(replace(part, points=similarity.apply(to_now[:2], part.points)) for part in state.drawn)
     spots = np.vstack([part.points.reshape(-1, 2) for part in parts])

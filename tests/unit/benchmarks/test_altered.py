@@ -53,6 +53,21 @@ def test_a_camera_that_pulls_out_ends_on_the_shot_and_one_that_pushes_in_begins_
         assert masks[near].sum() == pytest.approx(altered.ZOOM**2 * gliding.masks[near].sum(), rel=0.05)
 
 
+@pytest.mark.parametrize("dtype", [np.uint8, np.float32])
+def test_a_trunk_passes_before_the_object_and_hides_it(dtype: type, gliding: Shot) -> None:
+    pictures = [picture.astype(dtype) for picture in gliding.pictures]
+    altered_pictures, masks = ALTERATIONS["behind a trunk"](pictures, gliding.masks)
+    np.testing.assert_array_equal(masks[0], gliding.masks[0])
+    np.testing.assert_array_equal(masks[-1], gliding.masks[-1])
+    middle = len(masks) // 2
+    assert masks[middle].sum() < 0.5 * gliding.masks[middle].sum()
+    for ours, picture, mask, true in zip(altered_pictures, pictures, masks, gliding.masks, strict=True):
+        assert ours.dtype == dtype
+        np.testing.assert_array_equal(ours[mask], picture[mask])
+        hidden = true & ~mask
+        assert np.count_nonzero((ours != picture).any(axis=-1) & hidden) >= 0.9 * np.count_nonzero(hidden)
+
+
 @pytest.mark.parametrize("alteration", ALTERATIONS)
 def test_an_altered_shot_is_scored(alteration: str, monkeypatch: pytest.MonkeyPatch, gliding: Shot) -> None:
     monkeypatch.setattr(shots, "load", {gliding.name: gliding}.__getitem__)

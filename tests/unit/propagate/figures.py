@@ -300,3 +300,19 @@ def ball_hidden_while_the_camera_pulls_out(count: int = 13) -> tuple[list[UInt8]
         pictures.append(np.uint8(np.clip(cv2.warpAffine(scene, view, SIZE[::-1]), 0.0, 255.0)))
         masks.append(np.uint8(255) * (cv2.warpAffine(inside.astype(np.float32), view, SIZE[::-1]) > 0.5))
     return pictures, masks
+
+
+def card_that_comes_out(count: int = 13) -> tuple[list[UInt8], list[UInt8]]:
+    """Pictures and masks of a card with a texture of its own that passes behind a board wider than itself."""
+    height, width = 2 * SIZE[0], 2 * SIZE[1]
+    places = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
+    ground, face = texture(23, 60.0, 110.0), texture(24, 120.0, 230.0)
+    board = (places[..., 0] > 110.0) & (places[..., 0] < 190.0)
+    pictures, masks = [], []
+    for k in range(count):
+        on_card = places - (50.0 + 14.0 * k, 0.5 * height)
+        inside = (np.abs(on_card) < (34.0, 42.0)).all(axis=-1) & ~board
+        scene = np.where(inside[..., None], face.at(on_card), np.where(board[..., None], 90.0, ground.at(places)))
+        pictures.append(np.uint8(np.clip(scene, 0.0, 255.0)))
+        masks.append(np.uint8(255) * inside)
+    return pictures, masks

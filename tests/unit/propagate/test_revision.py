@@ -32,6 +32,7 @@ from tests.unit.propagate.figures import (
     body_and_sleeve,
     body_behind_a_post,
     body_with_arms,
+    card_that_comes_out,
     disc_that_comes_in,
     flame,
     hazy,
@@ -148,6 +149,12 @@ def hidden_while_zoomed() -> Points:
     return _tracked(pictures, masks[0])
 
 
+def known_by_keypoints() -> Points:
+    """A card that comes out from behind a board, and is half hidden still."""
+    pictures, masks = card_that_comes_out(11)
+    return _tracked(pictures, masks[0])
+
+
 def in_haze() -> Points:
     """A figure in parts over which haze comes up."""
     figure = body_with_arms(6)
@@ -179,6 +186,7 @@ RUNS: dict[str, Callable[[], Points]] = {
         coming_in_posed,
         coming_in_limb,
         hidden_while_zoomed,
+        known_by_keypoints,
         in_haze,
     )
 }

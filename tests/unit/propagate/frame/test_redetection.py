@@ -17,6 +17,7 @@ from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
 from roam_core.params import CONFIGS, RedetectionParams, RegionParams, TextureParams
 from roam_core.params.evidence import BackgroundParams
+from roam_core.params.redetection import KeypointParams
 from roam_core.propagate.curves import step as outline
 from roam_core.propagate.explain import explain
 from roam_core.propagate.frame.confidence import PoseFeatures
@@ -26,6 +27,7 @@ from roam_core.propagate.whole.observation import behind
 from roam_core.propagate.whole.region import step
 from roam_core.propagate.whole.state import begin
 from roam_core.proposal.cues.evidence import Field, KeyMemory
+from tests.unit.propagate.figures import card_that_comes_out
 
 PARAMS = RedetectionParams()
 SIZE = (140, 260)
@@ -225,7 +227,8 @@ def test_what_lost_its_pose_is_found_without_it_where_its_colours_are_its_own(
 def test_what_its_colours_do_not_tell_is_looked_for_where_nothing_is_left(
     distinct: float, hopeless: float, is_found: bool
 ) -> None:
-    params = replace(REGION, hopeless=hopeless, redetection=replace(PARAMS, distinct=distinct))
+    by_colours = replace(PARAMS, distinct=distinct, keypoints=KeypointParams(fewest=1000))
+    params = replace(REGION, hopeless=hopeless, redetection=by_colours)
     parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(60.0)))
     stepped = step(begin(PreparedFrame(picture(60.0)), parts, params), PreparedFrame(picture(112.0)), params)
     assert stepped.redetected is is_found
@@ -276,6 +279,77 @@ def test_size_and_turn_are_taken_over_from_where_they_are_sure() -> None:
     np.testing.assert_array_equal(sure.carried, grown)
     np.testing.assert_array_equal(doubtful.carried, last_seen.carried)
     assert last_seen.missed().since == last_seen.since + 1
+
+
+def textured(column: float, hidden: int = 0, radius: float = RADIUS) -> UInt8:
+    """A ball with spots of its own; its left edge and so many columns of it behind a grey board."""
+    noise = cv2.GaussianBlur(np.random.default_rng(8).normal(size=(64, 64, 3)), (0, 0), 1.5)
+    spots = np.clip([225, 120, 40] + 50.0 * noise / noise.std(), 0, 255).astype(np.uint8)
+    size = radius / 32.0
+    way = np.array([[size, 0.0, column - 32.0 * size - 0.5 + 0.5 * size], [0.0, size, ROW - radius - 0.5 + 0.5 * size]])
+    image = np.where(disc(column, radius=radius)[..., None], cv2.warpAffine(spots, way, SIZE[::-1]), meadow())
+    image[:, int(column - radius) - 30 : int(column - radius) + hidden] = (110, 100, 105)
+    return np.asarray(image, np.uint8)
+
+
+LARGE = 32.0
+"""Radius of a ball with spots."""
+
+
+def spotted() -> tuple[AppearanceTemplate, LastSeen]:
+    grid = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 0.5)
+    cover = grid.of(disc(60.0, radius=LARGE).astype(np.float32))
+    region = Field(grid, (8.0 * (cover - 0.5)).astype(np.float32))
+    last_seen = LastSeen(np.eye(3), np.pi * LARGE**2, np.array([60.0, ROW]), PARAMS, since=3)
+    return AppearanceTemplate(PreparedFrame(textured(60.0, radius=LARGE)), region, PARAMS, 2e-5), last_seen
+
+
+@pytest.mark.parametrize("hidden", [0, 32])
+def test_what_is_seen_in_part_is_as_large_as_its_keypoints_say(hidden: int) -> None:
+    eye, last_seen = spotted()
+    placed = eye.found_by_keypoints(PreparedFrame(textured(170.0, hidden, radius=LARGE)), last_seen)
+    assert placed is not None
+    assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(1.0, abs=0.05)
+    assert np.hypot(*(placed[:2] @ (60.0, ROW, 1.0) - (170.0, ROW))) < 2.0
+
+
+def test_by_its_keypoints_nothing_is_known_that_is_not_there_or_not_its_size() -> None:
+    eye, last_seen = spotted()
+    there = PreparedFrame(textured(170.0, radius=LARGE))
+    assert eye.found_by_keypoints(PreparedFrame(meadow()), last_seen) is None
+    assert eye.found_by_keypoints(there, replace(last_seen, carried=np.diag([2.5, 2.5, 1.0]))) is None
+    assert eye.found_by_keypoints(there, replace(last_seen, carried=np.diag([0.4, 0.4, 1.0]))) is None
+    assert eye.found_by_keypoints(there, replace(last_seen, middle=np.array([9000.0, 9000.0]))) is None
+
+
+def test_what_has_no_keypoints_is_not_known_by_them() -> None:
+    eye, last_seen = spotted()
+    plain = replace(eye, frame=PreparedFrame(np.full((*SIZE, 3), 120, np.uint8)))
+    assert plain.found_by_keypoints(PreparedFrame(textured(170.0, radius=LARGE)), last_seen) is None
+    assert plain.found_by_keypoints(plain.frame, last_seen) is None
+
+
+def test_what_has_come_back_is_looked_for_by_its_keypoints_for_a_while() -> None:
+    eye, last_seen = appearance()
+    key = KeyMemory(eye.frame, eye.region, eye.colours, np.eye(3), np.eye(3))
+    after = last_seen.missed()
+    left = []
+    for _ in range(PARAMS.long_gone + 2):
+        left.append(after.returning)
+        after = after.after(key, eye.region)
+    assert left == [*range(PARAMS.long_gone, 0, -1), 0, 0]
+    assert last_seen.after(key, eye.region).returning == 0
+
+
+@pytest.mark.parametrize(("fewest", "is_whole"), [(5, True), (400, False)])
+def test_what_is_half_out_is_taken_up_beyond_what_is_seen_of_it(fewest: int, is_whole: bool) -> None:
+    """The board ends at 190, the card begins at 156: by its colours no more than what is in sight was taken up."""
+    pictures, masks = card_that_comes_out(11)
+    config = f"best+region.redetection.keypoints.fewest={fewest}"
+    *_, last = track(pictures.__getitem__, shapes_from_mask(masks[0]), range(11), config)
+    anchors = last.results[0].shape.at(10).anchors
+    np.testing.assert_allclose(anchors.max(axis=0), (224.0, 162.0), atol=2.5)
+    assert (anchors[:, 0].min() < 175.0) == is_whole
 
 
 def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
