@@ -39,6 +39,8 @@ MOST_SHADES = 0.5
 """The share of shades in a mask above which it may be a picture: of the pictures of DAVIS the least is .86."""
 COLOURED = 0.1
 """The share of colours in such a mask above which it is a picture: of the pictures of DAVIS the least is .2."""
+TONES = 256
+"""Colours of a palette: what has no more of them is a map of labels, whatever these are."""
 
 
 def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None = None) -> list[RotoShape]:
@@ -173,7 +175,10 @@ def may_be_picture(coverage: Array) -> bool:
 
 
 def is_in_colour(mask: NDArray[Any]) -> bool:
-    """Whether a mask `(h, w)` or `(h, w, c)` is a photograph: most of it neither black nor white, and some not grey."""
+    """Whether a mask `(h, w)` or `(h, w, c)` is a photograph: most of it neither black nor white, and some not grey.
+
+    One of no more colours than a palette has is none.
+    """
     if mask.ndim != 3 or mask.shape[2] < 3 or not may_be_picture(coverage_of(mask)):
         return False
     colours = _colours(mask)
@@ -181,7 +186,11 @@ def is_in_colour(mask: NDArray[Any]) -> bool:
         return False
     white = np.iinfo(mask.dtype).max if np.issubdtype(mask.dtype, np.integer) else 1.0
     spread = np.ptp(colours.astype(np.float64), axis=2) / white
-    return bool((spread > SHADES[0]).mean() > COLOURED)
+    if not (spread > SHADES[0]).mean() > COLOURED:
+        return False
+    step = int(np.ceil(np.sqrt(spread.size / (100.0 * TONES))))  # enough of its pixels to tell
+    some = colours[::step, ::step].reshape(-1, colours.shape[2])
+    return len(np.unique(some, axis=0)) > TONES
 
 
 def _telling(mask: NDArray[Any]) -> NDArray[Any]:

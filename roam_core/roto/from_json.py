@@ -154,7 +154,7 @@ def _read_shape(document: Document, count: Count) -> RotoShape:
         invert=_flag(document, "invert"),
         feather=_read_value(document["feather"], "the feather of a shape", count),
         motion_blur=None if blur is None else _read_blur(blur),
-        lifetime=None if lifetime is None else _read_lifetime(lifetime),
+        lifetime=None if lifetime is None else _read_pair(lifetime, "a lifetime"),
         visible=_flag(document, "visible"),
         locked=_flag(document, "locked"),
         spline=Spline(document.get("spline", Spline.BEZIER)),
@@ -212,13 +212,6 @@ def _read_blur(document: Document) -> MotionBlur:
         samples=whole(document["samples"], "the number of samples of motion blur"),
         extra=_rest(document, "type", "shutter", "phase", "samples"),
     )
-
-
-def _read_lifetime(pair: Any) -> tuple[int, int]:
-    start, stop = _read_pair(pair, "a lifetime")
-    if stop < start:
-        raise ValueError(f"a lifetime ends, before frame {stop}, before it begins, on frame {start}")
-    return start, stop
 
 
 def _read_pair(pair: Any, name: str) -> tuple[int, int]:

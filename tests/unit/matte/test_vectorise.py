@@ -15,7 +15,7 @@ from roam_core.arrays import Array, UInt8
 from roam_core.errors import RoamError
 from roam_core.geometry import polyline
 from roam_core.matte import render_matte, shapes_from_mask
-from roam_core.matte.vectorise import coverage_of, outlines, read_mask, specks_left_out
+from roam_core.matte.vectorise import coverage_of, is_in_colour, outlines, read_mask, specks_left_out
 from roam_core.roto import BlendMode, Origin
 from tests.golden.shots import dense, overlap
 from tests.unit.media.conftest import write_image
@@ -324,3 +324,16 @@ def test_wide_integers_of_a_picture_are_shades() -> None:
 def test_a_mask_with_its_channels_first_is_refused(shape: tuple[int, ...]) -> None:
     with pytest.raises(RoamError, match=r"has its channels first; give one of them, such as mask\[0\]"):
         shapes_from_mask(np.ones(shape, bool))
+
+
+def test_a_photograph_is_told_from_masks_in_colour() -> None:
+    """Masks of data sets paint objects in dark red, also those that fill most of the picture."""
+    noise = cv2.GaussianBlur(np.random.default_rng(2).normal(size=(*SIZE, 3)), (0, 0), 2.0)
+    photograph = np.clip(128.0 + 60.0 * noise / noise.std(), 0, 255).astype(np.uint8)
+    cover = disc(60.0, 45.0, 70.0)
+    red = np.round(cover[..., None] * (128, 0, 0)).astype(np.uint8)
+    assert (cover > 0.5).mean() > 0.8
+    assert is_in_colour(photograph)
+    assert is_in_colour(photograph / np.float32(255.0))
+    for mask in (red, np.repeat(photograph[..., :1], 3, axis=2), photograph[..., 0], np.zeros((*SIZE, 3), np.uint8)):
+        assert not is_in_colour(mask)
