@@ -262,9 +262,10 @@ def test_a_picture_in_place_of_a_mask_is_told(roam: Roam, plate: Plate, tmp_path
 
 def test_a_photograph_in_place_of_a_mask_is_refused(roam: Roam, plate: Plate, tmp_path: Path) -> None:
     picture = tmp_path / "photo.png"
-    grey = cv2.imread(str(next(iter(sorted(plate.folder.iterdir())))), cv2.IMREAD_GRAYSCALE)
-    assert grey is not None
-    cv2.imwrite(str(picture), np.dstack([grey, grey // 2 + 30, grey // 3 + 60]))
+    plain = cv2.imread(str(next(iter(sorted(plate.folder.iterdir())))))
+    assert plain is not None
+    grain = np.random.default_rng(0).integers(0, 20, plain.shape)
+    cv2.imwrite(str(picture), np.clip(plain * (0.9, 0.5, 0.3) + (0, 30, 60) + grain, 0, 255).astype(np.uint8))
     done = roam("track", plate.folder, "--init", picture, "--save", tmp_path / "p.roam")
     assert done.status == 1
     assert f"{picture} is a picture in colour, no mask; give the object's mask" in done.err

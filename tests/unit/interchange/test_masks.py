@@ -95,8 +95,8 @@ def test_pictures_in_place_of_masks_are_told(tmp_path: Path) -> None:
 
 
 def test_photographs_in_place_of_masks_are_refused_before_hours_go_into_them(tmp_path: Path) -> None:
-    grey = cv2.GaussianBlur(np.random.default_rng(5).integers(0, 255, (120, 160), np.uint8), (0, 0), 9)
-    colour = np.dstack([grey, grey // 2 + 20, grey // 3 + 60])
+    noise = cv2.GaussianBlur(np.random.default_rng(5).integers(0, 255, (120, 160, 3), np.uint8), (0, 0), 2)
+    colour = np.asarray(noise // (1, 2, 3) + (0, 20, 60), np.uint8)
     read: list[str] = []
     options = ImportOptions(progress=lambda _, text: read.append(text))
     with pytest.raises(RoamError, match="plate holds pictures in colour, no masks; give the masks of them"):

@@ -83,8 +83,8 @@ def test_a_photograph_is_said_to_be_no_mask(
     masks: MaskShapes, document: Document, view_state: ViewState, tmp_path: Path, qtbot: QtBot
 ) -> None:
     """Its brightest places became shapes."""
-    grey = np.tile(np.linspace(60, 200, 120).astype(np.uint8), (80, 1))
-    cv2.imwrite(str(tmp_path / "plate.png"), np.dstack([grey, grey // 2, 255 - grey]))
+    picture = np.random.default_rng(0).integers(60, 200, (80, 120, 3)).astype(np.uint8)
+    cv2.imwrite(str(tmp_path / "plate.png"), picture)
     masks.read(tmp_path / "plate.png")
     qtbot.waitUntil(lambda: "plate.png is a picture in colour, no mask" in view_state.message, timeout=WAIT)
     assert not document.project.shapes
