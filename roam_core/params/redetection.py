@@ -45,7 +45,7 @@ class RedetectionParams:
         surroundings, from which it can be known again by its colours.
     posed : share of `RegionParams.doubted` under which an object is looked for that is held to its pose.
     long_gone, sometimes : frames unseen after which an object is looked for on every fourth frame only; and frames on
-        which what has come back is looked for by its keypoints.
+        which what has come back is still looked for.
     near, pace : roots of its area around its last place within which an object is looked for, and by how many more
         a frame unseen.
     keypoints : of the object, by which it is known again.

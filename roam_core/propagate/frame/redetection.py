@@ -38,7 +38,7 @@ class LastSeen:
     middle : (2,) centroid of what was last seen of it. params : where it is looked for. since : frames since then.
     largest : the largest area that it has had when it was whole, where that is more than `area`.
     surroundings : (3, 3) similarity by which what lay around it on the key had gone when it was last whole.
-    returning : frames on which it is still looked for by its keypoints, since it was out of sight.
+    returning : frames on which it is still looked for since it was out of sight, however good it seems.
     """
 
     carried: Array
