@@ -193,8 +193,8 @@ def test_a_colour_space_of_open_color_io_is_offered_and_holds(
 
 
 def settings(qtbot: QtBot, window: MainWindow) -> ClipDialog:
-    """The dialog that File > Clip settings shows."""
-    with qtbot.waitSignal(window.files.looked, timeout=WAIT):
+    """The dialog that File > Clip settings shows, once the look at the clip has ended: that is finished, too."""
+    with qtbot.waitSignals([window.files.looked, window.files.finished], timeout=WAIT):
         window.actions_by_id["file.clip_settings"].trigger()
     return window.findChildren(ClipDialog)[-1]
 
