@@ -126,6 +126,22 @@ class Likeness:
 
 
 @dataclass(frozen=True, eq=False)
+class Look:
+    """An object that is looked for under `turn (2, 2)`, its size among that, by what the cells of a picture tell.
+
+    Attributes
+    ----------
+    room : (2,) pixels to either side of its middle that it and its surroundings take. ratio : (rows, columns) what each
+        cell of `grid` says, nats for the object.
+    """
+
+    turn: Array
+    room: Array
+    ratio: Float32
+    grid: Grid
+
+
+@dataclass(frozen=True, eq=False)
 class AppearanceTemplate:
     """What an object looked like on the artist's key: its picture and region, and what follows from them.
 
@@ -166,8 +182,8 @@ class AppearanceTemplate:
     def own_score(self) -> float:
         """How much the object looks like itself: the score of its place on the key."""
         cell = self.extent / self.params.across
-        likeness = self._likeness(self.frame, np.eye(2), self.middle, 2.0 * cell)
-        return likeness.best(self.middle, 2.0 * cell)[0]
+        looks = self._looks(self.frame, [np.eye(2)], self.middle, 2.0 * cell)
+        return max((self._likeness(look).best(self.middle, 2.0 * cell)[0] for look in looks), default=-np.inf)
 
     @cached_property
     def keypoints(self) -> Keypoints:
@@ -198,35 +214,45 @@ class AppearanceTemplate:
         near, reach = last_seen.middle, last_seen.reach
         sized = [size * last_seen.carried[:2, :2] for size in last_seen.sizes(surroundings)]
         turns = [turn for turn in sized if self._extent_under(turn) <= float(np.hypot(*frame.size))]
-        if not turns:
+        looks = [look for alike in self._of_like_size(turns) for look in self._looks(frame, alike, near, reach, behind)]
+        if not looks:
             return None
-        tried = each(lambda turn: self._likeness(frame, turn, near, reach, behind), turns)
+        tried = each(self._likeness, looks)
         seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))
         score, place = seen[chosen]
         if not score >= max(self.params.alike * self.own_score, 0.0):
             return None
-        rival, _ = tried[chosen].best(near, reach, beyond=(place, self._extent_under(turns[chosen])))
+        turn = looks[chosen].turn
+        rival, _ = tried[chosen].best(near, reach, beyond=(place, self._extent_under(turn)))
         if rival > self.params.alone * score:
             return None
         placed = np.eye(3)
-        placed[:2, :2] = turns[chosen]
-        placed[:2, 2] = place - turns[chosen] @ self.middle
+        placed[:2, :2] = turn
+        placed[:2, 2] = place - turn @ self.middle
         return placed
 
     def found_by_keypoints(self, frame: PreparedFrame, last_seen: LastSeen) -> Array | None:
         """The similarity `(3, 3)` from the key that its keypoints which are in sight agree on; None where too few do.
 
-        They are looked for where it may be, as a whole. What has changed its size too much is something else.
+        They are looked for where it may be, as a whole, and there only on what has its colours. What has changed its
+        size too much is something else.
         """
         params, scale = self.params.keypoints, scale_for(frame.size)
         if len(self.keypoints.places) < params.fewest:
             return None
-        room = last_seen.reach + self._extent_under(last_seen.carried[:2, :2])
-        area = Region.around(last_seen.middle[None], room, frame.size)
+        extent = self._extent_under(last_seen.carried[:2, :2])
+        area = Region.around(last_seen.middle[None], last_seen.reach + extent, frame.size)
         if area.is_empty:
             return None
-        seen = Keypoints.of(frame, Grid.over(area, 1.0 / scale))
+        cells = Grid.over(area, min(self.params.across / extent, 1.0))
+        alike = cv2.dilate((self._ratio(frame, cells) > 0.0).astype(np.float32), np.ones((3, 3), np.uint8))
+        if not alike.any():
+            return None
+        spots = np.argwhere(alike)[:, ::-1].astype(np.float64) + 0.5
+        around = Region.around(cells.to_image(spots), 0.5 / float(cells.factor.min()), frame.size)
+        grid = Grid.over(around, 1.0 / scale)
+        seen = Keypoints.of(frame, grid, Field.of_coverage(cells, alike).on(grid) > 0.5)
         placed = self.keypoints.similarity_to(seen, params.near * scale, params)
         if placed is None:
             return None
@@ -243,10 +269,9 @@ class AppearanceTemplate:
         if extent < 1.0 or area.is_empty:
             return 0.0
         grid = Grid.over(area, min(self.params.across / extent, 1.0))
-        inner, outer = _shares(
-            coverage(grid.to_grid(line), grid.shape), self.params.ring * extent * float(grid.factor.mean())
-        )
-        score = float((self._ratio(frame, grid) * (inner - outer)).sum())
+        inside = coverage(grid.to_grid(line), grid.shape)
+        shares = _shares(inside, self.params.ring * extent * float(grid.factor.mean()))
+        score = float((self._ratio(frame, grid) * shares).sum())
         return float(np.clip(score / max(self.own_score, 1e-6), 0.0, 1.0))
 
     def _extent_under(self, turn: Array) -> float:
@@ -256,33 +281,48 @@ class AppearanceTemplate:
     def _ratio(self, frame: PreparedFrame, grid: Grid) -> Float32:
         return self.colours.log_ratio(grid.colours_of(frame), self.params.clip, self.unseen)
 
-    def _likeness(
-        self, frame: PreparedFrame, turn: Array, near: Array, reach: float, behind: Behind | None = None
-    ) -> Likeness:
-        """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""
-        extent = self._extent_under(turn)
-        corners = (self.rim - self.middle) @ turn.T
-        room = np.abs(corners).max(axis=0) + (self.params.ring + 2.0 / self.params.across) * extent
-        spots = np.stack([near - reach - room, near + reach + room])
-        area = Region.around(spots, 0.0, frame.size)
+    def _of_like_size(self, turns: list[Array]) -> list[list[Array]]:
+        """`turns (2, 2)` from small to large: those within an octave together, for the same cells show them."""
+        alike: list[list[Array]] = []
+        for turn in sorted(turns, key=self._extent_under):
+            if alike and self._extent_under(turn) <= 2.0 * self._extent_under(alike[-1][0]):
+                alike[-1].append(turn)
+            else:
+                alike.append([turn])
+        return alike
+
+    def _looks(
+        self, frame: PreparedFrame, turns: list[Array], near: Array, reach: float, behind: Behind | None = None
+    ) -> list[Look]:
+        """What tells where the object lies within `reach` pixels of `near`, under `turns (2, 2)` of about one size."""
+        extents = [self._extent_under(turn) for turn in turns]
+        margin = self.params.ring + 2.0 / self.params.across
+        rooms = [
+            np.abs((self.rim - self.middle) @ turn.T).max(axis=0) + margin * extent
+            for turn, extent in zip(turns, extents, strict=True)
+        ]
+        room = np.max(rooms, axis=0)
+        area = Region.around(np.stack([near - reach - room, near + reach + room]), 0.0, frame.size)
         if area.is_empty:
-            return Likeness(np.full((1, 1), -np.inf, dtype=np.float32), Grid(Region(0, 0, 1, 1), 1, 1))
-        grid = Grid.over(area, min(self.params.across / extent, 1.0))
+            return []
+        grid = Grid.over(area, min(self.params.across / float(np.sqrt(extents[0] * extents[-1])), 1.0))
         ratio = self._ratio(frame, grid)
         if behind is not None:
             ratio = ratio + behind(grid)
-        inside = self._template(turn, room, grid)
-        inner, outer = (
-            cv2.filter2D(ratio, cv2.CV_32F, share, borderType=cv2.BORDER_CONSTANT)
-            for share in _shares(inside, self.params.ring * extent * float(grid.factor.mean()))
-        )
-        return Likeness(np.asarray(inner - outer, dtype=np.float32), grid)
+        return [Look(turn, room, ratio, grid) for turn, room in zip(turns, rooms, strict=True)]
 
-    def _template(self, turn: Array, room: Array, grid: Grid) -> Float32:
-        """The object's coverage in cells of `grid` under `turn (2, 2)`, its middle in the middle."""
-        columns, rows = (2 * int(np.ceil(value)) + 1 for value in room * grid.factor)
+    def _likeness(self, look: Look) -> Likeness:
+        """Mean log-ratio inside the outline, put everywhere, less that of its surroundings."""
+        ring = self.params.ring * self._extent_under(look.turn) * float(look.grid.factor.mean())
+        shares = _shares(self._template(look), ring)
+        scores = cv2.filter2D(look.ratio, cv2.CV_32F, shares, borderType=cv2.BORDER_CONSTANT)
+        return Likeness(np.asarray(scores, dtype=np.float32), look.grid)
+
+    def _template(self, look: Look) -> Float32:
+        """The object's coverage in cells of the look's grid, its middle in the middle."""
+        columns, rows = (2 * int(np.ceil(value)) + 1 for value in look.room * look.grid.factor)
         placed = np.eye(3)
-        placed[:2, :2] = np.diag(grid.factor) @ turn
+        placed[:2, :2] = np.diag(look.grid.factor) @ look.turn
         placed[:2, 2] = np.array([columns, rows]) / 2.0 - placed[:2, :2] @ self.middle
         canvas = Grid(Region(0, 0, columns, rows), rows, columns)
         return self.region.on(canvas, placed)
@@ -354,12 +394,12 @@ def middle_of(region: Field) -> Array:
     return region.grid.to_image(np.array([np.average(np.arange(len(count)), weights=count) for count in counts]) + 0.5)
 
 
-def _shares(inside: Float32, ring: float) -> tuple[Float32, Float32]:
-    """The share of each cell in what lies inside, and in its surroundings, `ring` cells wide."""
+def _shares(inside: Float32, ring: float) -> Float32:
+    """The share of each cell in what lies inside, less that in its surroundings, `ring` cells wide."""
     width = 2 * max(round(ring), 1) + 1
     around = cv2.dilate(inside, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (width, width))) - inside
     inner, outer = (np.asarray(part / max(float(part.sum()), 1e-6)) for part in (inside, around))
-    return inner, outer
+    return np.asarray(inner - outer)
 
 
 def _whole(frame: PreparedFrame) -> Region:

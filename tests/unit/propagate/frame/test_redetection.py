@@ -10,11 +10,12 @@ import pytest
 
 from roam_core import shapes_from_mask, track
 from roam_core.appearance.global_model import GlobalModel
-from roam_core.arrays import Array, Bools, UInt8
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
 from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
+from roam_core.motion.keypoints import Keypoints
 from roam_core.params import CONFIGS, RedetectionParams, RegionParams, TextureParams
 from roam_core.params.evidence import BackgroundParams
 from roam_core.params.redetection import KeypointParams
@@ -109,6 +110,23 @@ def test_it_is_looked_for_at_the_size_that_the_camera_gives_it() -> None:
     assert placed is not None
     assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(0.5, rel=0.13)
     assert eye.found(frame, replace(last_seen, surroundings=half), surroundings=half) is None
+
+
+def test_sizes_within_an_octave_are_looked_for_in_the_same_cells() -> None:
+    eye, last_seen = appearance()
+    asked: list[Grid] = []
+
+    def nothing(grid: Grid) -> Float32:
+        asked.append(grid)
+        return np.zeros(grid.shape, np.float32)
+
+    eye.found(PreparedFrame(picture(90.0)), last_seen, nothing)
+    usual = asked.copy()
+    assert len(usual) == 1
+    eye.found(PreparedFrame(picture(90.0)), last_seen, nothing, surroundings=np.diag([0.3, 0.3, 1.0]))
+    finer, *again = asked[1:]
+    assert finer.factor.mean() > usual[0].factor.mean()
+    assert again == usual
 
 
 @pytest.mark.parametrize("zoom", [1e-6, 1e6])
@@ -320,6 +338,17 @@ def test_by_its_keypoints_nothing_is_known_that_is_not_there_or_not_its_size() -
     assert eye.found_by_keypoints(there, replace(last_seen, carried=np.diag([2.5, 2.5, 1.0]))) is None
     assert eye.found_by_keypoints(there, replace(last_seen, carried=np.diag([0.4, 0.4, 1.0]))) is None
     assert eye.found_by_keypoints(there, replace(last_seen, middle=np.array([9000.0, 9000.0]))) is None
+
+
+def test_what_has_other_colours_is_not_known_by_its_keypoints() -> None:
+    """The same spots on a grey ball: its keypoints are alike, for they are of the luma alone."""
+    eye, last_seen = spotted()
+    there = textured(170.0, radius=LARGE)
+    grey = cv2.cvtColor(cv2.cvtColor(there, cv2.COLOR_RGB2GRAY), cv2.COLOR_GRAY2RGB)
+    alike = Keypoints.of(PreparedFrame(grey), Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 1.0))
+    assert eye.keypoints.similarity_to(alike, 4.0, PARAMS.keypoints) is not None
+    assert eye.found_by_keypoints(PreparedFrame(there), last_seen) is not None
+    assert eye.found_by_keypoints(PreparedFrame(grey), last_seen) is None
 
 
 def test_what_has_no_keypoints_is_not_known_by_them() -> None:
