@@ -39,6 +39,10 @@
         <translation> GB</translation>
     </message>
     <message>
+        <source> It goes on from that.</source>
+        <translation> Es geht von da aus weiter.</translation>
+    </message>
+    <message>
         <source> It goes on with the others.</source>
         <translation> Es geht mit den anderen weiter.</translation>
     </message>
@@ -2034,6 +2038,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Its plate is numbered from {first} now, not from {before}.</source>
         <translation>Seine Plate ist jetzt ab {first} nummeriert, nicht ab {before}.</translation>
+    </message>
+    <message>
+        <source>Its shapes were restacked meanwhile.</source>
+        <translation>Ihre Shapes wurden inzwischen umgeordnet.</translation>
     </message>
     <message>
         <source>JSON (ROAM, COCO, MLT)</source>
