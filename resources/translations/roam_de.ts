@@ -748,6 +748,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Zuerst Keyframes von Deckkraft oder Feather in der Zeitleiste oder im Kurveneditor wählen.</translation>
     </message>
     <message>
+        <source>Choose keys on two frames at least, in the timeline or the curve editor.</source>
+        <translation>Keyframes auf mindestens zwei Frames wählen, in der Zeitleiste oder im Kurveneditor.</translation>
+    </message>
+    <message>
         <source>Choose the shapes that lie before the surface, one by one</source>
         <translation>Die Formen einzeln wählen, die vor der Fläche liegen</translation>
     </message>
@@ -1212,6 +1216,17 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <source>EXR files only</source>
         <translation>Nur bei EXR-Dateien</translation>
     </message>
+    <message numerus="yes">
+        <source>Each key has a frame of its own: %n frame(s) at least.</source>
+        <translation>
+            <numerusform>Jeder Keyframe hat einen eigenen Frame: mindestens %n Frame.</numerusform>
+            <numerusform>Jeder Keyframe hat einen eigenen Frame: mindestens %n Frames.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each key keeps its place among them.</source>
+        <translation>Jeder Keyframe behält seinen Platz unter ihnen.</translation>
+    </message>
     <message>
         <source>Earlier steps were dropped</source>
         <translation>Ältere Schritte sind verworfen</translation>
@@ -1568,6 +1583,14 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Framenummer</translation>
     </message>
     <message>
+        <source>Frame of the first key</source>
+        <translation>Frame des ersten Keyframes</translation>
+    </message>
+    <message>
+        <source>Frame of the last key</source>
+        <translation>Frame des letzten Keyframes</translation>
+    </message>
+    <message>
         <source>Frame selection</source>
         <translation>Auswahl einpassen</translation>
     </message>
@@ -1792,6 +1815,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
     <message>
         <source>Half float</source>
         <translation>Half Float</translation>
+    </message>
+    <message>
+        <source>Have the chosen keys lie between two frames, evenly spread</source>
+        <translation>Die gewählten Keyframes gleichmäßig zwischen zwei Frames verteilen</translation>
     </message>
     <message>
         <source>Help</source>
@@ -4188,8 +4215,16 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Angehalten; die fertigen Bilder bleiben.</translation>
     </message>
     <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
         <source>Stretch keys</source>
         <translation>Keyframes strecken</translation>
+    </message>
+    <message>
+        <source>Stretch keys…</source>
+        <translation>Keyframes strecken …</translation>
     </message>
     <message>
         <source>Stretch {keys}: they go from frame {first} to {last}.</source>
@@ -4963,6 +4998,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Was in einer gesperrten Ebene liegt, lässt sich nicht von Hand ändern</translation>
     </message>
     <message>
+        <source>What the chosen keys belong to is locked; unlock it to stretch them.</source>
+        <translation>Wozu die gewählten Keyframes gehören, ist gesperrt; zum Strecken entsperren.</translation>
+    </message>
+    <message>
         <source>What the cut-out lies on</source>
         <translation>Worauf der Freisteller liegt</translation>
     </message>
@@ -5620,6 +5659,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>keyframe remove</source>
         <translation>keyframe entfernen</translation>
+    </message>
+    <message>
+        <source>keyframe scale retime time compress speed faster slower</source>
+        <translation>Keyframe skalieren Retime Zeit stauchen Tempo schneller langsamer</translation>
     </message>
     <message>
         <source>keys</source>
