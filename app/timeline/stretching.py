@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QWidget
 
-from roam_core.roto import Project, timing
+from roam_core.roto import timing
 from roam_core.roto.timing import stretched
 
 from ..model.document import Document

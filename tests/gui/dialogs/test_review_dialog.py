@@ -322,9 +322,9 @@ def test_n_stops_at_frames_that_boil_and_says_so(qtbot: QtBot, tmp_path: Path) -
 def test_the_panel_is_opened_by_its_keys_and_scrolled_to(qtbot: QtBot, tmp_path: Path) -> None:
     with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
         window.canvas.setFocus()
-        assert not window.review_panel.isVisible()
+        assert not window.panels.review.isVisible()
         qtbot.keyClick(window.canvas, Qt.Key.Key_M, Qt.KeyboardModifier.AltModifier)
-        assert window.review_panel.isVisible()
+        assert window.panels.review.isVisible()
         note = window.review.note
         qtbot.waitUntil(lambda: not note.visibleRegion().isEmpty())
         note.setFocus()
