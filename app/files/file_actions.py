@@ -27,7 +27,7 @@ from ..model.document import PROJECT_SUFFIX, Document
 from ..model.last_folders import LastFolders, Purpose
 from ..model.personal import Personal
 from ..model.view_state import ViewState
-from ..translation import N_, tr
+from ..translation import N_, sentence_of, tr
 from .files import Files
 
 if TYPE_CHECKING:
@@ -335,7 +335,7 @@ class FileActions(QObject):
         try:
             found.refuse_always()
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return False
         if found.foreign:
             return questions.ask_overwrite(self._window, found.foreign)

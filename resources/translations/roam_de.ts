@@ -2068,7 +2068,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>Its shapes were restacked meanwhile.</source>
-        <translation>Ihre Shapes wurden inzwischen umgeordnet.</translation>
+        <translation>Ihre Formen wurden inzwischen umgeordnet.</translation>
     </message>
     <message>
         <source>JSON (ROAM, COCO, MLT)</source>
@@ -2516,6 +2516,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Motion Blur</translation>
     </message>
     <message>
+        <source>Motion blur needs a shutter of 0 frames or more, and at least two samples.</source>
+        <translation>Bewegungsunschärfe braucht einen Verschluss von 0 Frames oder mehr und mindestens zwei Samples.</translation>
+    </message>
+    <message>
         <source>Motion of layers</source>
         <translation>Bewegung der Ebenen</translation>
     </message>
@@ -2897,6 +2901,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>One object</source>
         <translation>Ein Objekt</translation>
+    </message>
+    <message>
+        <source>One object takes two shapes or more; select them all, or a layer.</source>
+        <translation>Zu einem Objekt gehören mindestens zwei Formen; alle auswählen, oder eine Ebene.</translation>
     </message>
     <message>
         <source>One on every frame</source>
@@ -3879,6 +3887,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         </translation>
     </message>
     <message>
+        <source>Shifted by {offset} frames, keys would lie beyond frame {last}; choose a smaller number.</source>
+        <translation>Um {offset} Frames verschoben lägen Keyframes jenseits von Frame {last}; eine kleinere Zahl wählen.</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Einblenden</translation>
     </message>
@@ -4397,6 +4409,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Format hält alles, was gewählt ist.</translation>
     </message>
     <message>
+        <source>The four corners must stay corners of one surface: none of them may cross its sides.</source>
+        <translation>Die vier Ecken müssen Ecken einer Fläche bleiben: keine darf deren Seiten überqueren.</translation>
+    </message>
+    <message>
         <source>The frames on which a track moves the layer</source>
         <translation>Die Frames, auf denen ein Track die Ebene bewegt</translation>
     </message>
@@ -4455,6 +4471,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The last frame to export</source>
         <translation>Der letzte zu exportierende Frame</translation>
+    </message>
+    <message>
+        <source>The layer {name!r} cannot be moved into itself.</source>
+        <translation>Die Ebene {name!r} kann nicht in sich selbst verschoben werden.</translation>
     </message>
     <message>
         <source>The matte is what lies outside of the shape</source>
@@ -4577,6 +4597,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Projekt wurde inzwischen geändert; es wurde nichts geöffnet.</translation>
     </message>
     <message>
+        <source>The range holds no frame; its last frame lies before its first.</source>
+        <translation>Der Bereich enthält keinen Frame; sein letzter liegt vor dem ersten.</translation>
+    </message>
+    <message>
         <source>The red channel alone, and back</source>
         <translation>Nur der rote Kanal, und zurück</translation>
     </message>
@@ -4663,6 +4687,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is no display to open a window on; use the command line (roam --help), or log in with a display or X forwarding.</source>
         <translation>Es gibt keinen Bildschirm für ein Fenster; bitte die Kommandozeile benutzen (roam --help) oder sich mit Bildschirm oder X-Weiterleitung anmelden.</translation>
+    </message>
+    <message>
+        <source>There is no frame of {words!r} between {first} and {last}.</source>
+        <translation>Zwischen {first} und {last} gibt es keinen Frame von {words!r}.</translation>
     </message>
     <message>
         <source>There is no frame to track backward to.</source>
@@ -6456,8 +6484,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} hat zu wenige Punkte für CVAT und entfällt.</translation>
     </message>
     <message>
+        <source>{name!r} has {count} points and the copied key {copied}: a key fits shapes with as many points.</source>
+        <translation>{name!r} hat {count} Punkte und der kopierte Keyframe {copied}: er passt zu Formen mit ebenso vielen Punkten.</translation>
+    </message>
+    <message>
         <source>{name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.</source>
         <translation>{name!r} ist ein B-Spline und überall glatt; Ecken hat er erst als Bézier.</translation>
+    </message>
+    <message>
+        <source>{name!r} is a single point; draw an outline around the object to fill it.</source>
+        <translation>{name!r} ist ein einzelner Punkt; zum Füllen einen Umriss um das Objekt zeichnen.</translation>
+    </message>
+    <message>
+        <source>{name!r} is a single point; draw an outline around the object to track it.</source>
+        <translation>{name!r} ist ein einzelner Punkt; zum Tracken einen Umriss um das Objekt zeichnen.</translation>
     </message>
     <message>
         <source>{name!r} is locked or hidden; unlock and show it to edit it.</source>
@@ -6466,6 +6506,26 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name!r} is open or invisible, no object: it is left out.</source>
         <translation>{name!r} ist offen oder unsichtbar, kein Objekt, und entfällt.</translation>
+    </message>
+    <message>
+        <source>{name!r} is open; close it (C) before it can be filled.</source>
+        <translation>{name!r} ist offen; vor dem Füllen schließen (C).</translation>
+    </message>
+    <message>
+        <source>{name!r} is open; close it (C) before it can be tracked.</source>
+        <translation>{name!r} ist offen; vor dem Tracken schließen (C).</translation>
+    </message>
+    <message>
+        <source>{name!r} needs at least one key; delete the shape instead.</source>
+        <translation>{name!r} braucht mindestens einen Keyframe; stattdessen die Form löschen.</translation>
+    </message>
+    <message>
+        <source>{name!r} needs at least {least} points to be closed; add one.</source>
+        <translation>{name!r} braucht mindestens {least} Punkte, um geschlossen zu sein; einen hinzufügen.</translation>
+    </message>
+    <message>
+        <source>{name!r} needs at least {least} points; delete the shape instead.</source>
+        <translation>{name!r} braucht mindestens {least} Punkte; stattdessen die Form löschen.</translation>
     </message>
     <message>
         <source>{name!r} takes away where nothing lies under it: it is written as hidden.</source>
@@ -6684,6 +6744,18 @@ Ziehen verschiebt, Doppelklick schreibt, Rechtsklick entfernt</translation>
     <message>
         <source>{width:.0f} × {height:.0f} pixels. Shift: equal sides. Ctrl: from the centre.</source>
         <translation>{width:.0f} × {height:.0f} Pixel. Umschalt: gleiche Seiten. Strg: von der Mitte aus.</translation>
+    </message>
+    <message>
+        <source>{word!r} ends before it begins; the first frame comes first.</source>
+        <translation>{word!r} endet, bevor es beginnt; der erste Frame steht vorn.</translation>
+    </message>
+    <message>
+        <source>{word!r} lies outside the clip&apos;s frames {first}-{last}.</source>
+        <translation>{word!r} liegt außerhalb der Frames {first}-{last} des Clips.</translation>
+    </message>
+    <message>
+        <source>{word!r} names no frames; say {words}.</source>
+        <translation>{word!r} nennt keine Frames; möglich ist {words}.</translation>
     </message>
     <message>
         <source>“{action}” in the menu</source>

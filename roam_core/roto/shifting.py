@@ -12,6 +12,7 @@ from roam_core.roto.layers import top_items
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import EVER, Keyframe, Origin, RotoShape, lifetime_of
+from roam_core.translatable import sentence
 
 SHIFTED = "shifted"
 """The word in a tracked key's stamp that tells by how many frames the key was shifted since: `shifted=8`."""
@@ -46,7 +47,13 @@ def shifted(project: Project, offset: int, item_ids: Collection[str] | None = No
             after = _with_item(after, item_id, offset)
     frames = frames_held(after)
     if frames and max(abs(frame) for frame in frames) >= EVER:
-        raise RoamError(f"Shifted by {offset} frames, keys would lie beyond frame {EVER}; choose a smaller number.")
+        raise RoamError(
+            sentence(
+                "Shifted by {offset} frames, keys would lie beyond frame {last}; choose a smaller number.",
+                offset=offset,
+                last=EVER,
+            )
+        )
     return after
 
 

@@ -16,7 +16,7 @@ from ...model.document import Document
 from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from .paste_range import PasteRangeDialog
 
 MARK = "clipboard"
@@ -79,7 +79,7 @@ class KeyClipboard:
                 if shape_id in editable:
                     project = project.with_shape(verb(project.shape(shape_id), key))
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return
         if chosen and not wanted:
             self._view.say(tr(OF_OTHERS))

@@ -15,7 +15,7 @@ from roam_core.roto.shifting import frames_held, shifted
 
 from ...model.document import Document
 from ...model.view_state import ViewState
-from ...translation import tr
+from ...translation import sentence_of, tr
 from .shapes import ALL_LOCKED, rows_in_hand
 from .shift_dialog import ShiftDialog
 
@@ -54,7 +54,7 @@ class Shifting:
         try:
             after = shifted(project, offset, chosen)
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return
         self._document.apply(tr("Shift in time"), after)
         stale = tr("Tracked frames are out of date: they were solved on other pictures.")

@@ -11,7 +11,7 @@ from roam_core.roto.timing import Place
 
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from .nudging import Nudges
 from .selection import KeySelection
 
@@ -192,7 +192,7 @@ def without_keys(project: Project, places: Iterable[Place]) -> tuple[Project, st
         try:
             project = timing.delete_keys(project, [place for place in chosen if place[0] == shape_id])
         except RoamError as error:
-            refused = refused or str(error)
+            refused = refused or sentence_of(error)
     return project, refused
 
 

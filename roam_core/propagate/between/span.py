@@ -363,9 +363,11 @@ class Filling:
 
 def _require_outline(shape: RotoShape) -> None:
     if not shape.closed:
-        raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
+        raise RoamError(sentence("{name!r} is open; close it (C) before it can be filled.", name=shape.name))
     if shape.point_count < provenance.MIN_POINTS:
-        raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to fill it.")
+        raise RoamError(
+            sentence("{name!r} is a single point; draw an outline around the object to fill it.", name=shape.name)
+        )
 
 
 def _key(shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Key:

@@ -377,6 +377,17 @@ def in_german(document: Document, view_state: ViewState, runner: Runner, qtbot: 
         speak(SOURCE)
 
 
+def test_in_german_what_is_wrong_with_the_frames_is_said_in_german(
+    in_german: ReviewDialog, document: Document, tmp_path: Path
+) -> None:
+    document.open(project_of(body([4.0 * k for k in range(10)])), None)
+    in_german.target.setText(str(tmp_path / "film.mp4"))
+    in_german.which.setCurrentText("9999")
+    assert in_german.hint.text().startswith("'9999' liegt außerhalb der Frames ")
+    in_german.which.setCurrentText("jeder")
+    assert in_german.hint.text().startswith("'jeder' nennt keine Frames; möglich ist 1001,1010-1020 oder")
+
+
 def test_in_german_the_target_is_a_place_and_no_frame(in_german: ReviewDialog) -> None:
     words = [label.text() for label in in_german.findChildren(QLabel)]
     assert "Nach" in words
