@@ -138,7 +138,8 @@ class MainWindow(QMainWindow):
         self.under_way = UnderWay(*works, *self.plate_jobs.all, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
-        self.tracking = Tracking(self.document, self.view_state, self.propagation)
+        without = self.reader.frames_without_picture
+        self.tracking = Tracking(self.document, self.view_state, self.propagation, without)
         self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
         self.file_actions = FileActions(

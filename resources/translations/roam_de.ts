@@ -1607,6 +1607,30 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
     </message>
     <message>
+        <source>Frame {frame} of {path} cannot be decoded; the movie is damaged or cut short.</source>
+        <translation>Frame {frame} von {path} lässt sich nicht dekodieren; der Film ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: the files there are {first} to {last} without {count} between.</source>
+        <translation>Frame {frame} von {path} fehlt: dort liegen die Dateien {first} bis {last}, ohne {count} dazwischen.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: the files there are {first} to {last}.</source>
+        <translation>Frame {frame} von {path} fehlt: dort liegen die Dateien {first} bis {last}.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: the movie has the frames 1 to {last}.</source>
+        <translation>Frame {frame} von {path} fehlt: der Film hat die Frames 1 bis {last}.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: {file} is no longer there.</source>
+        <translation>Frame {frame} von {path} fehlt: {file} ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} shows nothing; track from a frame that does.</source>
+        <translation>Frame {frame} zeigt nichts; von einem Frame aus tracken, der etwas zeigt.</translation>
+    </message>
+    <message>
         <source>Frame {frame}, {kind}</source>
         <translation>Frame {frame}, {kind}</translation>
     </message>
@@ -4777,6 +4801,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt noch nichts zu exportieren; zuerst einen Clip öffnen.</translation>
     </message>
     <message>
+        <source>There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. Set a key on both ends first.</source>
+        <translation>Von Frame {start} bis {stop} ist nichts zu füllen: keine Form hat dort zwei eigene Keyframes. Zuerst an beiden Enden einen setzen.</translation>
+    </message>
+    <message>
         <source>There is nothing to recover.</source>
         <translation>Es gibt nichts wiederherzustellen.</translation>
     </message>
@@ -6408,6 +6436,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         </translation>
     </message>
     <message>
+        <source>{file} is {width} x {height} pixels, the plate is {plate_width} x {plate_height}; all frames of a plate need one size.</source>
+        <translation>{file} hat {width} x {height} Pixel, die Plate {plate_width} x {plate_height}; alle Frames einer Plate brauchen dieselbe Größe.</translation>
+    </message>
+    <message>
         <source>{first}, a single picture</source>
         <translation>{first}, ein einzelnes Bild</translation>
     </message>
@@ -6602,6 +6634,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is not tracked: its last key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>
         <translation>{name} wird nicht getrackt: Der letzte Keyframe liegt auf Frame {key}. Von dort tracken oder hier einen setzen (&lt;key.set&gt;).</translation>
+    </message>
+    <message>
+        <source>{name} is not tracked: the plate has no picture of frame {key}, where its key lies. Set one where it has (&lt;key.set&gt;).</source>
+        <translation>{name} wird nicht getrackt: die Plate hat kein Bild von Frame {key}, wo der Keyframe liegt. Einen setzen, wo sie eines hat (&lt;key.set&gt;).</translation>
     </message>
     <message>
         <source>{name} is open; close it (&lt;points.toggle_closed&gt; in the viewer) to track it.</source>

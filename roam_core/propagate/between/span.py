@@ -98,8 +98,12 @@ def fill_span(
         return list(shapes)
     if not gaps:
         raise RoamError(
-            f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. "
-            "Set a key on both ends first."
+            sentence(
+                "There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. "
+                "Set a key on both ends first.",
+                start=start,
+                stop=stop,
+            )
         )
     meter = _Meter(sum(last - first for first, last, _ in gaps), progress)
     filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
