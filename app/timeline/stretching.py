@@ -13,7 +13,7 @@ from roam_core.roto.timing import stretched
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
-from ..widgets.asking import lay_out
+from ..widgets.asking import ask, lay_out
 from ..widgets.controls import dense_form, form_label, number_field, weak_label
 from .keys.selection import KeySelection
 from .keys.stretch import told
@@ -54,8 +54,7 @@ class Stretching:
             return
         within = range(frames[0], frames[-1] + 1) if clip is None else clip.frame_range
         dialog = StretchDialog(frames, within, self._parent)
-        dialog.accepted.connect(lambda: self.stretch(dialog.first.value(), dialog.last.value()))
-        dialog.open()
+        ask(dialog, lambda: self.stretch(dialog.first.value(), dialog.last.value()), self._document.replaced)
 
     def stretch(self, first: int, last: int) -> None:
         """Have the chosen keys, but for those of what is locked, lie between two frames, as one undo step."""

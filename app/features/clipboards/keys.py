@@ -17,6 +17,7 @@ from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, sentence_of, tr
+from ...widgets.asking import ask
 from .paste_range import PasteRangeDialog
 
 MARK = "clipboard"
@@ -59,8 +60,7 @@ class KeyClipboard:
             return
         clip = self._document.project.clip
         dialog = PasteRangeDialog(self._view.play_range, clip.frame_range if clip else None, self._parent)
-        dialog.accepted.connect(lambda: self.paste_through(dialog.frames, dialog.every))
-        dialog.open()
+        ask(dialog, lambda: self.paste_through(dialog.frames, dialog.every), self._document.replaced)
 
     def paste_through(self, frames: range, every: int) -> None:
         """Hold the copied key through `frames`, with a key on each so many of them (0: on both ends alone)."""
