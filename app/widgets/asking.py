@@ -33,7 +33,7 @@ def lay_out(dialog: QDialog, fields: QLayout, verb: str, explained: QLabel | Non
 
 
 def ask(dialog: QDialog, does: Callable[[], object], replaced: SignalInstance) -> None:
-    """Open a dialog about what is shown; `does` takes the answer. Where something else is shown meanwhile none comes."""
+    """Open a dialog about what is shown; `does` takes the answer. Another project takes the question away."""
     dialog.accepted.connect(does)
     replaced.connect(dialog.reject)
     dialog.open()
