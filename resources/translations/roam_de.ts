@@ -4343,6 +4343,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Die kopierten Keyframes sind von anderen Formen: diese auswählen, oder so viele Formen, wie kopiert wurden.</translation>
     </message>
     <message>
+        <source>The copied keys do not fit {names}: locked, or of other points, or beside the clip.</source>
+        <translation>Die kopierten Keyframes passen nicht zu {names}: gesperrt, andere Punkte oder neben dem Clip.</translation>
+    </message>
+    <message>
         <source>The copied keys fit no shape here: shapes may be locked, or have other points.</source>
         <translation>Die kopierten Keyframes passen hier zu keiner Form: Formen sind vielleicht gesperrt oder haben andere Punkte.</translation>
     </message>

@@ -74,18 +74,20 @@ class KeyClipboard:
         editable = {shape.id: shape for shape in editable_shapes(project, self._view.frame)}
         chosen = selected_shapes(project, self._view.selection)
         wanted = targets(project, copied, chosen)
-        try:
-            for shape_id, key in wanted.items():
+        refused = ""
+        for shape_id, key in wanted.items():
+            try:
                 if shape_id in editable:
                     project = project.with_shape(verb(project.shape(shape_id), key))
-        except RoamError as error:
-            self._view.say(sentence_of(error))
-            return
+            except RoamError as error:  # it fits the others
+                refused = refused or sentence_of(error)
         if chosen and not wanted:
             self._view.say(tr(OF_OTHERS))
         elif not wanted.keys() & editable.keys():
             self._view.say(why_not(self._document.project, self._view))
         self._document.apply(text, project)
+        if refused:
+            self._view.say(refused)
 
 
 def copied_keys() -> list[RotoShape] | None:

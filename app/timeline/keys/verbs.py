@@ -22,6 +22,7 @@ WAYS = {
 }
 NO_KEYS = N_("Choose keys in the timeline first: click one, or drag a box around several.")
 NOTHING_COPIED = N_("There is no key to paste; copy keys in the timeline first.")
+FITS_SOME = N_("The copied keys do not fit {names}: locked, or of other points, or beside the clip.")
 NOTHING_HERE = N_("Select a shape first, or choose keys in the timeline.")
 
 
@@ -115,6 +116,9 @@ class KeyVerbs:
             return
         self._document.apply(tr("Paste keys"), pasted)
         self._keys.select(places)
+        taking = {shape_id for shape_id, _ in places}
+        if left_out := [shape.name for shape in project.shapes if shape.id in copied and shape.id not in taking]:
+            self._view.say(tr(FITS_SOME, names=", ".join(left_out)))
 
     def delete(self) -> None:
         """Delete the chosen keys; the engine's stay, and are shown as stale.
