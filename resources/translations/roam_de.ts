@@ -6369,6 +6369,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{before} und {after}</translation>
     </message>
     <message>
+        <source>{before}, {after}</source>
+        <translation>{before}, {after}</translation>
+    </message>
+    <message>
         <source>{bits} bits</source>
         <translation>{bits} Bit</translation>
     </message>
@@ -6572,6 +6576,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r}: durch die Zeit geglättet; Umrisse der Engine bewegten sich um höchstens {max_error:.2f} px, im Mittel {mean_error:.2f} px.</translation>
     </message>
     <message>
+        <source>{named}, and {count} more alike</source>
+        <translation>{named} und {count} weitere ebenso</translation>
+    </message>
+    <message>
         <source>{names} and others</source>
         <translation>{names} und weiteren</translation>
     </message>
@@ -6764,6 +6772,10 @@ Ziehen verschiebt, Doppelklick schreibt, Rechtsklick entfernt</translation>
     <message>
         <source>{title}. Click to select</source>
         <translation>{title}. Klicken wählt aus</translation>
+    </message>
+    <message>
+        <source>{true!r} is called {plain!r}</source>
+        <translation>{true!r} heißt {plain!r}</translation>
     </message>
     <message>
         <source>{value:.2f}</source>

@@ -35,6 +35,7 @@ from app.translation import (
 )
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
+from roam_core.interchange.nuke.names import Names
 from roam_core.roto import Keyframe, RotoShape, edit
 from roam_core.translatable import listed, sentence
 from tests.gui.windows import dialogs_of, opened_window, write_clip
@@ -93,6 +94,14 @@ def test_what_an_error_of_the_engine_says_is_translated(german: None) -> None:
         edit.delete_keys(shape, [1])
     assert sentence_of(raised.value) == "'Arm' braucht mindestens einen Keyframe; stattdessen die Form löschen."
     assert sentence_of(RoamError("Only in English.")) == "Only in English."
+
+
+def test_what_is_listed_in_a_sentence_is_translated_too(german: None) -> None:
+    names = Names(changed={f"Korper{k}": f"Körper{k}" for k in range(8)})
+    (told,) = map(translated, names.notes())
+    assert "'Körper0' heißt 'Korper0', 'Körper1' heißt 'Korper1', " in told
+    assert "'Korper5' und 2 weitere" in told
+    assert "is called" not in told
 
 
 def test_english_again(german: None) -> None:
