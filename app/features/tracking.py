@@ -158,6 +158,8 @@ class Tracking:
                 self._propagation.fill(
                     [shape.id for shape in shapes], gaps, self.configuration, alone=self.scope is Scope.ALONE
                 )
+            elif not any(shape.exists_at(self._view.frame) for shape in shapes):
+                self._view.say(does_not_exist(shapes[0], self._view.frame))
             else:
                 self._view.say(tr(NO_GAP))
 

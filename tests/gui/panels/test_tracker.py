@@ -110,6 +110,18 @@ def test_a_key_that_lies_in_a_gap_of_the_plate_is_told_so(
     assert view_state.message.startswith("Shape 1 is not tracked: the plate has no picture of frame 1010")
 
 
+def test_between_keys_beyond_its_lifetime_a_shape_is_said_not_to_exist(
+    document: Document, view_state: ViewState, tracking: Tracking
+) -> None:
+    """To set keys was asked for, where there were some."""
+    document.apply("Lifetime", edit.set_properties(document.project, "shape-1", lifetime=(1001, 1003)))
+    project = document.project.with_shape(edit.key_here(document.project.shape("shape-1"), 1006))
+    document.apply("Key", project)
+    view_state.set_frame(1010)
+    tracking.fill()
+    assert view_state.message == "'Shape 1' does not exist on frame 1010: its lifetime is in the Shape panel."
+
+
 def test_in_and_out_bound_a_run_that_begins_between_them(
     tracking: Tracking, propagation: Propagation, view_state: ViewState
 ) -> None:
