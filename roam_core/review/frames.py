@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from functools import reduce
 
 from roam_core.errors import RoamError
 from roam_core.review.findings import boiling, doubtful
@@ -65,12 +66,18 @@ def chosen_frames(project: Project, words: str, within: range | None = None) -> 
         raise RoamError(
             sentence(
                 "There is no frame of {words!r} between {first} and {last}.",
-                words=words,
+                words=_said(words),
                 first=frames.start,
                 last=frames.stop - 1,
             )
         )
     return chosen
+
+
+def _said(words: str) -> str:
+    """The words, in another language as it calls them."""
+    parts = [sentence(part) if part in WORDS else part for part in (word.strip() for word in words.split(","))]
+    return reduce(lambda before, after: sentence("{before}, {after}", before=before, after=after), parts)
 
 
 def _require_of(clip: range, word: str, first: int, last: int) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -384,6 +385,9 @@ def test_in_german_what_is_wrong_with_the_frames_is_said_in_german(
     in_german.target.setText(str(tmp_path / "film.mp4"))
     in_german.which.setCurrentText("9999")
     assert in_german.hint.text().startswith("'9999' liegt außerhalb der Frames ")
+    document.apply("No notes", replace(document.project, marks=()))
+    in_german.which.setCurrentText("Notizen")
+    assert in_german.hint.text().endswith("gibt es keinen Frame von 'Notizen'.")
     in_german.which.setCurrentText("jeder")
     assert in_german.hint.text().startswith("'jeder' nennt keine Frames; möglich ist 1001,1010-1020 oder")
 
