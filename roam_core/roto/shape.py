@@ -24,6 +24,9 @@ NO_COLOUR = (0.90, 0.60, 0.0)
 EVER = 10_000_000
 """Frame that stands for "always" at an open end of a lifetime; files for other programs can number it, offset too."""
 
+LAST_FRAME = 999_999_999
+"""The greatest number of a frame: those of files have up to nine digits."""
+
 
 class Origin(StrEnum):
     """Who made a keyframe. The engine writes and replaces ENGINE keys only; ARTIST keys are sacred."""
@@ -74,6 +77,15 @@ def lifetime_of(start: int | None, stop: int | None) -> tuple[int, int] | None:
     if stop is None:
         stop = EVER if start < EVER else start + EVER
     return start, stop
+
+
+def open_ends(lifetime: tuple[int, int]) -> tuple[int | None, int | None]:
+    """What `lifetime_of` was given: None for an end that is open."""
+    start, stop = lifetime
+    since, until = lifetime_of(None, stop), lifetime_of(start, None)
+    assert since is not None
+    assert until is not None
+    return None if start == since[0] else start, None if stop == until[1] else stop
 
 
 def _lifetime_of(pair: Any, name: str) -> tuple[int, int] | None:
