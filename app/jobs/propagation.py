@@ -19,10 +19,10 @@ from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
-from .company import Company, is_changed
 from .filling import Filled, FillRequest, Gap, WaitingFills, fill
-from .propagation_run import FILL, TRACK, Run, told_of
 from .runner import Ending, Report, Runner
+from .solving.company import Company, is_changed
+from .solving.run import FILL, TRACK, Run, told_of
 
 ReadFrame = Callable[[int], Any]
 PATIENCE = 200

@@ -77,14 +77,15 @@ from ..tools.toolbox import TOOLS
 from ..translation import N_, tr
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
-from . import layout, settings
+from . import settings
 from .accessibility import Accessibility, name_parts
 from .context_menus import ContextMenus
 from .defects import Defects
 from .full_screen import FullScreen, Told
-from .panel_column import PanelColumn, PanelParts
+from .laying_out import layout
+from .laying_out.panel_column import PanelColumn, PanelParts
+from .laying_out.timeline_height import TimelineHeight
 from .second_view import second_viewer
-from .timeline_height import TimelineHeight
 from .undo_words import name_steps
 from .window_services import WindowServices
 from .workspace import Workspace

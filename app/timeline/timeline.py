@@ -27,13 +27,13 @@ from .marks import MarksOf
 from .panning import PanHand, TimeBar
 from .row_band import BandRoom
 from .ruler import Ruler
-from .stretching import Stretching
 from .tracks import MOST as MOST_TRACKS
 from .tracks import TrackBand
 from .values.rows import MOST as MOST_VALUES
 from .values.rows import ValueRows
 from .values.selection import ValueSelection
 from .values.shown import items_in_hand
+from .values.stretching import Stretching
 
 KEY_WAYS = ("key.linear", "key.smooth", "key.hold")
 KEY_MENU = KEY_WAYS, ("edit.copy", "edit.cut", "edit.paste"), ("key.stretch", "points.delete")

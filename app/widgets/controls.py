@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from roam_core.roto.shape import LAST_FRAME
+from roam_core.roto.lifetimes import LAST_FRAME
 
 from .. import style
 from ..actions.actions import Actions

@@ -17,15 +17,11 @@ from roam_core.arguments import frame_number, shown
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, checked, share_at, value_at
+from roam_core.roto.lifetimes import lifetime_of
 from roam_core.roto.placement import Placement, carried, matrix_at
 
 NO_COLOUR = (0.90, 0.60, 0.0)
 """Of a shape to which nobody gave a colour: it takes the next of the palette when it is added to a project."""
-EVER = 10_000_000
-"""Frame that stands for "always" at an open end of a lifetime; files for other programs can number it, offset too."""
-
-LAST_FRAME = 999_999_999
-"""The greatest number of a frame: those of files have up to nine digits."""
 
 
 class Origin(StrEnum):
@@ -68,24 +64,6 @@ def frozen_array(values: ArrayLike) -> Array:
         array = array.copy()
         array.setflags(write=False)
     return array
-
-
-def lifetime_of(start: int | None, stop: int | None) -> tuple[int, int] | None:
-    """The half-open frame range of a lifetime whose ends may be open, None; None where both are."""
-    if start is None:
-        return None if stop is None else (-EVER if stop > -EVER else stop - EVER, stop)
-    if stop is None:
-        stop = EVER if start < EVER else start + EVER
-    return start, stop
-
-
-def open_ends(lifetime: tuple[int, int]) -> tuple[int | None, int | None]:
-    """What `lifetime_of` was given: None for an end that is open."""
-    start, stop = lifetime
-    since, until = lifetime_of(None, stop), lifetime_of(start, None)
-    assert since is not None
-    assert until is not None
-    return None if start == since[0] else start, None if stop == until[1] else stop
 
 
 def _lifetime_of(pair: Any, name: str) -> tuple[int, int] | None:

@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from app.shell.laying_out.timeline_height import LEAST, MOST_SHARE, SHARE
 from app.shell.main_window import MainWindow
-from app.shell.timeline_height import LEAST, MOST_SHARE, SHARE
 from app.style import ROW_HEIGHT
 from roam_core.roto import Project, edit
 from tests.gui.timeline.places import CLIP, SQUARE

@@ -26,7 +26,7 @@ from roam_core.roto import (
     file,
 )
 from roam_core.roto.imported import IMPORT, import_stamp, stamped
-from roam_core.roto.shape import EVER, LAST_FRAME, lifetime_of, open_ends
+from roam_core.roto.lifetimes import EVER, LAST_FRAME, lifetime_of, open_ends
 from roam_core.roto.shifting import shifted
 from tests.unit.roto.every_field import present_project
 

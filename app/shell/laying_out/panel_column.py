@@ -8,17 +8,17 @@ from dataclasses import dataclass
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QScrollArea, QUndoView
 
-from ..actions.actions import Actions
-from ..panels.planar import PlanarPanel
-from ..panels.properties import PropertiesPanel
-from ..panels.review import ReviewPanel
-from ..panels.shapes import ShapesPanel
-from ..panels.tracker import TrackerPanel
-from ..translation import tr
-from ..widgets.controls import tool_button
-from ..widgets.panel import Panel
+from ...actions.actions import Actions
+from ...panels.planar import PlanarPanel
+from ...panels.properties import PropertiesPanel
+from ...panels.review import ReviewPanel
+from ...panels.shapes import ShapesPanel
+from ...panels.tracker import TrackerPanel
+from ...translation import tr
+from ...widgets.controls import tool_button
+from ...widgets.panel import Panel
+from ..workspace import Workspace
 from . import layout
-from .workspace import Workspace
 
 SHAPE_TOOLS = ("shape.group", "shape.duplicate", "shape.delete")
 KEY_TOOLS = ("key.set", "key.delete")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QSplitter
 
-from .. import style
+from ... import style
 
 LEAST, SHARE, TALL_SHARE = 200, 0.22, 0.5
 """Pixels and share of the window's height that it has before it is dragged; its share while it is tall."""

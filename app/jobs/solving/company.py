@@ -10,7 +10,7 @@ from roam_core.propagate.shapes.objects import decisive
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
 from roam_core.roto import Project, RotoShape
 
-from .filling import Gap
+from ..filling import Gap
 
 
 class Company:

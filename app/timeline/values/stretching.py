@@ -10,17 +10,17 @@ from PySide6.QtWidgets import QDialog, QWidget
 from roam_core.roto import timing
 from roam_core.roto.timing import stretched
 
-from ..model.document import Document
-from ..model.view_state import ViewState
-from ..translation import N_, tr
-from ..widgets.asking import ask, lay_out
-from ..widgets.controls import dense_form, form_label, number_field, weak_label
-from .keys.selection import KeySelection
-from .keys.stretch import told
-from .keys.verbs import count_of, unlocked
-from .values.selection import ValueSelection
-from .values.verbs import ValueVerbs
-from .values.verbs import unlocked as unlocked_values
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ...translation import N_, tr
+from ...widgets.asking import ask, lay_out
+from ...widgets.controls import dense_form, form_label, number_field, weak_label
+from ..keys.selection import KeySelection
+from ..keys.stretch import told
+from ..keys.verbs import count_of, unlocked
+from .selection import ValueSelection
+from .verbs import ValueVerbs
+from .verbs import unlocked as unlocked_values
 
 TOO_FEW = N_("Choose keys on two frames at least, in the timeline or the curve editor.")
 ALL_LOCKED = N_("What the chosen keys belong to is locked; unlock it to stretch them.")

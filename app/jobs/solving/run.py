@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Sequence
 from roam_core.params import is_doubtful
 from roam_core.roto import Keyframe, Project, RotoShape
 
-from ..translation import N_, tr
+from ...translation import N_, tr
+from ..filling import Gap
+from ..runner import Job
 from .company import Company
-from .filling import Gap
-from .runner import Job
 
 TRACK, FILL = N_("Track"), N_("Fill")
 """What the two kinds of run are called in the undo list."""

@@ -6,8 +6,8 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.timeline.stretching import StretchDialog
 from app.timeline.timeline import Timeline
+from app.timeline.values.stretching import StretchDialog
 from roam_core.roto import Animated, ValueKey, edit, timing
 
 
