@@ -13,7 +13,19 @@ from roam_core.errors import RoamError
 from roam_core.installation import resource
 from roam_core.translatable import N_, Sentence
 
-__all__ = ["LANGUAGES", "N_", "SYSTEM", "chosen", "moment", "number", "shown_language", "speak", "tr", "translated"]
+__all__ = [
+    "LANGUAGES",
+    "N_",
+    "SYSTEM",
+    "chosen",
+    "moment",
+    "number",
+    "sentence_of",
+    "shown_language",
+    "speak",
+    "tr",
+    "translated",
+]
 
 SOURCE = "en"
 """The language in which the texts stand in the code."""
@@ -62,6 +74,11 @@ def translated(text: str) -> str:
         return text
     values = {name: translated(value) if isinstance(value, str) else value for name, value in text.values.items()}
     return tr(text.template, **values)
+
+
+def sentence_of(error: RoamError) -> str:
+    """What an error says, in the window's language: in English where the engine has no sentence of it."""
+    return translated(error.args[0]) if error.args and isinstance(error.args[0], str) else str(error)
 
 
 def speak(language: str) -> None:

@@ -25,12 +25,20 @@ class Sentence(str):
     template: str
     values: Mapping[str, object]
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """An error with such a sentence comes from a worker of a batch or a fill."""
+        return _again, (self.template, dict(self.values))
+
 
 def sentence(template: str, **values: object) -> Sentence:
     """`template` with its places filled in as by `str.format`. `make translations` finds templates written so."""
     made = Sentence(template.format(**values) if values else template)
     made.template, made.values = template, MappingProxyType(values)
     return made
+
+
+def _again(template: str, values: Mapping[str, object]) -> Sentence:
+    return sentence(template, **values)
 
 
 def listed(words: Sequence[str]) -> str:

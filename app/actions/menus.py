@@ -38,7 +38,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "tool.points", "tool.adjust", SEPARATOR,
         "shape.steady", "shape.match_edge", SEPARATOR,
         "key.auto", "key.points", "key.ripple", SEPARATOR,
-        "key.copy", "key.paste", "key.paste_range", "key.shift", SEPARATOR,
+        "key.copy", "key.paste", "key.paste_range", "key.shift", "key.stretch", SEPARATOR,
         "key.set", "key.set_points", "key.delete", "key.linear", "key.smooth", "key.hold", "key.tangents", SEPARATOR,
         "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",

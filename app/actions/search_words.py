@@ -144,6 +144,7 @@ WORDS: Mapping[str, str] = {
     "key.paste": N_("keyframe pose"),
     "key.paste_range": N_("keyframe hold many frames"),
     "key.shift": N_("keyframe offset slip slide renumber conform handles move all frames"),
+    "key.stretch": N_("keyframe scale retime time compress speed faster slower"),
     "key.ripple": N_("uberkey multi-frame multiframe all keys offset"),
     "key.linear": N_("interpolation easing ease"),
     "key.smooth": N_("interpolation easing ease bezier"),

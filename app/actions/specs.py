@@ -201,6 +201,9 @@ SPECS: tuple[ActionSpec, ...] = (
         "key.shift", N_("Shift in time…"), tip=N_("All keys and notes, or those of what is selected, later or earlier")
     ),
     ActionSpec(
+        "key.stretch", N_("Stretch keys…"), tip=N_("Have the chosen keys lie between two frames, evenly spread")
+    ),
+    ActionSpec(
         "key.ripple", N_("Ripple edit"), _VIEWER, "", N_("An edit changes all keys of the in/out range alike"), True
     ),
     ActionSpec(

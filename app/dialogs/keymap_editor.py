@@ -31,7 +31,7 @@ from ..actions.menus import menu_of
 from ..actions.search_words import words_for
 from ..actions.specs import SPECS
 from ..model.personal import Personal
-from ..translation import tr
+from ..translation import sentence_of, tr
 from ..widgets.controls import weak_label
 from ..widgets.floating import resize_on_screen
 from . import questions
@@ -230,7 +230,7 @@ class KeymapEditor(QDialog):
         try:
             self._personal.set_keys(load_own(path))
         except RoamError as error:
-            self.word.setText(str(error))
+            self.word.setText(sentence_of(error))
         else:
             self.word.setText(tr("The keys of {name} hold now.", name=path.name))
 
@@ -241,7 +241,7 @@ class KeymapEditor(QDialog):
         try:
             save_own(self._own, path)
         except RoamError as error:
-            self.word.setText(str(error))
+            self.word.setText(sentence_of(error))
         else:
             self.word.setText(tr("Your keys are in {path}.", path=path))
 

@@ -32,7 +32,7 @@ from ..jobs.runner import Ending
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..model.viewing import ViewMode
-from ..translation import N_, tr
+from ..translation import N_, sentence_of, tr
 from ..widgets.controls import dense_form, form_label, measure_field, number_field, side_by_side, weak_label
 from . import questions
 
@@ -244,7 +244,7 @@ class ReviewDialog(QDialog):
         try:
             request = self.request()
         except RoamError as error:
-            self.hint.setText(str(error))
+            self.hint.setText(sentence_of(error))
             self.start.setEnabled(False)
             return
         count, (width, height) = len(request.frames), request.size
@@ -277,7 +277,7 @@ class ReviewDialog(QDialog):
         try:
             request = self.request()
         except RoamError as error:  # the project changed in between
-            self.hint.setText(str(error))
+            self.hint.setText(sentence_of(error))
             return
         self._is_ours = True
         self._pull_running()

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import takewhile
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from roam_core.arrays import Array
-from roam_core.review.boil import Triple, boil_of, triples
-from roam_core.roto import RotoShape
+from roam_core.arrays import Array, Bools
+from roam_core.review.boil import boil_of, told_keys
+from roam_core.roto import Keyframe, RotoShape
 
 from ..model.document import Document
 
@@ -30,39 +31,24 @@ class BoilOf(QObject):
     def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._shapes: dict[str, tuple[RotoShape, Array]] = {}
-        self._frames: dict[str, dict[int, tuple[Triple, float]]] = {}
-        document.replaced.connect(self._forget)
+        """What is known of each shape, and of which value of it."""
+        document.replaced.connect(self._shapes.clear)
 
     def __call__(self, shape: RotoShape) -> Array:
         """What is known of a shape, or measured now."""
         known = self._shapes.get(shape.id)
         if known is None or known[0] is not shape:
-            known = self._shapes[shape.id] = shape, self._measured(shape)
+            known = self._shapes[shape.id] = shape, _measured(shape, known)
         return known[1]
 
     def take(self, shapes: Mapping[str, RotoShape], measured: Mapping[str, Array]) -> None:
         """Hold what was measured by the picture, of shapes as they were then, by their ids."""
         for shape_id, shape in shapes.items():
-            values = {int(frame): value for frame, value in measured[shape_id].tolist()}
-            known = self._frames.setdefault(shape_id, {})
-            known |= {
-                keys[1].frame: (keys, values[keys[1].frame]) for keys in triples(shape) if keys[1].frame in values
-            }
-            self._shapes.pop(shape_id, None)
+            boil, found = self(shape).copy(), measured[shape_id].reshape(-1, 2)
+            _, here, there = np.intersect1d(boil[:, 0], found[:, 0], assume_unique=True, return_indices=True)
+            boil[here, 1] = found[there, 1]
+            self._shapes[shape_id] = shape, boil
         self.changed.emit()
-
-    def _measured(self, shape: RotoShape) -> Array:
-        before, found = self._frames.get(shape.id, {}), triples(shape)
-        fresh = [keys for keys in found if not _is_known(before.get(keys[1].frame), keys)]
-        values = iter(boil_of(fresh, shape.closed).tolist())
-        now = {keys[1].frame: (keys, next(values)) for keys in fresh}
-        kept = {keys[1].frame: now.get(keys[1].frame) or before[keys[1].frame] for keys in found}
-        self._frames[shape.id] = kept
-        return np.array([(frame, value) for frame, (_, value) in kept.items()]).reshape(-1, 2)
-
-    def _forget(self) -> None:
-        self._shapes.clear()
-        self._frames.clear()
 
 
 def boil_of_document(document: Document) -> BoilOf:
@@ -71,5 +57,31 @@ def boil_of_document(document: Document) -> BoilOf:
     return found if isinstance(found, BoilOf) else BoilOf(document)
 
 
-def _is_known(known: tuple[Triple, float] | None, keys: Triple) -> bool:
-    return known is not None and all(a is b for a, b in zip(known[0], keys, strict=True))
+def _measured(shape: RotoShape, known: tuple[RotoShape, Array] | None) -> Array:
+    """The boil of a shape; what is known of another value of it holds where the three keys are the very same."""
+    there, told = shape.living_keys, told_keys(shape)
+    boil = np.column_stack([[there[k].frame for k in told.tolist()], np.zeros(len(told))]).reshape(-1, 2)
+    kept = np.zeros(len(told), dtype=bool)
+    if known is not None and known[0].closed == shape.closed:
+        same = _unchanged(known[0].living_keys, there)
+        kept = same[told - 1] & same[told] & same[told + 1]
+        boil[kept, 1] = known[1][np.searchsorted(known[1][:, 0], boil[kept, 0]), 1]
+    fresh = [(there[k - 1], there[k], there[k + 1]) for k in told[~kept].tolist()]
+    boil[~kept, 1] = boil_of(fresh, shape.closed)
+    return boil
+
+
+def _unchanged(before: Sequence[Keyframe], after: Sequence[Keyframe]) -> Bools:
+    """Which of the keys `after` were there before: as a rule all up to one place, and from another one on."""
+    same = np.zeros(len(after), dtype=bool)
+    first = sum(1 for _ in takewhile(_are_same, zip(before, after, strict=False)))
+    last = sum(1 for _ in takewhile(_are_same, zip(reversed(before[first:]), reversed(after[first:]), strict=False)))
+    same[:first], same[len(after) - last :] = True, True
+    held = {key.frame: key for key in before[first : len(before) - last]}
+    for place in range(first, len(after) - last):
+        same[place] = held.get(after[place].frame) is after[place]
+    return same
+
+
+def _are_same(pair: tuple[Keyframe, Keyframe]) -> bool:
+    return pair[0] is pair[1]

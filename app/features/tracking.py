@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from enum import StrEnum
 
 from roam_core.dials import name_of
@@ -28,6 +28,10 @@ FIRST_KEY, LAST_KEY = (
     N_("{name} is not tracked: its first key lies on frame {key}. Track from there, or set a key here (<key.set>)."),
     N_("{name} is not tracked: its last key lies on frame {key}. Track from there, or set a key here (<key.set>)."),
 )
+NO_PICTURE = N_(
+    "{name} is not tracked: the plate has no picture of frame {key}, where its key lies. "
+    "Set one where it has (<key.set>)."
+)
 NO_SHAPE = N_("Draw a shape first: press <tool.bezier> in the viewer.")
 
 
@@ -44,11 +48,19 @@ class Tracking:
 
     `config` names the engine's configuration, `factors` how far its dials are turned, by configuration and dial;
     `scope` tells which shapes are meant: the selected ones (all where none is), or all in any case. The others of their
-    objects are solved with them, but where each is to be solved alone.
+    objects are solved with them, but where each is to be solved alone. `without_picture()` gives the frames that the
+    plate lacks.
     """
 
-    def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        propagation: Propagation,
+        without_picture: Callable[[], Collection[int]] = tuple,
+    ) -> None:
         self._document, self._view, self._propagation = document, view_state, propagation
+        self._without_picture = without_picture
         self._boil = boil_of_document(document)
         self.config = DEFAULT_CONFIG
         self.factors: dict[str, dict[str, float]] = {}
@@ -146,6 +158,8 @@ class Tracking:
                 self._propagation.fill(
                     [shape.id for shape in shapes], gaps, self.configuration, alone=self.scope is Scope.ALONE
                 )
+            elif not any(shape.exists_at(self._view.frame) for shape in shapes):
+                self._view.say(does_not_exist(shapes[0], self._view.frame))
             else:
                 self._view.say(tr(NO_GAP))
 
@@ -182,13 +196,22 @@ class Tracking:
         elif len(frames) < 2:
             self._view.say(tr(CLIP_ENDS if step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
-            lived = _as_long_as_any_exists(frames, shapes)
-            if len(lived) < 2:
+            lived = _as_long_as_any_exists(range(self._seen_from(step), stop, step), shapes)
+            if not any(shape.exists_at(frame) for frame in frames[1:] for shape in shapes):
                 self._view.say(does_not_exist(shapes[0], frames[1]))
                 return
             if begun := self._begun(shapes, lived):
                 ids, alone = [shape.id for shape in begun], self.scope is Scope.ALONE
                 self._propagation.start(ids, lived, self.configuration, alone=alone)
+
+    def _seen_from(self, step: int) -> int:
+        """Where a run in this direction begins: in a gap of the plate on the frame before it, where that has a picture.
+
+        So a run that was stopped in a gap goes on from what it found last.
+        """
+        here, lacking, clip = self._view.frame, self._without_picture(), self._clip()
+        behind = next((frame for frame in range(here, here - len(clip) * step, -step) if frame not in lacking), here)
+        return behind if behind in clip else here
 
     def _begun(self, shapes: Sequence[RotoShape], frames: range) -> list[RotoShape]:
         """The shapes that a run can begin with: their outline on its first frame is no mere copy of a key ahead.
@@ -213,6 +236,9 @@ class Tracking:
             self._view.say(later if is_forward else earlier)
         elif left_out:
             key = left_out[0].frames[0 if is_forward else -1]
+            if key in self._without_picture():
+                self._view.say(tr(NO_PICTURE, name=left_out[0].name, key=key))
+                return begun
             self._view.say(tr(FIRST_KEY if is_forward else LAST_KEY, name=left_out[0].name, key=key))
         return begun
 

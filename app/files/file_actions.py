@@ -27,7 +27,8 @@ from ..model.document import PROJECT_SUFFIX, Document
 from ..model.last_folders import LastFolders, Purpose
 from ..model.personal import Personal
 from ..model.view_state import ViewState
-from ..translation import N_, tr
+from ..translation import N_, sentence_of, tr
+from ..widgets.asking import ask
 from .files import Files
 
 if TYPE_CHECKING:
@@ -218,9 +219,8 @@ class FileActions(QObject):
 
         clip = self._document.project.clip
         dialog = MaskDialog(folder.name, clip.size if clip else None, self._window)
-        dialog.accepted.connect(lambda: self._import.start(folder, dialog.options))
         dialog.finished.connect(dialog.deleteLater)
-        dialog.open()
+        ask(dialog, lambda: self._import.start(folder, dialog.options), self._document.replaced)
 
     def choose_mask(self) -> Path | None:
         """Ask for the picture of a mask."""
@@ -335,7 +335,7 @@ class FileActions(QObject):
         try:
             found.refuse_always()
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return False
         if found.foreign:
             return questions.ask_overwrite(self._window, found.foreign)

@@ -28,7 +28,7 @@ from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
 from ..model.reasons import keys_beside
 from ..model.view_state import ViewState
-from ..translation import N_, tr, translated
+from ..translation import N_, sentence_of, tr, translated
 from .claim import Claim
 from .reading import (
     Found,
@@ -434,5 +434,5 @@ def _rotated(path: Path, count: int) -> str:
     try:
         backups.rotate(path, count, is_project)
     except RoamError as error:
-        return str(error)
+        return sentence_of(error)
     return ""

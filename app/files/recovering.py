@@ -21,7 +21,7 @@ from ..journal.journal import Journal
 from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX
 from ..model.view_state import ViewState
-from ..translation import tr
+from ..translation import sentence_of, tr
 from .file_actions import FileActions
 from .files import Files
 from .reading import plate_of
@@ -127,7 +127,7 @@ class Recovering(QObject):
         try:
             recovery.decline(found)
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
 
 
 def _picture(found: Recovery) -> QImage | None:

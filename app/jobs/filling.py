@@ -17,7 +17,7 @@ from roam_core.params import RoamParams, params_for
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
 from roam_core.roto import Keyframe, Origin, Project, RotoShape
 
-from ..translation import tr
+from ..translation import sentence_of, tr
 from .runner import Report
 
 Gap = tuple[int, int]
@@ -145,7 +145,7 @@ def fill(report: Report, request: FillRequest) -> str:
                 "{count} of {all} gap(s) could not be filled: {reason}",
                 count=len(failures),
                 all=len(wanted),
-                reason=failures[0],
+                reason=sentence_of(failures[0]),
             )
         )
     return _sentence(request, wanted)

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
 
+from ..translation import sentence_of
+
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
     from roam_core.roto import Clip
@@ -46,7 +48,7 @@ def looked_at(path: Path, layer: str = "", held: Clip | None = None) -> FoundCli
     try:
         return FoundClip(path, source, _small(source.read(source.frames[0])), spaces, held=held)
     except RoamError as error:
-        return FoundClip(path, source, None, spaces, str(error), held)
+        return FoundClip(path, source, None, spaces, sentence_of(error), held)
 
 
 def _small(picture: Any) -> Any:

@@ -24,8 +24,8 @@ from ..model.document import Document
 from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState
 from ..translation import tr
-from .propagation_run import told_of
 from .runner import Ending, Job, Report, Runner
+from .solving.run import told_of
 
 ReadFrame = Callable[[int], Any]
 Vertices = frozenset[tuple[str, int]]

@@ -13,16 +13,16 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate.frame.result import FrameResult, Termination
 from roam_core.propagate.memory import TrackMemory
-from roam_core.propagate.shapes.objects import decisive
-from roam_core.propagate.shapes.provenance import Stamps, clip_stamp
+from roam_core.propagate.shapes.provenance import clip_stamp
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
 from .filling import Filled, FillRequest, Gap, WaitingFills, fill
-from .propagation_run import FILL, TRACK, Run, told_of
 from .runner import Ending, Report, Runner
+from .solving.company import Company, is_changed
+from .solving.run import FILL, TRACK, Run, told_of
 
 ReadFrame = Callable[[int], Any]
 PATIENCE = 200
@@ -99,10 +99,7 @@ class Propagation(QObject):
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
         run = Run(job, TRACK, shapes, self._view.frame, merge_key, frames, config, alone=alone)
-        if not alone:
-            stamps = Stamps.of(others, project.clip)
-            together = {other.id: other for shape in shapes for other in stamps.together(shape)}
-            run.beside = {shape_id: other for shape_id, other in together.items() if shape_id not in asked}
+        run.company = Company(project, shape_ids, alone=alone)
         if before is not None:
             run.take_over(before)
         self._begin(run, tr("Starting to track {names} …", names=_names(shapes)))
@@ -173,6 +170,7 @@ class Propagation(QObject):
         run = Run(job, FILL, shapes, self._view.frame, merge_key)
         begin = partial(self._start_filling, config, alone, keeps_undone, merge_key)
         run.gaps, run.begin_again = gaps, partial(self._fill_on, begin, merge_key)
+        run.company = Company(project, shape_ids, gaps, alone=alone)
         self._begin(run, tr("Starting to fill {names} …", names=_names(shapes)))
         run.keeps_undone = keeps_undone
 
@@ -279,14 +277,26 @@ class Propagation(QObject):
         if run is None:
             return
         touched = [shape for i, shape in run.expected.items() if i in ids and self._is_touched(shape)]
-        touched += [shape for i, shape in run.beside.items() if i in ids and self._is_changed(shape)]
         project = self._document.project  # a layer that is locked tells of itself alone
         locked = [shape for i, shape in run.expected.items() if project.has(i) and project.is_locked(i)]
         if touched or locked:
             run.ended_by = told_of(project, (touched or locked)[0])
             self._fill_rest(run, [*touched, *locked])
-        if touched or locked:
             run.job.drop()  # what waits for it goes on
+        elif not ids <= run.expected.keys():
+            self._guard_company(run, ids)
+
+    def _guard_company(self, run: Run, ids: frozenset[str]) -> None:
+        """An edit of what the curves under work are solved with ends a track; a fill begins again, as that is now."""
+        project = self._document.project
+        changed = run.company.changed(project, ids)
+        if not changed and not run.company.is_restacked(project):
+            return
+        run.ended_by = told_of(project, changed[0]) if changed else tr("Its shapes were restacked meanwhile.")
+        if run.begin_again is not None:
+            self._waiting.add_first(list(run.expected), run.gaps, run.begin_again)
+            run.ended_by += tr(" It goes on from that.")
+        run.job.drop()
 
     def _fill_rest(self, run: Run, hit: Sequence[RotoShape]) -> None:
         """A fill whose shapes were locked or deleted, some of them and nothing else, goes on with the others."""
@@ -298,12 +308,7 @@ class Propagation(QObject):
 
     def _is_touched(self, expected: RotoShape) -> bool:
         project = self._document.project
-        return self._is_changed(expected) or not _same_curves(project.shape(expected.id), expected)
-
-    def _is_changed(self, before: RotoShape) -> bool:
-        """Whether a shape that is solved is no longer as the artist drew it, or means another thing in its object."""
-        project = self._document.project
-        return not project.has(before.id) or decisive(project.shape(before.id)) != decisive(before)
+        return is_changed(project, expected) or not _same_curves(project.shape(expected.id), expected)
 
     def _end(self, ending: Ending, sentence: str) -> None:
         self._patience.stop()

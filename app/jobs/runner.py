@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 
-from ..translation import tr, translated
+from ..translation import sentence_of, tr, translated
 
 PROGRESS_INTERVAL = 0.05
 """Seconds between two progress reports: as often as an eye can follow."""
@@ -164,7 +164,7 @@ class Runner(QObject):
         except Cancelled:
             return Ending.CANCELLED, ""
         except RoamError as error:
-            return Ending.FAILED, str(error)
+            return Ending.FAILED, sentence_of(error)
         except Exception as error:
             log.exception("the job %r failed", job.kind)
             return Ending.FAILED, tr(

@@ -12,6 +12,7 @@ from roam_core.errors import RoamError
 
 from ..actions.keymaps import OwnKeymap, load_own, save_own
 from ..atomic_json import loaded
+from ..translation import sentence_of
 from .preferences import Preferences, load_preferences, save_preferences
 from .recent import Place, Recent, load_recent, save_recent, with_newest, with_place, without
 
@@ -107,4 +108,4 @@ class Personal(QObject):
         try:
             write(self.folder / name)
         except RoamError as error:
-            self.refused.emit(str(error))
+            self.refused.emit(sentence_of(error))

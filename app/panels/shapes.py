@@ -29,7 +29,7 @@ from ..features.verbs.shapes import delete, toggle
 from ..model.document import Document
 from ..model.reasons import outdated_by
 from ..model.view_state import ViewState
-from ..translation import N_, tr
+from ..translation import N_, sentence_of, tr
 
 NAME, EYE, LOCK = 0, 1, 2
 LEAST_ROWS, MOST_ROWS = 4, 9
@@ -240,7 +240,7 @@ class ShapeTree(QTreeWidget):
         try:
             after = moved(project, self.selected_ids(), *self._place(target))
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return
         outdated = outdated_by(project, after)
         self._document.apply(tr("Restack"), after)

@@ -125,17 +125,21 @@ class TrackerPanel(QWidget):
     def _pull(self, _ids: object = None) -> None:
         self.scope.setToolTip(_scope_sentence([shape.name for shape in self._tracking.in_scope()]))
         frame = self._view.frame
-        tracked = {
-            shape: key.confidence
+        tracked = [
+            (shape, key.confidence)
             for shape in shapes_in_hand(self._document.project, self._view.selection)
             if shape.exists_at(frame) and (key := shape.key_at(frame)) is not None and key.confidence is not None
-        }
+        ]
         if not tracked:
             self._confidence.setText("–")
             self._confidence.setToolTip(tr("This frame is not tracked"))
             return
-        least, doubt, words = min(tracked.values()), "", tr("The engine's trust in this frame, 0 to 1")
-        if all(is_out_of_sight(shape, frame) for shape in tracked):
+        least, doubt, words = (
+            min(confidence for _, confidence in tracked),
+            "",
+            tr("The engine's trust in this frame, 0 to 1"),
+        )
+        if all(is_out_of_sight(shape, frame) for shape, _ in tracked):
             doubt = tr("  out of sight")
             words = tr("Nothing of it was found on this frame: it is hidden, has left the picture, or was lost")
         elif is_doubtful(least):

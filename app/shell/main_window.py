@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import QMainWindow, QScrollArea, QUndoView
+from PySide6.QtWidgets import QMainWindow, QUndoView
 
 from .. import style
 from ..actions import menus
@@ -75,16 +75,17 @@ from ..tools.edit.transform_actions import TransformActions
 from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
 from ..translation import N_, tr
-from ..widgets.controls import tool_button
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
-from . import layout, settings
+from . import settings
 from .accessibility import Accessibility, name_parts
 from .context_menus import ContextMenus
 from .defects import Defects
 from .full_screen import FullScreen, Told
+from .laying_out import layout
+from .laying_out.panel_column import PanelColumn, PanelParts
+from .laying_out.timeline_height import TimelineHeight
 from .second_view import second_viewer
-from .timeline_height import TimelineHeight
 from .undo_words import name_steps
 from .window_services import WindowServices
 from .workspace import Workspace
@@ -138,7 +139,8 @@ class MainWindow(QMainWindow):
         self.under_way = UnderWay(*works, *self.plate_jobs.all, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
-        self.tracking = Tracking(self.document, self.view_state, self.propagation)
+        without = self.reader.frames_without_picture
+        self.tracking = Tracking(self.document, self.view_state, self.propagation, without)
         self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
         self.file_actions = FileActions(
@@ -197,7 +199,12 @@ class MainWindow(QMainWindow):
         second = Panel(tr("Second viewer"), self.second_viewer, (self.second_viewer.mode,))
         viewers = layout.split(Qt.Orientation.Horizontal, self.canvas, second)
         tools, lower = self.tool_column, layout.column(self.transport, self.timeline)
-        self.panel_column = self._panel_column()
+        parts = PanelParts(
+            self.shapes, self.tracker, self.planar_panel, self.properties, self.review, self.history,
+            self.services.log_panel,
+        )  # fmt: skip
+        self.panels = PanelColumn(parts, actions, self.workspace)
+        self.panel_column = self.panels.area
         upper = layout.split(Qt.Orientation.Horizontal, layout.row(tools, viewers, growing=viewers), self.panel_column)
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
         self.splitters = {"upper": upper, "viewers": viewers}
@@ -207,8 +214,8 @@ class MainWindow(QMainWindow):
         self.workspace.add("curves", tr("Curves"), self.timeline.curve_panel, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
-        parts = self.tool_column, self.view_bar, self.panel_column, self.transport, self.timeline, self.status
-        self.accessibility = Accessibility(self.document, self.view_state, self.canvas, parts, self.playback)
+        named = self.tool_column, self.view_bar, self.panel_column, self.transport, self.timeline, self.status
+        self.accessibility = Accessibility(self.document, self.view_state, self.canvas, named, self.playback)
         name_parts(self.timeline, self.history, self.shapes)
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
         self.told = Told(self.status, actions["window.full_screen"], self.canvas)
@@ -224,26 +231,6 @@ class MainWindow(QMainWindow):
         self.actions_by_id["view.panels"].setChecked(True)
         self.actions_by_id["view.tall_timeline"].setChecked(False)
         self.timeline_height.forget_drag()
-
-    def _panel_column(self) -> QScrollArea:
-        actions = self.actions_by_id
-        shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
-        key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
-        self.history_panel = Panel(tr("History"), self.history)
-        self.review_panel = Panel(tr("Review"), self.review, self.review.tools)
-        shapes, shape = Panel(tr("Shapes"), self.shapes, shape_tools), Panel(tr("Shape"), self.properties, key_tools)
-        self.shape_panel = shape
-        tracks = Panel(tr("Track"), self.tracker), Panel(tr("Planar track"), self.planar_panel)
-        asked = self.review_panel, self.history_panel, self.services.log_panel
-        column = layout.column(shapes, *tracks, shape, *asked, growing=shapes, is_loose=True)
-        column.setObjectName("panelColumn")
-        column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, shape), strict=True):
-            self.workspace.add(name, panel.title, panel)
-        self.workspace.add("review", tr("Review"), self.review_panel, show="review.panel", is_shown_first=False)
-        self.workspace.add("history", tr("History"), self.history_panel, show="edit.history", is_shown_first=False)
-        self.workspace.add("log", tr("Messages"), self.services.log_panel, show="help.log", is_shown_first=False)
-        return layout.scrolled(column)
 
     # ---- connecting
 
@@ -273,7 +260,6 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_id
         actions.connect_all(self._handlers())
         actions["track.stop"].setEnabled(False)
-        actions["view.panels"].toggled.connect(self.panel_column.setVisible)
         actions["view.tall_timeline"].toggled.connect(self.timeline_height.make_tall)
 
     def _connect_personal(self) -> None:
@@ -294,12 +280,11 @@ class MainWindow(QMainWindow):
         history = History(self.document, self.view_state, self.canvas.in_hand.take_back)
         handlers: dict[str, Callable[[], object]] = {
             "file.quit": self.close,
-            "shape.delete": self._delete_in_list,
             "track.stop": self.under_way.stop_by_key,
-            "view.shape_panel": self._show_shape_panel,
         }
         for part in (
             self.canvas,
+            self.panels,
             FeatherActions(self.document, self.view_state),
             LayerVerbs(self.document, self.view_state),
             ObjectVerbs(self.document, self.view_state),
@@ -387,20 +372,12 @@ class MainWindow(QMainWindow):
         clip = self.document.project.clip
         self.playback.pause()
         self.playback.fps = clip.fps if clip is not None else 24.0
+        self.timeline_height.make_room(len(self.document.project.shapes))
 
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_stopped_by_key)
         self.canvas.set_waiting(self.files.is_opening, self.files.lacks_plate)
         self.second_viewer.set_waiting(self.files.is_opening, self.files.lacks_plate)
-
-    def _delete_in_list(self) -> None:
-        self.shapes.tree.delete_selected()
-
-    def _show_shape_panel(self) -> None:
-        for name in ("view.panels", "window.shape"):
-            self.actions_by_id[name].setChecked(True)
-        self.shape_panel.fold(False)
-        QTimer.singleShot(0, self, lambda: self.panel_column.ensureWidgetVisible(self.properties))
 
     # ---- events of the window
 

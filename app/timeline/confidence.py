@@ -135,6 +135,8 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         marks, known = self._marks(shape), self._drawn.get(shape_id)
         if known is not None and known[0] is marks and known[1] == shape.colour:
             return
+        if shape_id not in self._curves and not len(marks.confidence):
+            return  # of hundreds of drawn shapes each would have a curve of nothing
         self._drawn[shape_id] = marks, shape.colour
         if shape_id not in self._curves:
             self._curves[shape_id] = pg.PlotCurveItem(connect="finite")

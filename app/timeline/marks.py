@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -48,32 +49,24 @@ class KeyMarks:
 
 def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
     """The marks of a shape of the project that the stamps are of."""
-    artist, engine, doubtful, stale = [], [], [], []
-    confidence = []
-    for key in shape.keys:
-        if key.origin is Origin.ARTIST:
-            artist.append(key.frame)
-            continue
-        trust = 1.0 if key.confidence is None else key.confidence
-        is_there = shape.exists_at(key.frame)
-        if is_there and not is_import(key):  # nobody looked for it in the plate
-            confidence.append((key.frame, trust))
-        if stamps.is_stale(shape, key):
-            stale.append(key.frame)
-        elif is_there and is_doubtful(key.confidence):
-            doubtful.append(key.frame)
-        else:
-            engine.append(key.frame)
-    moves = {key.frame: key.interpolation for key in shape.keys}
+    keys = shape.keys
+    frames = _frames([key.frame for key in keys])
+    by_hand = np.array([key.origin is Origin.ARTIST for key in keys], dtype=bool)
+    trust = np.array([1.0 if key.confidence is None else key.confidence for key in keys], dtype=np.float64)
+    read = np.array([is_import(key) for key in keys], dtype=bool)  # nobody looked for it in the plate
+    first, stop = shape.lifetime or (-math.inf, math.inf)
+    is_there, stale = (frames >= first) & (frames < stop), np.isin(frames, stamps.stale_frames(shape))
+    doubtful = np.array([is_doubtful(key.confidence) for key in keys], dtype=bool) & is_there
+    drawn = shape.artist_keys
     return KeyMarks(
-        _frames(artist),
-        _frames(engine),
-        _frames(doubtful),
-        _frames(stale),
-        _frames([frame for frame in artist if moves[frame] is Interpolation.SMOOTH]),
-        _frames([frame for frame in artist if moves[frame] is Interpolation.HOLD]),
-        _frames([key.frame for key in shape.artist_keys if key.set_points]),
-        np.asarray(confidence, dtype=np.float64).reshape(-1, 2),
+        frames[by_hand],
+        frames[~by_hand & ~stale & ~doubtful],
+        frames[~by_hand & ~stale & doubtful],
+        frames[~by_hand & stale],
+        _frames([key.frame for key in drawn if key.interpolation is Interpolation.SMOOTH]),
+        _frames([key.frame for key in drawn if key.interpolation is Interpolation.HOLD]),
+        _frames([key.frame for key in drawn if key.set_points]),
+        np.column_stack([frames, trust])[~by_hand & is_there & ~read],
     )
 
 

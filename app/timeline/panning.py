@@ -10,8 +10,9 @@ from .axis import TimeAxis
 from .scale import LABEL_WIDTH, RIGHT_MARGIN
 
 FINENESS = 100
-"""Steps of the bar in a frame: a bar counts in whole numbers."""
+"""Steps of the bar in a frame, from the clip's first one: a bar counts in whole numbers of 32 bits."""
 
+MOST = 2**31 - 1
 HEIGHT = 10
 
 
@@ -54,17 +55,23 @@ class TimeBar(QWidget):
         axis.changed.connect(self._pull)
         self._pull()
 
+    @property
+    def _fineness(self) -> int:
+        """Less fine where a few files are numbered hundreds of millions apart."""
+        first, stop = self._axis.scale.clip
+        return max(1, min(FINENESS, MOST // max(stop - first, 1)))
+
     def _push(self, value: int) -> None:
         scale = self._axis.scale
-        self._axis.set_scale(scale.panned(value / FINENESS - scale.first))
+        self._axis.set_scale(scale.panned(scale.clip[0] + value / self._fineness - scale.first))
 
     def _pull(self) -> None:
         scale = self._axis.scale
         first, stop = scale.clip
         seen = scale.width / scale.pixels
         with QSignalBlocker(self.bar):
-            self.bar.setRange(round(first * FINENESS), round(max(stop - seen, first) * FINENESS))
-            self.bar.setPageStep(round(seen * FINENESS))
-            self.bar.setSingleStep(FINENESS)
-            self.bar.setValue(round(scale.first * FINENESS))
+            self.bar.setRange(0, round(max(stop - first - seen, 0.0) * self._fineness))
+            self.bar.setPageStep(round(seen * self._fineness))
+            self.bar.setSingleStep(self._fineness)
+            self.bar.setValue(round((scale.first - first) * self._fineness))
         self.setVisible(self._axis.has_clip and seen < stop - first - 1e-6)

@@ -33,12 +33,13 @@ from .values.rows import MOST as MOST_VALUES
 from .values.rows import ValueRows
 from .values.selection import ValueSelection
 from .values.shown import items_in_hand
+from .values.stretching import Stretching
 
 KEY_WAYS = ("key.linear", "key.smooth", "key.hold")
-KEY_MENU = KEY_WAYS, ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
+KEY_MENU = KEY_WAYS, ("edit.copy", "edit.cut", "edit.paste"), ("key.stretch", "points.delete")
 """What a right click on the key rows offers, in groups."""
 
-VALUE_MENU = (*KEY_WAYS, "key.tangents"), KEY_MENU[1], ("points.delete", "points.select_all")
+VALUE_MENU = (*KEY_WAYS, "key.tangents"), KEY_MENU[1], ("key.stretch", "points.delete", "points.select_all")
 """What one offers on the rows of values and on curves."""
 
 SHARED = ("edit.copy", "edit.cut", "edit.paste", "points.delete", "points.select_all", "key.set", "key.delete")
@@ -82,6 +83,7 @@ class Timeline(QWidget):
         self.values = ValueSelection(document, self)
         self.value_rows = ValueRows(document, self.axis, self.values)
         self.value_rows.verbs.takes_paste = self.rows.hasFocus
+        self.stretching = Stretching(self, document, view_state, self.keys, self.values, self.value_rows.verbs)
         self.curves = CurveEditor(document, self.axis, self.values)
         self.curve_panel = Panel(tr("Curves"), self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0]))
         self.curve_panel.hide()  # the workspace shows it
@@ -126,7 +128,7 @@ class Timeline(QWidget):
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
         own = self.axis.handlers() | self.verbs.handlers() | self.mark_verbs.handlers()
-        return own | self.value_rows.verbs.handlers()
+        return own | self.value_rows.verbs.handlers() | self.stretching.handlers()
 
     def taking_over(self, handlers: Mapping[str, Callable[[], object]]) -> dict[str, Callable[[], object]]:
         """Handlers that mean keys while the rows or the curves have the keyboard, and elsewhere what they meant."""

@@ -8,7 +8,7 @@ from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.restamping import restamped
 from roam_core.roto import Project, RotoShape, feather
 from roam_core.roto.keying import Keying
-from roam_core.roto.shape import EVER
+from roam_core.roto.lifetimes import LAST_FRAME
 
 
 def settled(before: Project, after: Project, shape_ids: Iterable[str], frame: int, keying: Keying) -> Project:
@@ -32,4 +32,6 @@ def with_same_outline(before: Project, after: RotoShape) -> Project:
     No tracked frame of it, or of the others of its object, is stale for that.
     """
     together = Stamps.of(before.shapes, before.clip).together(before.shape(after.id))
-    return restamped(before, before.with_shape(after), [shape.id for shape in together], range(-EVER, EVER))
+    return restamped(
+        before, before.with_shape(after), [shape.id for shape in together], range(-LAST_FRAME, LAST_FRAME + 1)
+    )

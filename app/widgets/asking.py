@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from PySide6.QtCore import SignalInstance
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QLayout, QPushButton, QVBoxLayout
 
 from .. import style
@@ -27,3 +30,10 @@ def lay_out(dialog: QDialog, fields: QLayout, verb: str, explained: QLabel | Non
         column.addWidget(explained)
     column.addWidget(buttons)
     return does
+
+
+def ask(dialog: QDialog, does: Callable[[], object], replaced: SignalInstance) -> None:
+    """Open a dialog about what is shown; `does` takes the answer. Another project takes the question away."""
+    dialog.accepted.connect(does)
+    replaced.connect(dialog.reject)
+    dialog.open()

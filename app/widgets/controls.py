@@ -21,10 +21,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from roam_core.roto.lifetimes import LAST_FRAME
+
 from .. import style
 from ..actions.actions import Actions
 
-FRAME_LIMIT = 10_000_000
+FRAME_LIMIT = LAST_FRAME
 LABEL_WIDTH = 68
 MEASURE_WIDTH = 110
 
@@ -63,11 +65,18 @@ def is_being_typed(line: QLineEdit) -> bool:
     return line.isModified() and line.hasFocus()
 
 
+FRAME_WIDTH, FRAME_ASIDE = 58, 18
+"""Of a field for a frame number, in pixels; what of it is beside the digits."""
+
+
 class FrameField(QSpinBox):
-    """A field for a frame number. The wheel, turned on the way past, changes nothing: only with the keyboard in it."""
+    """A field for a frame number, as wide as it asks for. The wheel, turned on the way past, changes nothing: only with
+    the keyboard in it.
+    """
 
     def __init__(self) -> None:
         super().__init__()
+        self.textChanged.connect(self._make_room)
         self.editingFinished.connect(lambda: self.lineEdit().setModified(False))
 
     def show_frame(self, frame: int, low: int, high: int) -> None:
@@ -77,10 +86,17 @@ class FrameField(QSpinBox):
         with QSignalBlocker(self):
             self.setRange(low, high)
             self.setValue(frame)
+            self._make_room(line.text())
             if is_typed:
                 line.setText(typed)
                 line.setCursorPosition(cursor)
                 line.setModified(True)
+
+    def _make_room(self, text: str) -> None:
+        """Plates that are numbered by time code have seven digits and more."""
+        wanted = self.fontMetrics().horizontalAdvance(text) + FRAME_ASIDE
+        if wanted > self.minimumWidth() == self.maximumWidth():
+            self.setFixedWidth(wanted)
 
     def take_back(self) -> None:
         """Show the frame that holds in place of what is being typed."""
@@ -101,7 +117,7 @@ def number_field(tip: str) -> FrameField:
     field.setRange(-FRAME_LIMIT, FRAME_LIMIT)
     field.setKeyboardTracking(False)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
-    field.setFixedWidth(58)
+    field.setFixedWidth(FRAME_WIDTH)
     field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     field.setToolTip(tip)
     field.setAccessibleName(tip)

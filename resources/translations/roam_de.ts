@@ -39,6 +39,10 @@
         <translation> GB</translation>
     </message>
     <message>
+        <source> It goes on from that.</source>
+        <translation> Es geht von da aus weiter.</translation>
+    </message>
+    <message>
         <source> It goes on with the others.</source>
         <translation> Es geht mit den anderen weiter.</translation>
     </message>
@@ -744,6 +748,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Zuerst Keyframes von Deckkraft oder Feather in der Zeitleiste oder im Kurveneditor wählen.</translation>
     </message>
     <message>
+        <source>Choose keys on two frames at least, in the timeline or the curve editor.</source>
+        <translation>Keyframes auf mindestens zwei Frames wählen, in der Zeitleiste oder im Kurveneditor.</translation>
+    </message>
+    <message>
         <source>Choose the shapes that lie before the surface, one by one</source>
         <translation>Die Formen einzeln wählen, die vor der Fläche liegen</translation>
     </message>
@@ -1208,6 +1216,17 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <source>EXR files only</source>
         <translation>Nur bei EXR-Dateien</translation>
     </message>
+    <message numerus="yes">
+        <source>Each key has a frame of its own: %n frame(s) at least.</source>
+        <translation>
+            <numerusform>Jeder Keyframe hat einen eigenen Frame: mindestens %n Frame.</numerusform>
+            <numerusform>Jeder Keyframe hat einen eigenen Frame: mindestens %n Frames.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each key keeps its place among them.</source>
+        <translation>Jeder Keyframe behält seinen Platz unter ihnen.</translation>
+    </message>
     <message>
         <source>Earlier steps were dropped</source>
         <translation>Ältere Schritte sind verworfen</translation>
@@ -1564,6 +1583,14 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Framenummer</translation>
     </message>
     <message>
+        <source>Frame of the first key</source>
+        <translation>Frame des ersten Keyframes</translation>
+    </message>
+    <message>
+        <source>Frame of the last key</source>
+        <translation>Frame des letzten Keyframes</translation>
+    </message>
+    <message>
         <source>Frame selection</source>
         <translation>Auswahl einpassen</translation>
     </message>
@@ -1578,6 +1605,30 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Frame {frame} is missing from the plate, or damaged</source>
         <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} cannot be decoded; the movie is damaged or cut short.</source>
+        <translation>Frame {frame} von {path} lässt sich nicht dekodieren; der Film ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: the files there are {first} to {last} without {count} between.</source>
+        <translation>Frame {frame} von {path} fehlt: dort liegen die Dateien {first} bis {last}, ohne {count} dazwischen.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: the files there are {first} to {last}.</source>
+        <translation>Frame {frame} von {path} fehlt: dort liegen die Dateien {first} bis {last}.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: the movie has the frames 1 to {last}.</source>
+        <translation>Frame {frame} von {path} fehlt: der Film hat die Frames 1 bis {last}.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} is missing: {file} is no longer there.</source>
+        <translation>Frame {frame} von {path} fehlt: {file} ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} shows nothing; track from a frame that does.</source>
+        <translation>Frame {frame} zeigt nichts; von einem Frame aus tracken, der etwas zeigt.</translation>
     </message>
     <message>
         <source>Frame {frame}, {kind}</source>
@@ -1788,6 +1839,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
     <message>
         <source>Half float</source>
         <translation>Half Float</translation>
+    </message>
+    <message>
+        <source>Have the chosen keys lie between two frames, evenly spread</source>
+        <translation>Die gewählten Keyframes gleichmäßig zwischen zwei Frames verteilen</translation>
     </message>
     <message>
         <source>Help</source>
@@ -2034,6 +2089,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Its plate is numbered from {first} now, not from {before}.</source>
         <translation>Seine Plate ist jetzt ab {first} nummeriert, nicht ab {before}.</translation>
+    </message>
+    <message>
+        <source>Its shapes were restacked meanwhile.</source>
+        <translation>Ihre Formen wurden inzwischen umgeordnet.</translation>
     </message>
     <message>
         <source>JSON (ROAM, COCO, MLT)</source>
@@ -2481,6 +2540,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Motion Blur</translation>
     </message>
     <message>
+        <source>Motion blur needs a shutter of 0 frames or more, and at least two samples.</source>
+        <translation>Bewegungsunschärfe braucht einen Verschluss von 0 Frames oder mehr und mindestens zwei Samples.</translation>
+    </message>
+    <message>
         <source>Motion of layers</source>
         <translation>Bewegung der Ebenen</translation>
     </message>
@@ -2862,6 +2925,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>One object</source>
         <translation>Ein Objekt</translation>
+    </message>
+    <message>
+        <source>One object takes two shapes or more; select them all, or a layer.</source>
+        <translation>Zu einem Objekt gehören mindestens zwei Formen; alle auswählen, oder eine Ebene.</translation>
     </message>
     <message>
         <source>One on every frame</source>
@@ -3844,6 +3911,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         </translation>
     </message>
     <message>
+        <source>Shifted by {offset} frames, keys would lie beyond frame {last}; choose a smaller number.</source>
+        <translation>Um {offset} Frames verschoben lägen Keyframes jenseits von Frame {last}; eine kleinere Zahl wählen.</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Einblenden</translation>
     </message>
@@ -4180,8 +4251,16 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Angehalten; die fertigen Bilder bleiben.</translation>
     </message>
     <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
         <source>Stretch keys</source>
         <translation>Keyframes strecken</translation>
+    </message>
+    <message>
+        <source>Stretch keys…</source>
+        <translation>Keyframes strecken …</translation>
     </message>
     <message>
         <source>Stretch {keys}: they go from frame {first} to {last}.</source>
@@ -4262,6 +4341,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>The copied keys are of other shapes: select those, or as many shapes as were copied.</source>
         <translation>Die kopierten Keyframes sind von anderen Formen: diese auswählen, oder so viele Formen, wie kopiert wurden.</translation>
+    </message>
+    <message>
+        <source>The copied keys do not fit {names}: locked, or of other points, or beside the clip.</source>
+        <translation>Die kopierten Keyframes passen nicht zu {names}: gesperrt, andere Punkte oder neben dem Clip.</translation>
     </message>
     <message>
         <source>The copied keys fit no shape here: shapes may be locked, or have other points.</source>
@@ -4354,6 +4437,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Format hält alles, was gewählt ist.</translation>
     </message>
     <message>
+        <source>The four corners must stay corners of one surface: none of them may cross its sides.</source>
+        <translation>Die vier Ecken müssen Ecken einer Fläche bleiben: keine darf deren Seiten überqueren.</translation>
+    </message>
+    <message>
         <source>The frames on which a track moves the layer</source>
         <translation>Die Frames, auf denen ein Track die Ebene bewegt</translation>
     </message>
@@ -4412,6 +4499,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The last frame to export</source>
         <translation>Der letzte zu exportierende Frame</translation>
+    </message>
+    <message>
+        <source>The layer {name!r} cannot be moved into itself.</source>
+        <translation>Die Ebene {name!r} kann nicht in sich selbst verschoben werden.</translation>
     </message>
     <message>
         <source>The matte is what lies outside of the shape</source>
@@ -4534,6 +4625,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Projekt wurde inzwischen geändert; es wurde nichts geöffnet.</translation>
     </message>
     <message>
+        <source>The range holds no frame; its last frame lies before its first.</source>
+        <translation>Der Bereich enthält keinen Frame; sein letzter liegt vor dem ersten.</translation>
+    </message>
+    <message>
         <source>The red channel alone, and back</source>
         <translation>Nur der rote Kanal, und zurück</translation>
     </message>
@@ -4622,6 +4717,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt keinen Bildschirm für ein Fenster; bitte die Kommandozeile benutzen (roam --help) oder sich mit Bildschirm oder X-Weiterleitung anmelden.</translation>
     </message>
     <message>
+        <source>There is no frame of {words!r} between {first} and {last}.</source>
+        <translation>Zwischen {first} und {last} gibt es keinen Frame von {words!r}.</translation>
+    </message>
+    <message>
         <source>There is no frame to track backward to.</source>
         <translation>Es gibt keinen Frame, zu dem rückwärts getrackt werden könnte.</translation>
     </message>
@@ -4704,6 +4803,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is nothing to export yet; open a clip first.</source>
         <translation>Es gibt noch nichts zu exportieren; zuerst einen Clip öffnen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. Set a key on both ends first.</source>
+        <translation>Von Frame {start} bis {stop} ist nichts zu füllen: keine Form hat dort zwei eigene Keyframes. Zuerst an beiden Enden einen setzen.</translation>
     </message>
     <message>
         <source>There is nothing to recover.</source>
@@ -4953,6 +5056,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>What lies in a locked layer cannot be changed by hand</source>
         <translation>Was in einer gesperrten Ebene liegt, lässt sich nicht von Hand ändern</translation>
+    </message>
+    <message>
+        <source>What the chosen keys belong to is locked; unlock it to stretch them.</source>
+        <translation>Wozu die gewählten Keyframes gehören, ist gesperrt; zum Strecken entsperren.</translation>
     </message>
     <message>
         <source>What the cut-out lies on</source>
@@ -5614,6 +5721,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>keyframe entfernen</translation>
     </message>
     <message>
+        <source>keyframe scale retime time compress speed faster slower</source>
+        <translation>Keyframe skalieren Retime Zeit stauchen Tempo schneller langsamer</translation>
+    </message>
+    <message>
         <source>keys</source>
         <translation>Keyframes</translation>
     </message>
@@ -6258,6 +6369,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{before} und {after}</translation>
     </message>
     <message>
+        <source>{before}, {after}</source>
+        <translation>{before}, {after}</translation>
+    </message>
+    <message>
         <source>{bits} bits</source>
         <translation>{bits} Bit</translation>
     </message>
@@ -6327,6 +6442,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
             <numerusform>{edit}: %n Keyframe geändert.</numerusform>
             <numerusform>{edit}: %n Keyframes geändert.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>{file} is {width} x {height} pixels, the plate is {plate_width} x {plate_height}; all frames of a plate need one size.</source>
+        <translation>{file} hat {width} x {height} Pixel, die Plate {plate_width} x {plate_height}; alle Frames einer Plate brauchen dieselbe Größe.</translation>
     </message>
     <message>
         <source>{first}, a single picture</source>
@@ -6405,8 +6524,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} hat zu wenige Punkte für CVAT und entfällt.</translation>
     </message>
     <message>
+        <source>{name!r} has {count} points and the copied key {copied}: a key fits shapes with as many points.</source>
+        <translation>{name!r} hat {count} Punkte und der kopierte Keyframe {copied}: er passt zu Formen mit ebenso vielen Punkten.</translation>
+    </message>
+    <message>
         <source>{name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.</source>
         <translation>{name!r} ist ein B-Spline und überall glatt; Ecken hat er erst als Bézier.</translation>
+    </message>
+    <message>
+        <source>{name!r} is a single point; draw an outline around the object to fill it.</source>
+        <translation>{name!r} ist ein einzelner Punkt; zum Füllen einen Umriss um das Objekt zeichnen.</translation>
+    </message>
+    <message>
+        <source>{name!r} is a single point; draw an outline around the object to track it.</source>
+        <translation>{name!r} ist ein einzelner Punkt; zum Tracken einen Umriss um das Objekt zeichnen.</translation>
     </message>
     <message>
         <source>{name!r} is locked or hidden; unlock and show it to edit it.</source>
@@ -6417,12 +6548,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} ist offen oder unsichtbar, kein Objekt, und entfällt.</translation>
     </message>
     <message>
+        <source>{name!r} is open; close it (C) before it can be filled.</source>
+        <translation>{name!r} ist offen; vor dem Füllen schließen (C).</translation>
+    </message>
+    <message>
+        <source>{name!r} is open; close it (C) before it can be tracked.</source>
+        <translation>{name!r} ist offen; vor dem Tracken schließen (C).</translation>
+    </message>
+    <message>
+        <source>{name!r} needs at least one key; delete the shape instead.</source>
+        <translation>{name!r} braucht mindestens einen Keyframe; stattdessen die Form löschen.</translation>
+    </message>
+    <message>
+        <source>{name!r} needs at least {least} points to be closed; add one.</source>
+        <translation>{name!r} braucht mindestens {least} Punkte, um geschlossen zu sein; einen hinzufügen.</translation>
+    </message>
+    <message>
+        <source>{name!r} needs at least {least} points; delete the shape instead.</source>
+        <translation>{name!r} braucht mindestens {least} Punkte; stattdessen die Form löschen.</translation>
+    </message>
+    <message>
         <source>{name!r} takes away where nothing lies under it: it is written as hidden.</source>
         <translation>{name!r} nimmt weg, wo nichts darunter liegt, und wird ausgeblendet geschrieben.</translation>
     </message>
     <message>
         <source>{name!r}: smoothed through time; the engine&apos;s outlines moved by at most {max_error:.2f} px, {mean_error:.2f} px on average.</source>
         <translation>{name!r}: durch die Zeit geglättet; Umrisse der Engine bewegten sich um höchstens {max_error:.2f} px, im Mittel {mean_error:.2f} px.</translation>
+    </message>
+    <message>
+        <source>{named}, and {count} more alike</source>
+        <translation>{named} und {count} weitere ebenso</translation>
     </message>
     <message>
         <source>{names} and others</source>
@@ -6491,6 +6646,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is not tracked: its last key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>
         <translation>{name} wird nicht getrackt: Der letzte Keyframe liegt auf Frame {key}. Von dort tracken oder hier einen setzen (&lt;key.set&gt;).</translation>
+    </message>
+    <message>
+        <source>{name} is not tracked: the plate has no picture of frame {key}, where its key lies. Set one where it has (&lt;key.set&gt;).</source>
+        <translation>{name} wird nicht getrackt: die Plate hat kein Bild von Frame {key}, wo der Keyframe liegt. Einen setzen, wo sie eines hat (&lt;key.set&gt;).</translation>
     </message>
     <message>
         <source>{name} is open; close it (&lt;points.toggle_closed&gt; in the viewer) to track it.</source>
@@ -6615,6 +6774,10 @@ Ziehen verschiebt, Doppelklick schreibt, Rechtsklick entfernt</translation>
         <translation>{title}. Klicken wählt aus</translation>
     </message>
     <message>
+        <source>{true!r} is called {plain!r}</source>
+        <translation>{true!r} heißt {plain!r}</translation>
+    </message>
+    <message>
         <source>{value:.2f}</source>
         <translation>{value:.2f}</translation>
     </message>
@@ -6633,6 +6796,18 @@ Ziehen verschiebt, Doppelklick schreibt, Rechtsklick entfernt</translation>
     <message>
         <source>{width:.0f} × {height:.0f} pixels. Shift: equal sides. Ctrl: from the centre.</source>
         <translation>{width:.0f} × {height:.0f} Pixel. Umschalt: gleiche Seiten. Strg: von der Mitte aus.</translation>
+    </message>
+    <message>
+        <source>{word!r} ends before it begins; the first frame comes first.</source>
+        <translation>{word!r} endet, bevor es beginnt; der erste Frame steht vorn.</translation>
+    </message>
+    <message>
+        <source>{word!r} lies outside the clip&apos;s frames {first}-{last}.</source>
+        <translation>{word!r} liegt außerhalb der Frames {first}-{last} des Clips.</translation>
+    </message>
+    <message>
+        <source>{word!r} names no frames; say {words}.</source>
+        <translation>{word!r} nennt keine Frames; möglich ist {words}.</translation>
     </message>
     <message>
         <source>“{action}” in the menu</source>

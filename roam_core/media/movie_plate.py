@@ -71,10 +71,23 @@ class MoviePlate(ABC):
             see `PlateSource.read`.
         """
         if not 1 <= frame <= self.count:
-            raise MissingFrame(f"Frame {frame} of {self.path} is missing: the movie has the frames 1 to {self.count}.")
+            raise MissingFrame(
+                sentence(
+                    "Frame {frame} of {path} is missing: the movie has the frames 1 to {last}.",
+                    frame=frame,
+                    path=self.path,
+                    last=self.count,
+                )
+            )
         picture = self._picture(frame - 1)
         if picture is None:
-            raise DamagedFrame(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
+            raise DamagedFrame(
+                sentence(
+                    "Frame {frame} of {path} cannot be decoded; the movie is damaged or cut short.",
+                    frame=frame,
+                    path=self.path,
+                )
+            )
         if (picture.shape[1], picture.shape[0]) != self.size:
             raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
         return picture

@@ -12,6 +12,7 @@ from roam_core.media.decoding import read_header, read_image, size_in_areas
 from roam_core.media.decoding.answers import NoRoom
 from roam_core.media.numbering import FileSequence
 from roam_core.media.source import DamagedFrame, ImageHeader, MissingFrame
+from roam_core.translatable import sentence
 
 
 class ImageSequence:
@@ -66,7 +67,7 @@ class ImageSequence:
         try:
             size = size_in_areas(file, self.layer)
         except RoamError as error:
-            raise DamagedFrame(str(error)) from None
+            raise DamagedFrame(*error.args) from None
         if size is None:
             return None
         self._require_size(file, size)
@@ -76,20 +77,41 @@ class ImageSequence:
         """The file of a frame that there is."""
         name = self._sequence.names.get(frame)
         if name is None:
-            raise MissingFrame(
-                f"Frame {frame} of {self.path} is missing: the files there are {self.frames[0]} to {self.frames[-1]}"
-                + (f" without {len(self.missing)} between." if self.missing else ".")
-            )
+            raise MissingFrame(self._lacks(frame))
         file = self._sequence.folder / name
         if not file.exists():
-            raise MissingFrame(f"Frame {frame} of {self.path} is missing: {file} is no longer there.")
+            raise MissingFrame(
+                sentence(
+                    "Frame {frame} of {path} is missing: {file} is no longer there.",
+                    frame=frame,
+                    path=self.path,
+                    file=file,
+                )
+            )
         return file
+
+    def _lacks(self, frame: int) -> str:
+        there = {"frame": frame, "path": self.path, "first": self.frames[0], "last": self.frames[-1]}
+        if not self.missing:
+            return sentence("Frame {frame} of {path} is missing: the files there are {first} to {last}.", **there)
+        return sentence(
+            "Frame {frame} of {path} is missing: the files there are {first} to {last} without {count} between.",
+            count=len(self.missing),
+            **there,
+        )
 
     def _require_size(self, file: Path, size: tuple[int, int]) -> None:
         if size != self.size:
             raise DamagedFrame(
-                f"{file} is {size[0]} x {size[1]} pixels, the plate is {self.size[0]} x {self.size[1]}; "
-                "all frames of a plate need one size."
+                sentence(
+                    "{file} is {width} x {height} pixels, the plate is {plate_width} x {plate_height}; "
+                    "all frames of a plate need one size.",
+                    file=file,
+                    width=size[0],
+                    height=size[1],
+                    plate_width=self.size[0],
+                    plate_height=self.size[1],
+                )
             )
 
     def _first_header(self, layer: str) -> ImageHeader:
@@ -122,4 +144,4 @@ def _read(file: Path, layer: str, area: Area | None) -> Image:
     except NoRoom:
         raise  # no frame could be read: nothing is bridged
     except RoamError as error:
-        raise DamagedFrame(str(error)) from None
+        raise DamagedFrame(*error.args) from None

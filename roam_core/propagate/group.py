@@ -25,6 +25,7 @@ from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.roto import Origin, RotoShape
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
+from roam_core.translatable import sentence
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,9 +86,13 @@ class GroupTracker:
         """
         for shape in shapes:
             if not shape.closed:
-                raise RoamError(f"{shape.name!r} is open; close it (C) before it can be tracked.")
+                raise RoamError(sentence("{name!r} is open; close it (C) before it can be tracked.", name=shape.name))
             if shape.point_count < provenance.MIN_POINTS:
-                raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
+                raise RoamError(
+                    sentence(
+                        "{name!r} is a single point; draw an outline around the object to track it.", name=shape.name
+                    )
+                )
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
         view = EngineView.of_key(picture, self.params)
         engine = self._begun(picture, given, frame, parts, view)

@@ -22,6 +22,7 @@ from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
 from roam_core.roto.shape import shapes_of
 from roam_core.threads import each
+from roam_core.translatable import sentence
 
 
 def track(
@@ -79,7 +80,7 @@ def track(
     first = PreparedFrame(read(frames[0]))
     begun_with = [shapes[k].at(frames[0]).points for k in asked]
     if not any(shapes[k].key_at(frames[0]) for k in asked) and is_blank(first, begun_with, params_for(config).blank):
-        raise MissingFrame(f"Frame {frames[0]} shows nothing; track from a frame that does.")
+        raise MissingFrame(sentence("Frame {frame} shows nothing; track from a frame that does.", frame=frames[0]))
     stamps = Stamps(shapes, clip, first.size)
     forward = frames.step > 0 if isinstance(frames, range) else frames[-1] >= frames[0]
     runs: dict[Beginning, _Run] = {}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from roam_core.arrays import Array
+from roam_core.arrays import Array, Int64
 from roam_core.geometry import bezier
 from roam_core.roto import Keyframe, Origin, RotoShape
 
@@ -40,14 +40,19 @@ def boil(shape: RotoShape) -> Array:
 
 def triples(shape: RotoShape) -> list[Triple]:
     """The keys from which the boil of each frame is told, in the order of time: the shape exists on all of them."""
-    if shape.point_count < LEAST_POINTS:
-        return []
     there = shape.living_keys
-    return [
-        keys
-        for keys in zip(there, there[1:], there[2:], strict=False)
-        if keys[2].frame - keys[0].frame == 2 and any(key.origin is Origin.ENGINE for key in keys)
-    ]
+    return [(there[k - 1], there[k], there[k + 1]) for k in told_keys(shape).tolist()]
+
+
+def told_keys(shape: RotoShape) -> Int64:
+    """Which of the keys on frames on which a shape exists have a boil, by their places among these: `(K,)`."""
+    there = shape.living_keys
+    if shape.point_count < LEAST_POINTS or len(there) < 3:
+        return np.empty(0, dtype=np.int64)
+    frames = np.fromiter((key.frame for key in there), np.int64, len(there))
+    tracked = np.fromiter((key.origin is Origin.ENGINE for key in there), bool, len(there))
+    beside = frames[2:] - frames[:-2] == 2
+    return np.flatnonzero(beside & (tracked[:-2] | tracked[1:-1] | tracked[2:])) + 1
 
 
 def boil_of(found: list[Triple], closed: bool) -> Array:

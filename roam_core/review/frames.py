@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from functools import reduce
 
 from roam_core.errors import RoamError
 from roam_core.review.findings import boiling, doubtful
 from roam_core.roto import Project
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 _NUMBERS = re.compile(r"(-?\d+)(?:-(-?\d+))?(?:x(\d+))?")
 """1001, 1001-1048, 1001-1048x5."""
@@ -59,16 +60,36 @@ def chosen_frames(project: Project, words: str, within: range | None = None) -> 
             _require_of(clip, word, first, last)
             found.update(frame for frame in frames if first <= frame <= last and (frame - first) % step == 0)
         else:
-            raise RoamError(f"{word!r} names no frames; say {HINT}.")
+            raise RoamError(sentence("{word!r} names no frames; say {words}.", word=word, words=sentence(HINT)))
     chosen = tuple(sorted(frame for frame in found if frame in frames))
     if not chosen:
-        raise RoamError(f"There is no frame of {words!r} between {frames.start} and {frames.stop - 1}.")
+        raise RoamError(
+            sentence(
+                "There is no frame of {words!r} between {first} and {last}.",
+                words=_said(words),
+                first=frames.start,
+                last=frames.stop - 1,
+            )
+        )
     return chosen
+
+
+def _said(words: str) -> str:
+    """The words, in another language as it calls them."""
+    parts = [sentence(part) if part in WORDS else part for part in (word.strip() for word in words.split(","))]
+    return reduce(lambda before, after: sentence("{before}, {after}", before=before, after=after), parts)
 
 
 def _require_of(clip: range, word: str, first: int, last: int) -> None:
     """A sentence for the numbers of a word that are no frames of the clip, or in the wrong order."""
     if last < first:
-        raise RoamError(f"{word!r} ends before it begins; the first frame comes first.")
+        raise RoamError(sentence("{word!r} ends before it begins; the first frame comes first.", word=word))
     if not (first in clip and last in clip):
-        raise RoamError(f"{word!r} lies outside the clip's frames {clip.start}-{clip.stop - 1}.")
+        raise RoamError(
+            sentence(
+                "{word!r} lies outside the clip's frames {first}-{last}.",
+                word=word,
+                first=clip.start,
+                last=clip.stop - 1,
+            )
+        )

@@ -20,6 +20,7 @@ from roam_core.roto.animated import Interpolation
 from roam_core.roto.linking import fresh_compounds
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import NO_COLOUR, Keyframe, Origin, Outline, RotoShape, Spline
+from roam_core.translatable import sentence
 
 Part = tuple[int, int]
 """A grabbed part of a shape: (point index, `ANCHOR` | `IN` | `OUT`)."""
@@ -204,7 +205,7 @@ def delete_keys(shape: RotoShape, frames: Iterable[int]) -> RotoShape:
     gone = set(frames)
     kept = tuple(key for key in shape.keys if key.frame not in gone)
     if not kept:
-        raise RoamError(f"{shape.name!r} needs at least one key; delete the shape instead.")
+        raise RoamError(sentence("{name!r} needs at least one key; delete the shape instead.", name=shape.name))
     return replace(shape, keys=kept)
 
 
@@ -237,7 +238,13 @@ def set_interpolation(shape: RotoShape, frames: Iterable[int], interpolation: In
 def toggle_closed(shape: RotoShape) -> RotoShape:
     """The open shape closed, or the closed one opened; raises `RoamError` where it has too few points to be closed."""
     if not shape.closed and shape.point_count < MIN_POINTS_CLOSED:
-        raise RoamError(f"{shape.name!r} needs at least {MIN_POINTS_CLOSED} points to be closed; add one.")
+        raise RoamError(
+            sentence(
+                "{name!r} needs at least {least} points to be closed; add one.",
+                name=shape.name,
+                least=MIN_POINTS_CLOSED,
+            )
+        )
     return controls.opened_or_closed(shape)
 
 
@@ -360,7 +367,9 @@ def delete_points(shape: RotoShape, indices: Sequence[int]) -> RotoShape:
     gone = sorted(set(indices))
     least = MIN_POINTS_CLOSED if shape.closed else MIN_POINTS_OPEN
     if shape.point_count - len(gone) < least:
-        raise RoamError(f"{shape.name!r} needs at least {least} points; delete the shape instead.")
+        raise RoamError(
+            sentence("{name!r} needs at least {least} points; delete the shape instead.", name=shape.name, least=least)
+        )
     if shape.spline is Spline.BSPLINE:
         without = controls.with_control(
             shape, lambda control: _without_control(control, gone, shape.closed), lambda each: np.delete(each, gone, 0)

@@ -15,6 +15,7 @@ from roam_core.roto.layers import grouped
 from roam_core.roto.placement import LayerTransform, matrix_at
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import Origin, RotoShape
+from roam_core.translatable import sentence
 
 
 def with_moving_layer(project: Project, shape_ids: Collection[str], frame: int, name: str) -> tuple[Project, str]:
@@ -118,7 +119,9 @@ def pinned(project: Project, layer_id: str, frame: int, corners: Array) -> Proje
     layer = _layer(project, layer_id)
     own = layer.transform
     if own is None or not _is_convex(np.asarray(corners)):
-        raise RoamError("The four corners must stay corners of one surface: none of them may cross its sides.")
+        raise RoamError(
+            sentence("The four corners must stay corners of one surface: none of them may cross its sides.")
+        )
     surface = surface_of(layer)
     own = own.with_matrices({frame: own.at(frame)}, dict(own.confidence)) if frame not in own.frames else own
     there = projective.apply(_inverse(_above(project, layer_id, frame) @ own.at(frame)), corners)

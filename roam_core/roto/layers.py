@@ -12,6 +12,7 @@ from roam_core.roto.edit import remove_items
 from roam_core.roto.placement import Placement
 from roam_core.roto.project import ROOT, Layer, Project
 from roam_core.roto.shape import RotoShape
+from roam_core.translatable import sentence
 
 Item = Layer | RotoShape
 
@@ -132,7 +133,7 @@ def moved(project: Project, item_ids: Collection[str], layer_id: str, index: int
     for item_id in ids:
         item = project.find(item_id)
         if isinstance(item, Layer) and (item_id == layer_id or any(child.id == layer_id for child in item.items())):
-            raise RoamError(f"The layer {item.name!r} cannot be moved into itself.")
+            raise RoamError(sentence("The layer {name!r} cannot be moved into itself.", name=item.name))
     holder = project.find(layer_id)
     assert isinstance(holder, Layer)
     below = sum(child.id not in ids for child in holder.children[:index])

@@ -9,6 +9,7 @@ from itertools import count
 from roam_core.errors import RoamError
 from roam_core.roto.project import Project
 from roam_core.roto.shape import RotoShape
+from roam_core.translatable import sentence
 
 BEHIND, AS_STACKED, IN_FRONT = -1, 0, 1
 """The levels of `RotoShape.depth`."""
@@ -36,7 +37,7 @@ def linked(project: Project, shape_ids: Collection[str], link: str = "") -> Proj
     chosen = set(shape_ids)
     if not link:
         if len(chosen) < 2:
-            raise RoamError("One object takes two shapes or more; select them all, or a layer.")
+            raise RoamError(sentence("One object takes two shapes or more; select them all, or a layer."))
         if any(set(held) == chosen for held in links(project).values()):
             return project
         link = next(_free(links(project)))

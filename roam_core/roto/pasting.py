@@ -9,6 +9,7 @@ from roam_core.errors import RoamError
 from roam_core.roto.control_points import settled
 from roam_core.roto.project import Project
 from roam_core.roto.shape import Keyframe, RotoShape
+from roam_core.translatable import sentence
 
 
 def copied_key(shape: RotoShape, frame: int) -> RotoShape:
@@ -29,8 +30,12 @@ def paste_key(shape: RotoShape, key: Keyframe, frames: Iterable[int]) -> RotoSha
     """
     if len(key.points) != shape.point_count:
         raise RoamError(
-            f"{shape.name!r} has {shape.point_count} points and the copied key {len(key.points)}: "
-            "a key fits shapes with as many points."
+            sentence(
+                "{name!r} has {count} points and the copied key {copied}: a key fits shapes with as many points.",
+                name=shape.name,
+                count=shape.point_count,
+                copied=len(key.points),
+            )
         )
     points = settled(key.points, shape)
     made = Keyframe(key.frame, points, key.feather, interpolation=key.interpolation)
@@ -43,7 +48,7 @@ def paste_through(shape: RotoShape, key: Keyframe, frames: range, every: int = 0
     All other keys inside the range give way, the artist's and the engine's: the shape stands still there.
     """
     if len(frames) == 0:
-        raise RoamError("The range holds no frame; its last frame lies before its first.")
+        raise RoamError(sentence("The range holds no frame; its last frame lies before its first."))
     first, last = frames[0], frames[-1]
     placed = {first, last} | (set(range(first, last + 1, every)) if every > 0 else set())
     pasted = paste_key(shape, key, placed)

@@ -7,6 +7,7 @@ from typing import Any
 
 from roam_core.errors import RoamError
 from roam_core.roto.shape import MotionBlur, RotoShape
+from roam_core.translatable import sentence
 
 
 def begin_at(shape: RotoShape, first: int, clip: range, *, pushes: bool = True) -> RotoShape:
@@ -49,5 +50,5 @@ def set_motion_blur(shape: RotoShape, on: bool, **values: Any) -> RotoShape:
         return replace(shape, motion_blur=None)
     blur = replace(shape.motion_blur or MotionBlur(), **values)
     if blur.shutter < 0.0 or blur.samples < 2:
-        raise RoamError("Motion blur needs a shutter of 0 frames or more, and at least two samples.")
+        raise RoamError(sentence("Motion blur needs a shutter of 0 frames or more, and at least two samples."))
     return replace(shape, motion_blur=blur)

@@ -17,12 +17,11 @@ from roam_core.arguments import frame_number, shown
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, checked, share_at, value_at
+from roam_core.roto.lifetimes import lifetime_of
 from roam_core.roto.placement import Placement, carried, matrix_at
 
 NO_COLOUR = (0.90, 0.60, 0.0)
 """Of a shape to which nobody gave a colour: it takes the next of the palette when it is added to a project."""
-EVER = 10_000_000
-"""Frame that stands for "always" at an open end of a lifetime; files for other programs can number it, offset too."""
 
 
 class Origin(StrEnum):
@@ -65,15 +64,6 @@ def frozen_array(values: ArrayLike) -> Array:
         array = array.copy()
         array.setflags(write=False)
     return array
-
-
-def lifetime_of(start: int | None, stop: int | None) -> tuple[int, int] | None:
-    """The half-open frame range of a lifetime whose ends may be open, None; None where both are."""
-    if start is None:
-        return None if stop is None else (-EVER if stop > -EVER else stop - EVER, stop)
-    if stop is None:
-        stop = EVER if start < EVER else start + EVER
-    return start, stop
 
 
 def _lifetime_of(pair: Any, name: str) -> tuple[int, int] | None:

@@ -9,9 +9,11 @@ from roam_core.errors import RoamError
 from roam_core.roto.animated import Animatable, Animated, frames_of
 from roam_core.roto.imported import is_import
 from roam_core.roto.layers import top_items
+from roam_core.roto.lifetimes import LAST_FRAME, lifetime_of, open_ends
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import EVER, Keyframe, Origin, RotoShape, lifetime_of
+from roam_core.roto.shape import Keyframe, Origin, RotoShape
+from roam_core.translatable import sentence
 
 SHIFTED = "shifted"
 """The word in a tracked key's stamp that tells by how many frames the key was shifted since: `shifted=8`."""
@@ -45,8 +47,14 @@ def shifted(project: Project, offset: int, item_ids: Collection[str] | None = No
         for item_id in top_items(project, item_ids):
             after = _with_item(after, item_id, offset)
     frames = frames_held(after)
-    if frames and max(abs(frame) for frame in frames) >= EVER:
-        raise RoamError(f"Shifted by {offset} frames, keys would lie beyond frame {EVER}; choose a smaller number.")
+    if frames and max(abs(frame) for frame in frames) > LAST_FRAME:
+        raise RoamError(
+            sentence(
+                "Shifted by {offset} frames, keys would lie beyond frame {last}; choose a smaller number.",
+                offset=offset,
+                last=LAST_FRAME,
+            )
+        )
     return after
 
 
@@ -133,8 +141,8 @@ def _lifetime(lifetime: tuple[int, int] | None, offset: int) -> tuple[int, int] 
     """An open end stays open."""
     if lifetime is None:
         return None
-    start, stop = lifetime
-    return lifetime_of(start + offset if start > -EVER else None, stop + offset if stop < EVER else None)
+    start, stop = open_ends(lifetime)
+    return lifetime_of(None if start is None else start + offset, None if stop is None else stop + offset)
 
 
 def _transform(transform: LayerTransform, offset: int) -> LayerTransform:

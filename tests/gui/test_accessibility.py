@@ -110,6 +110,7 @@ def test_keys_go_from_part_to_part_and_back(window: MainWindow, qtbot: QtBot) ->
         window.actions_by_id["view.next_part"].trigger()
         seen.append(QApplication.focusWidget())
     assert window.canvas in seen
+    assert window.panel_column not in seen  # nothing shows that it has the keyboard
     parts = (window.tool_column, window.view_bar, window.panel_column, window.transport, window.timeline)
     assert [part for part in parts if not any(widget and part.isAncestorOf(widget) for widget in seen)] == []
     window.canvas.setFocus()

@@ -19,7 +19,24 @@ from app.actions.search_words import words_for
 from app.canvas.plate.pixel_marks import values_text
 from app.jobs.runner import Report, Runner
 from app.model.preferences import Preferences, load_preferences, save_preferences
-from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, moment, number, shown_language, speak, tr, translated
+from app.translation import (
+    N_,
+    SOURCE,
+    SYSTEM,
+    VARIABLE,
+    chosen,
+    moment,
+    number,
+    sentence_of,
+    shown_language,
+    speak,
+    tr,
+    translated,
+)
+from roam_core.errors import RoamError
+from roam_core.geometry.bezier import polygon_points
+from roam_core.interchange.nuke.names import Names
+from roam_core.roto import Keyframe, RotoShape, edit
 from roam_core.translatable import listed, sentence
 from tests.gui.windows import dialogs_of, opened_window, write_clip
 from tests.house.test_translations import of
@@ -69,6 +86,22 @@ def test_sentences_of_the_engine_are_translated_with_what_they_hold(german: None
     assert told == "Labels are hard and opaque, without the feather and opacity of 'a'."
     assert translated(told) == "Labels sind hart und deckend, ohne weiche Kante und Deckkraft von 'a'."
     assert translated("put together of several") == "put together of several"
+
+
+def test_what_an_error_of_the_engine_says_is_translated(german: None) -> None:
+    shape = RotoShape("shape-1", "Arm", (Keyframe(1, polygon_points([(0, 0), (9, 0), (9, 9)])),))
+    with pytest.raises(RoamError, match="needs at least one key") as raised:
+        edit.delete_keys(shape, [1])
+    assert sentence_of(raised.value) == "'Arm' braucht mindestens einen Keyframe; stattdessen die Form löschen."
+    assert sentence_of(RoamError("Only in English.")) == "Only in English."
+
+
+def test_what_is_listed_in_a_sentence_is_translated_too(german: None) -> None:
+    names = Names(changed={f"Korper{k}": f"Körper{k}" for k in range(8)})
+    (told,) = map(translated, names.notes())
+    assert "'Körper0' heißt 'Korper0', 'Körper1' heißt 'Korper1', " in told
+    assert "'Korper5' und 2 weitere" in told
+    assert "is called" not in told
 
 
 def test_english_again(german: None) -> None:

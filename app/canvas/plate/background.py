@@ -13,6 +13,7 @@ from roam_core.errors import RoamError
 
 from ...model.viewing import Background, BackgroundKind
 from ...paint.viewport import Viewport
+from ...translation import sentence_of
 from .picture import Picture
 
 SQUARE = 12
@@ -70,7 +71,7 @@ class BackgroundLayer(QObject):
         try:
             found = _read(Path(path))
         except RoamError as error:
-            found = str(error)
+            found = sentence_of(error)
         finally:  # after any other error, too, which goes its own way: the next picture has to be read
             self._read.emit(path, found)
 

@@ -16,7 +16,8 @@ from ...model.document import Document
 from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
+from ...widgets.asking import ask
 from .paste_range import PasteRangeDialog
 
 MARK = "clipboard"
@@ -59,8 +60,7 @@ class KeyClipboard:
             return
         clip = self._document.project.clip
         dialog = PasteRangeDialog(self._view.play_range, clip.frame_range if clip else None, self._parent)
-        dialog.accepted.connect(lambda: self.paste_through(dialog.frames, dialog.every))
-        dialog.open()
+        ask(dialog, lambda: self.paste_through(dialog.frames, dialog.every), self._document.replaced)
 
     def paste_through(self, frames: range, every: int) -> None:
         """Hold the copied key through `frames`, with a key on each so many of them (0: on both ends alone)."""
@@ -74,18 +74,20 @@ class KeyClipboard:
         editable = {shape.id: shape for shape in editable_shapes(project, self._view.frame)}
         chosen = selected_shapes(project, self._view.selection)
         wanted = targets(project, copied, chosen)
-        try:
-            for shape_id, key in wanted.items():
+        refused = ""
+        for shape_id, key in wanted.items():
+            try:
                 if shape_id in editable:
                     project = project.with_shape(verb(project.shape(shape_id), key))
-        except RoamError as error:
-            self._view.say(str(error))
-            return
+            except RoamError as error:  # it fits the others
+                refused = refused or sentence_of(error)
         if chosen and not wanted:
             self._view.say(tr(OF_OTHERS))
         elif not wanted.keys() & editable.keys():
             self._view.say(why_not(self._document.project, self._view))
         self._document.apply(text, project)
+        if refused:
+            self._view.say(refused)
 
 
 def copied_keys() -> list[RotoShape] | None:

@@ -10,7 +10,7 @@ from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
 
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from .shapes import ALL_LOCKED, NOTHING_SELECTED
 
 LEVELS = {IN_FRONT: N_("In front"), AS_STACKED: N_("As stacked"), BEHIND: N_("Behind")}
@@ -85,7 +85,7 @@ class ObjectVerbs:
         try:
             edited = verb(project, [shape.id for shape in free])
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return []
         self._document.apply(text, edited)
         return [shape.name for shape in free]

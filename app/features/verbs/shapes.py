@@ -13,7 +13,7 @@ from ...model.document import Document
 from ...model.reasons import does_not_exist, outdated_by
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 
 NOTHING_SELECTED = N_("Select a shape first: click it in the viewer or in the list.")
 ALL_LOCKED = N_("What is selected is locked; unlock it first (<shape.lock>).")
@@ -134,7 +134,7 @@ class ShapeVerbs:
             try:
                 project = project.with_shape(verb(project.shape(shape_id)))
             except RoamError as error:
-                refused = refused or str(error)
+                refused = refused or sentence_of(error)
         self._document.apply(text, project)
         if refused:
             self._view.say(refused)

@@ -15,7 +15,8 @@ from roam_core.roto.shifting import frames_held, shifted
 
 from ...model.document import Document
 from ...model.view_state import ViewState
-from ...translation import tr
+from ...translation import sentence_of, tr
+from ...widgets.asking import ask
 from .shapes import ALL_LOCKED, rows_in_hand
 from .shift_dialog import ShiftDialog
 
@@ -39,8 +40,11 @@ class Shifting:
             return
         selected = frames_held(project, rows) if rows else []
         dialog = ShiftDialog(held, selected, project.clip, self._window)
-        dialog.accepted.connect(lambda: self.shift(dialog.offset, rows if dialog.is_selected_alone else None))
-        dialog.open()
+        ask(
+            dialog,
+            lambda: self.shift(dialog.offset, rows if dialog.is_selected_alone else None),
+            self._document.replaced,
+        )
 
     def shift(self, offset: int, item_ids: Collection[str] | None = None) -> None:
         """Shift these layers and shapes but for the locked ones, or with None everything, as one undo step."""
@@ -54,7 +58,7 @@ class Shifting:
         try:
             after = shifted(project, offset, chosen)
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return
         self._document.apply(tr("Shift in time"), after)
         stale = tr("Tracked frames are out of date: they were solved on other pictures.")

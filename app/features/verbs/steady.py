@@ -12,6 +12,7 @@ from ...jobs.by_plate.steadying import Steadying
 from ...model.document import Document
 from ...model.view_state import ViewState, shapes_in_hand
 from ...translation import tr
+from ...widgets.asking import ask
 from ..tracking import NO_CLIP, NO_SHAPE
 from .steady_dialog import SteadyDialog
 
@@ -44,5 +45,4 @@ class Steady:
             self._view.say(tr("No tracked key lies between in and out; track or fill the shapes first."))
         else:
             dialog = SteadyDialog(len(asked), self._view.play_range, self._window)
-            dialog.accepted.connect(lambda: self._steadying.start(asked, frames, dialog.strength))
-            dialog.open()
+            ask(dialog, lambda: self._steadying.start(asked, frames, dialog.strength), self._document.replaced)

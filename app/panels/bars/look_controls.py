@@ -17,7 +17,7 @@ from roam_core.media.looking import Channel, Look
 from ... import style
 from ...actions.actions import Actions
 from ...model.viewing import EXPOSURES, GAMMAS, Viewing
-from ...translation import tr
+from ...translation import sentence_of, tr
 from ...widgets.fields import NumberField
 
 STEPS = 160
@@ -169,7 +169,7 @@ class DisplayButton(QToolButton):
         try:
             views = offered_views()
         except RoamError as error:
-            menu.addAction(str(error)).setEnabled(False)
+            menu.addAction(sentence_of(error)).setEnabled(False)
             return
         for display, named in groupby(views, key=lambda view: view[0]):
             below = menu.addMenu(display)

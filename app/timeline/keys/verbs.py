@@ -11,7 +11,7 @@ from roam_core.roto.timing import Place
 
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from .nudging import Nudges
 from .selection import KeySelection
 
@@ -22,6 +22,7 @@ WAYS = {
 }
 NO_KEYS = N_("Choose keys in the timeline first: click one, or drag a box around several.")
 NOTHING_COPIED = N_("There is no key to paste; copy keys in the timeline first.")
+FITS_SOME = N_("The copied keys do not fit {names}: locked, or of other points, or beside the clip.")
 NOTHING_HERE = N_("Select a shape first, or choose keys in the timeline.")
 
 
@@ -115,6 +116,9 @@ class KeyVerbs:
             return
         self._document.apply(tr("Paste keys"), pasted)
         self._keys.select(places)
+        taking = {shape_id for shape_id, _ in places}
+        if left_out := [shape.name for shape in project.shapes if shape.id in copied and shape.id not in taking]:
+            self._view.say(tr(FITS_SOME, names=", ".join(left_out)))
 
     def delete(self) -> None:
         """Delete the chosen keys; the engine's stay, and are shown as stale.
@@ -192,7 +196,7 @@ def without_keys(project: Project, places: Iterable[Place]) -> tuple[Project, st
         try:
             project = timing.delete_keys(project, [place for place in chosen if place[0] == shape_id])
         except RoamError as error:
-            refused = refused or str(error)
+            refused = refused or sentence_of(error)
     return project, refused
 
 

@@ -25,7 +25,7 @@ from roam_core.roto.value_curves import (
 
 from ...model.document import Document
 from ...model.view_state import ViewState
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from ..keys.nudging import Nudges
 from ..keys.verbs import count_of, without_keys
 from .selection import CopiedKeys, ValueSelection
@@ -229,7 +229,7 @@ class ValueVerbs:
         try:
             self._document.apply(text, verb(self._document.project))
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
 
     def _targets(self, copied: CopiedKeys) -> list[tuple[str, str]]:
         """Where copied keys go, after what they came from; without what is gone or locked."""

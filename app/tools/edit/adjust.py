@@ -15,7 +15,7 @@ from ...model.document import Document
 from ...model.view_state import ViewState, shapes_in_hand
 from ...paint import marks
 from ...paint.viewport import Viewport
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Gesture
 from ..tool import Pointer
@@ -165,7 +165,7 @@ class PinDrag(Gesture):
         try:
             return pinned(self.document.project, self._layer_id, self._frame, corners)
         except RoamError as error:
-            self.view_state.say(str(error))
+            self.view_state.say(sentence_of(error))
             return None
 
 

@@ -11,7 +11,7 @@ from roam_core.roto import Project, edit
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
 from ...paint.viewport import Viewport
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Gesture
 from ..hit_test import REACH, points_at
@@ -71,7 +71,7 @@ class Erasing(Gesture):
         try:
             after = without(self._before, touched)
         except RoamError as error:
-            self.view_state.say(str(error))
+            self.view_state.say(sentence_of(error))
             return
         self._touched, self._after = touched, after
         # The points that stay have other numbers: none of them is selected.

@@ -15,7 +15,7 @@ from ...model.document import Document
 from ...model.reasons import why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
-from ...translation import tr
+from ...translation import sentence_of, tr
 from ..reshape import grab_selection, grabbed_indices, selected_indices
 from ..settling import settled
 
@@ -53,7 +53,7 @@ class PointActions:
                 try:
                     project = project.with_shape(edit.delete_points(shape, indices))
                 except RoamError as error:
-                    self._view.say(str(error))
+                    self._view.say(sentence_of(error))
                     return
                 removed += len(indices)
         text = tr("Delete %n point(s)", "", removed) if removed else tr("Delete %n shape(s)", "", len(whole))
@@ -105,7 +105,7 @@ class PointActions:
             for shape in self._shapes():
                 project = project.with_shape(edit.toggle_closed(shape))
         except RoamError as error:
-            self._view.say(str(error))
+            self._view.say(sentence_of(error))
             return
         self._apply(tr("Open or close shape"), project)
 

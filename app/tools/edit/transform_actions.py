@@ -13,6 +13,7 @@ from ...model.document import Document
 from ...model.reasons import why_not
 from ...model.view_state import ViewState
 from ...translation import tr
+from ...widgets.asking import ask
 from ..reshape import Grab, grab_selection, selection_extent
 from .numbers import Numbers, NumbersDialog, matrix_of
 
@@ -43,10 +44,9 @@ class TransformActions:
         if grab := self._grab():
             dialog = NumbersDialog(self._parent)
             dialog.changed.connect(lambda: self._preview(grab, dialog.numbers))
-            dialog.accepted.connect(lambda: self.transform(dialog.numbers))
             dialog.finished.connect(lambda _: self._view.set_preview(None))
             self._preview(grab, dialog.numbers)  # from now on no run takes the playhead to another frame
-            dialog.open()
+            ask(dialog, lambda: self.transform(dialog.numbers), self._document.replaced)
 
     def transform(self, numbers: Numbers) -> None:
         """Transform the selection by `numbers`."""

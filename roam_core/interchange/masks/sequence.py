@@ -17,7 +17,7 @@ from roam_core.interchange.masks.tracks import Ring, Track
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.mask_fit import distances
 from roam_core.roto import BlendMode, Keyframe, RotoShape
-from roam_core.roto.shape import lifetime_of
+from roam_core.roto.lifetimes import lifetime_of
 
 TREMBLES = 0.01
 """A part is drawn frame by frame when so much of its outline, over all frames, lies farther than the tolerance from

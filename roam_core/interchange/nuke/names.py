@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import reduce
 
 from roam_core.interchange.literals import whole
 from roam_core.interchange.naming import ascii_name, distinct
@@ -148,6 +149,7 @@ def _decoded(word: str) -> str:
 
 
 def _listed(changed: dict[str, str]) -> str:
-    some = [f"{true!r} is called {plain!r}" for plain, true in list(changed.items())[:TOLD]]
+    some = [sentence("{true!r} is called {plain!r}", true=true, plain=plain) for plain, true in changed.items()]
+    named = reduce(lambda before, after: sentence("{before}, {after}", before=before, after=after), some[:TOLD])
     more = len(changed) - TOLD
-    return ", ".join(some) + (f", and {more} more alike" if more > 0 else "")
+    return sentence("{named}, and {count} more alike", named=named, count=more) if more > 0 else named

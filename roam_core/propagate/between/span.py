@@ -98,8 +98,12 @@ def fill_span(
         return list(shapes)
     if not gaps:
         raise RoamError(
-            f"There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. "
-            "Set a key on both ends first."
+            sentence(
+                "There is nothing to fill from frame {start} to {stop}: no shape has two artist keys there. "
+                "Set a key on both ends first.",
+                start=start,
+                stop=stop,
+            )
         )
     meter = _Meter(sum(last - first for first, last, _ in gaps), progress)
     filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
@@ -363,9 +367,11 @@ class Filling:
 
 def _require_outline(shape: RotoShape) -> None:
     if not shape.closed:
-        raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
+        raise RoamError(sentence("{name!r} is open; close it (C) before it can be filled.", name=shape.name))
     if shape.point_count < provenance.MIN_POINTS:
-        raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to fill it.")
+        raise RoamError(
+            sentence("{name!r} is a single point; draw an outline around the object to fill it.", name=shape.name)
+        )
 
 
 def _key(shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Key:

@@ -11,12 +11,15 @@ from itertools import combinations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from roam_core.arrays import Array
+from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.params import OBJECTS, scale_for
 from roam_core.roto import BlendMode, RotoShape
 from roam_core.roto.shape import Same
+
+Box = tuple[float, float, float, float]
+"""The lowest x and y, and the highest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +34,11 @@ class Drawn:
     def line(self) -> Array:
         """A closed polyline `(K, 2)`."""
         return bezier.flatten(self.points)
+
+    @cached_property
+    def box(self) -> Box:
+        """The box around it."""
+        return _box(self.line)
 
     @cached_property
     def evenly(self) -> Array:
@@ -66,9 +74,11 @@ def decisive(shape: RotoShape) -> tuple[object, ...]:
 
 def _met(a: RotoShape, b: RotoShape) -> tuple[Drawn, Drawn]:
     """Two shapes on the first frame on which both have keys of the artist's, else on the later of their first ones."""
-    frames_a, frames_b = ([key.frame for key in shape.drawn_keys] for shape in (a, b))
-    both = set(frames_a) & set(frames_b)
-    frame = min(both) if both else max(frames_a[0], frames_b[0])
+    keys_a, keys_b = a.drawn_keys, b.drawn_keys
+    frame = max(keys_a[0].frame, keys_b[0].frame)
+    if keys_a[0].frame != keys_b[0].frame:  # as a rule all are drawn on one frame
+        both = {key.frame for key in keys_a} & {key.frame for key in keys_b}
+        frame = min(both, default=frame)
     return Drawn.of(a, frame), Drawn.of(b, frame)
 
 
@@ -100,7 +110,23 @@ class _Question:
 @lru_cache(maxsize=8)
 def _grouped(question: _Question) -> list[list[int]]:
     shapes, gap = question.shapes, question.gap
-    return _joined(len(shapes), lambda i, j: _belong(shapes[i], shapes[j], gap))
+    apart = _apart(shapes, gap)
+    return _joined(len(shapes), lambda i, j: not apart[i, j] and _belong(shapes[i], shapes[j], gap))
+
+
+def _apart(shapes: Sequence[RotoShape], gap: float) -> Bools:
+    """Of which pairs of shapes the boxes alone say that they do not belong together `(N, N)`: of hundreds, most.
+
+    Both were drawn on the same frame first, so met there; all else is asked pair by pair.
+    """
+    first = np.array([shape.drawn_keys[0].frame for shape in shapes])
+    subtracts = np.array([shape.blend is BlendMode.SUBTRACT for shape in shapes], dtype=bool)
+    free = np.array([not shape.link for shape in shapes], dtype=bool)
+    boxes = np.array([Drawn.of(shape, shape.drawn_keys[0].frame).box for shape in shapes]).reshape(-1, 4)
+    low, high = boxes[:, :2], boxes[:, 2:]
+    beyond = (high[None] < low[:, None] - gap).any(axis=2) | (low[None] > high[:, None] + gap).any(axis=2)
+    met = (first[:, None] == first) & (subtracts[:, None] == subtracts) & free[:, None] & free
+    return np.asarray(beyond & met)
 
 
 def _joined(count: int, belong: Callable[[int, int], bool]) -> list[list[int]]:
@@ -128,7 +154,7 @@ def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
     if (a.blend is BlendMode.SUBTRACT) != (b.blend is BlendMode.SUBTRACT):
         return _near_boxes(_swept(Same(a)), _swept(Same(b)), gap)
     ours, theirs = _met(a, b)
-    if not _near_boxes(_box(ours.line), _box(theirs.line), gap):
+    if not _near_boxes(ours.box, theirs.box, gap):
         return False
     if a.compound and a.compound == b.compound and ours.tree.query(theirs.evenly)[0].min() <= gap:
         return True
@@ -142,24 +168,26 @@ def _meet(a: Drawn, b: Drawn, shared: float, gap: float) -> bool:
     if shared > max(OBJECTS.overlap * smaller, OBJECTS.touch * scale * np.sqrt(smaller)):
         return True
     reach = OBJECTS.abut * scale
-    if not _near_boxes(_box(a.line), _box(b.line), reach):
+    if not _near_boxes(a.box, b.box, reach):
         return False
     places = [polyline.resample(each.line, max(8, round(polyline.length(each.line) / scale))) for each in (a, b)]
     shorter, longer = sorted(places, key=len)
     return bool((cKDTree(longer).query(shorter)[0] <= reach).mean() >= OBJECTS.along)
 
 
-def _box(places: Array) -> Array:
-    """The lowest and the highest coordinates `(2, 2)`."""
-    return np.array([places.min(axis=0), places.max(axis=0)])
+def _box(places: Array) -> Box:
+    (left, top), (right, bottom) = places.min(axis=0).tolist(), places.max(axis=0).tolist()
+    return left, top, right, bottom
 
 
-def _near_boxes(a: Array, b: Array, gap: float) -> bool:
-    return not ((b[1] < a[0] - gap).any() or (b[0] > a[1] + gap).any())
+def _near_boxes(a: Box, b: Box, gap: float) -> bool:
+    """Plain numbers: of hundreds of shapes each is compared with each."""
+    left, top, right, bottom = a
+    return not (b[2] < left - gap or b[3] < top - gap or b[0] > right + gap or b[1] > bottom + gap)
 
 
 @lru_cache(maxsize=1024)
-def _swept(same: Same) -> Array:
+def _swept(same: Same) -> Box:
     """The box around a shape on all keys that no run changes."""
     return _box(np.vstack([bezier.flatten(key.points) for key in same.shape.drawn_keys]))
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import bisect
 import hashlib
 import json
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -332,6 +333,29 @@ class Stamps:
         if made.begun is None:
             return True
         return self.tracked(k, key.frame, made.begun, params, made.forward, made.alone) != key.inputs
+
+    def stale_frames(self, shape: RotoShape) -> list[int]:
+        """The frames of those keys of a shape that are stale, in order.
+
+        Keys of one stamp hold or fail alike up to the next frame on which the artist did something: one is looked at.
+        """
+        together = self.together(shape)
+        given = {frame for other in (*together, shape) for frame in other.artist_frames}
+        given |= {frame - back for other in together for frame, _ in other.depth for back in (0, 1)}
+        borders, stale = sorted(given), list[int]()
+        inputs, low, high, answer = "", math.inf, -math.inf, False
+        for key in shape.keys:
+            if key.origin is not Origin.ENGINE:
+                continue
+            if not (low < key.frame < high and key.inputs == inputs):
+                place = bisect.bisect_left(borders, key.frame)
+                is_border = place < len(borders) and borders[place] == key.frame
+                low = key.frame - 1 if is_border else borders[place - 1] if place else -math.inf
+                high = key.frame + 1 if is_border else borders[place] if place < len(borders) else math.inf
+                inputs, answer = key.inputs, self.is_stale(shape, key)
+            if answer:
+                stale.append(key.frame)
+        return stale
 
 
 def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None, shapes: Sequence[RotoShape] | None = None) -> bool:

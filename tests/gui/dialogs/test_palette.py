@@ -98,11 +98,11 @@ def test_every_action_is_found_by_words_besides_its_title() -> None:
 
 def test_what_the_shape_panel_has_is_shown_by_its_action(qtbot: QtBot, window: MainWindow, palette: Palette) -> None:
     window.actions_by_id["view.panels"].setChecked(False)
-    window.shape_panel.fold(True)
+    window.panels.shape.fold(True)
     qtbot.keyClicks(palette.field, "lifetime")
     qtbot.keyClick(palette.field, Qt.Key.Key_Return)
     assert not window.panel_column.isHidden()
-    assert not window.shape_panel.is_folded
+    assert not window.panels.shape.is_folded
 
 
 def test_what_cannot_be_done_is_dim_and_says_so(qtbot: QtBot, window: MainWindow, palette: Palette) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -322,9 +323,9 @@ def test_n_stops_at_frames_that_boil_and_says_so(qtbot: QtBot, tmp_path: Path) -
 def test_the_panel_is_opened_by_its_keys_and_scrolled_to(qtbot: QtBot, tmp_path: Path) -> None:
     with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
         window.canvas.setFocus()
-        assert not window.review_panel.isVisible()
+        assert not window.panels.review.isVisible()
         qtbot.keyClick(window.canvas, Qt.Key.Key_M, Qt.KeyboardModifier.AltModifier)
-        assert window.review_panel.isVisible()
+        assert window.panels.review.isVisible()
         note = window.review.note
         qtbot.waitUntil(lambda: not note.visibleRegion().isEmpty())
         note.setFocus()
@@ -375,6 +376,20 @@ def in_german(document: Document, view_state: ViewState, runner: Runner, qtbot: 
         yield dialog
     finally:
         speak(SOURCE)
+
+
+def test_in_german_what_is_wrong_with_the_frames_is_said_in_german(
+    in_german: ReviewDialog, document: Document, tmp_path: Path
+) -> None:
+    document.open(project_of(body([4.0 * k for k in range(10)])), None)
+    in_german.target.setText(str(tmp_path / "film.mp4"))
+    in_german.which.setCurrentText("9999")
+    assert in_german.hint.text().startswith("'9999' liegt außerhalb der Frames ")
+    document.apply("No notes", replace(document.project, marks=()))
+    in_german.which.setCurrentText("Notizen")
+    assert in_german.hint.text().endswith("gibt es keinen Frame von 'Notizen'.")
+    in_german.which.setCurrentText("jeder")
+    assert in_german.hint.text().startswith("'jeder' nennt keine Frames; möglich ist 1001,1010-1020 oder")
 
 
 def test_in_german_the_target_is_a_place_and_no_frame(in_german: ReviewDialog) -> None:

@@ -12,6 +12,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
 from roam_core.media import DamagedFrame, MissingFrame
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import edit
 from tests.gui.jobs.spans import GAPS, RAMP, SQUARE, WAIT, Engine, engine_frames
 
@@ -136,6 +137,43 @@ def test_a_gap_that_cannot_be_filled_does_not_lose_the_others(
         damaged.fill(["shape-1"], GAPS)
     assert finished.args == [Ending.FAILED, "1 of 2 gap(s) could not be filled: Frame 1 is damaged."]
     assert engine_frames(document) == [5, 6]
+
+
+def test_a_fill_begins_again_where_a_part_that_is_solved_along_changes(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    """What was filled with that part as it was is filled anew; the rest comes up to date, too."""
+    key = edit.key_here(document.project.shape("shape-2"), 4)
+    document.apply("Key", document.project.with_shape(key))
+    sentences = []
+    propagation.finished.connect(lambda _, sentence: sentences.append(sentence))
+    engine.allow(1)
+    propagation.fill(["shape-1"], GAPS)
+    qtbot.waitUntil(lambda: engine_frames(document) == [2, 3], timeout=WAIT)
+    moved = edit.set_key(document.project.shape("shape-2"), 4, SQUARE + 1.5)
+    document.apply("Move", document.project.with_shape(moved))
+    qtbot.waitUntil(lambda: propagation._run is not None and len(sentences) == 1, timeout=WAIT)
+    engine.allow(3)  # the ended fill may take one
+    qtbot.waitUntil(lambda: len(sentences) == 2, timeout=WAIT)
+    assert sentences[0].endswith("the finished frames stay. Shape 2 was changed meanwhile. It goes on from that.")
+    stamps = Stamps.of(document.project.shapes, document.project.clip)
+    shape = document.project.shape("shape-1")
+    assert engine_frames(document) == [2, 3, 5, 6]
+    assert not any(stamps.is_stale(shape, key) for key in shape.keys)
+
+
+def test_a_key_of_a_part_beside_the_gaps_leaves_the_fill_alone(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    propagation.fill(["shape-1"], GAPS)
+    keyed = edit.key_here(document.project.shape("shape-2"), 11)
+    document.apply("Key", document.project.with_shape(keyed))
+    document.apply("Delete", edit.remove_items(document.project, ["shape-2"]))  # it has no key on 4
+    assert propagation.is_running
+    engine.allow(2)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        pass
+    assert finished.args[0] is Ending.DONE
 
 
 def test_an_edit_of_a_shape_under_work_ends_the_fill_at_once(

@@ -16,7 +16,7 @@ from app.model.view_state import ViewState
 from app.tools.in_hand import ToolInHand
 from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit
+from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit, layers
 from tests.gui.engines import OUT_OF_DATE, GlidingEngine, put_in
 
 WAIT = 5000
@@ -213,6 +213,40 @@ def test_an_edit_of_a_shape_that_is_solved_along_ends_the_run(
     qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
     document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 4)))
     assert propagation.is_running is alone
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_restacking_the_shapes_of_an_object_ends_its_run(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, alone: bool
+) -> None:
+    """What hides what is another thing then: what the run found on would be out of date as it came."""
+    run_on_both(qtbot, propagation, document, engine, alone=alone)
+    sentences = []
+    propagation.finished.connect(lambda _, sentence: sentences.append(sentence))
+    document.apply("Raise", layers.raised(document.project, ["shape-1"], 1))
+    assert propagation.is_running is alone
+    if not alone:
+        qtbot.waitUntil(lambda: bool(sentences), timeout=WAIT)
+        assert sentences[0].endswith("the finished frames stay. Its shapes were restacked meanwhile.")
+
+
+def test_restacking_what_is_no_part_of_the_object_leaves_the_run_alone(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    project, far = edit.new_shape(document.project, SQUARE + 500.0, 1)
+    document.open(project, None)
+    run_on_both(qtbot, propagation, document, engine)
+    document.apply("Lower", layers.raised(document.project, [far.id], -1))
+    assert propagation.is_running
+
+
+def run_on_both(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, *, alone: bool = False
+) -> None:
+    """A run over the two squares, which are one object, that waits after frame 2."""
+    engine.allow(1)
+    propagation.start(["shape-1", "shape-2"], range(1, 6), alone=alone)
+    qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
 
 
 @pytest.mark.parametrize("values", [{"blend": BlendMode.SUBTRACT}, {"link": "hero"}, {"lifetime": (1, 4)}])

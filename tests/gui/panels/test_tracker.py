@@ -76,6 +76,52 @@ def test_a_verb_means_these_frames(tracking: Tracking, propagation: Propagation,
     assert propagation.asked == [(["shape-1"], frames, DEFAULT_CONFIG)]
 
 
+@pytest.mark.parametrize(
+    ("frame", "verb", "frames"),
+    [
+        (1011, "forward", range(1009, 1049)),
+        (1010, "backward", range(1012, 1000, -1)),
+        (1010, "forward_one", range(1009, 1012)),
+        (1048, "backward", range(1048, 1000, -1)),
+        (1009, "forward", range(1009, 1049)),
+    ],
+)
+def test_in_a_gap_of_the_plate_a_run_begins_where_the_gap_does(
+    document: Document, view_state: ViewState, tracking: Tracking, propagation: Propagation,
+    frame: int, verb: str, frames: range,
+) -> None:  # fmt: skip
+    """There a run stops, or one frame after the other is tracked: it goes on from what it found last."""
+    gappy = Tracking(document, view_state, propagation, lambda: (1010, 1011, 1047, 1048))  # type: ignore[arg-type]
+    document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("shape-1"), 1048)))
+    view_state.set_frame(frame)
+    getattr(gappy, verb)()
+    assert propagation.asked == [(["shape-1"], frames, DEFAULT_CONFIG)]
+
+
+def test_a_key_that_lies_in_a_gap_of_the_plate_is_told_so(
+    document: Document, view_state: ViewState, tracking: Tracking, propagation: Propagation
+) -> None:
+    gappy = Tracking(document, view_state, propagation, lambda: (1009, 1010))  # type: ignore[arg-type]
+    project, _ = edit.new_shape(Project(CLIP), SQUARE, 1010)
+    document.open(project, None)
+    view_state.set_frame(1010)
+    gappy.forward()
+    assert propagation.asked == []
+    assert view_state.message.startswith("Shape 1 is not tracked: the plate has no picture of frame 1010")
+
+
+def test_between_keys_beyond_its_lifetime_a_shape_is_said_not_to_exist(
+    document: Document, view_state: ViewState, tracking: Tracking
+) -> None:
+    """To set keys was asked for, where there were some."""
+    document.apply("Lifetime", edit.set_properties(document.project, "shape-1", lifetime=(1001, 1003)))
+    project = document.project.with_shape(edit.key_here(document.project.shape("shape-1"), 1006))
+    document.apply("Key", project)
+    view_state.set_frame(1010)
+    tracking.fill()
+    assert view_state.message == "'Shape 1' does not exist on frame 1010: its lifetime is in the Shape panel."
+
+
 def test_in_and_out_bound_a_run_that_begins_between_them(
     tracking: Tracking, propagation: Propagation, view_state: ViewState
 ) -> None:

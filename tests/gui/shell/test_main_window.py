@@ -441,7 +441,7 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
     window.actions_by_id["time.loop"].trigger()
     window.resize(760, 640)  # fits on the screen that there is without a screen
     window.actions_by_id["edit.history"].trigger()
-    window.history_panel.toggle()
+    window.panels.history.toggle()
     window.canvas.viewing.set_onion(before=7)
     window.canvas.viewing.set_background(kind=BackgroundKind.COLOUR, colour="#203040")
     window.keep_settings(tmp_path / "window.ini")
@@ -451,7 +451,7 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
         assert other.canvas.viewing.onion == window.canvas.viewing.onion
         assert other.canvas.viewing.background == window.canvas.viewing.background
         assert other.size() == window.size()
-        assert not other.history_panel.isHidden()
+        assert not other.panels.history.isHidden()
         folded = [panel.title for panel in other.panel_column.findChildren(Panel) if panel.is_folded]
         assert folded == ["History"]
         (tmp_path / "bad.ini").write_text("[General]\ngeometry=nonsense\nmode=abacus\n", encoding="utf-8")
@@ -468,7 +468,7 @@ def test_views_and_panels_can_be_switched(qtbot: QtBot, window: MainWindow) -> N
     window.actions_by_id["view.panels"].trigger()
     assert window.panel_column.isHidden()
     window.actions_by_id["edit.history"].trigger()
-    assert not window.history_panel.isHidden()
+    assert not window.panels.history.isHidden()
     window.actions_by_id["view.tall_timeline"].trigger()
     lower = window._halves.sizes()[1]
     assert lower > window._halves.height() / 3

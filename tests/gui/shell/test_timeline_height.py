@@ -8,10 +8,14 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from app.shell.laying_out.timeline_height import LEAST, MOST_SHARE, SHARE
 from app.shell.main_window import MainWindow
-from app.shell.timeline_height import LEAST, SHARE
+from app.style import ROW_HEIGHT
+from roam_core.roto import Project, edit
+from tests.gui.timeline.places import CLIP, SQUARE
 from tests.gui.windows import opened_window
 
 
@@ -38,6 +42,22 @@ def test_before_it_is_dragged_it_takes_its_share(window: MainWindow) -> None:
     assert height(window) == pytest.approx(LEAST, abs=2)
     window.resize(1400, 2000)
     assert height(window) == pytest.approx(SHARE * window._halves.height(), abs=2)
+
+
+def test_a_project_of_many_shapes_opens_with_more_rows_and_drawing_moves_nothing(window: MainWindow) -> None:
+    window.resize(1400, 900)
+    few, rows = height(window), window.timeline.rows
+    project = Project(CLIP)
+    for _ in range(100):
+        project, _ = edit.new_shape(project, SQUARE, CLIP.first)
+    window.document.open(project, None)
+    QApplication.processEvents()
+    assert few + 3 * ROW_HEIGHT < height(window) <= round(MOST_SHARE * window._halves.height())
+    assert rows.height() >= 5 * ROW_HEIGHT
+    window.document.apply("Delete", Project(CLIP))
+    assert height(window) > few
+    window.document.open(Project(CLIP), None)
+    assert height(window) == few
 
 
 def test_a_dragged_height_is_kept_in_every_size_of_the_window(window: MainWindow) -> None:

@@ -98,10 +98,10 @@ def test_reset_puts_everything_back(window: MainWindow) -> None:
     parts["planar"].show_action.trigger()
     parts["history"].show_action.trigger()
     window.actions_by_id["view.panels"].trigger()
-    window.shape_panel.fold(True)
+    window.panels.shape.fold(True)
     window.actions_by_id["window.reset_layout"].trigger()
     assert {name for name in PARTS if is_in(parts[name], window)} == {"timeline", "shapes", "track", "planar", "shape"}
-    assert not window.shape_panel.is_folded
+    assert not window.panels.shape.is_folded
 
 
 def test_the_layout_lasts(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:

@@ -106,3 +106,19 @@ def test_what_was_measured_by_the_picture_stands_until_its_keys_change(document:
     document.apply("Bend", document.project.with_shape(bent(shape)))
     shown = dict(timeline.boil.most.tolist())
     assert {frame for frame in frames if shown[frame] != 1.5} == {BENT - 1, BENT, BENT + 1}
+
+
+def test_what_was_measured_by_the_picture_stands_between_two_places_that_change(
+    document: Document, timeline: Timeline
+) -> None:
+    shape, shared = document.project.shapes[0], boil_of_document(document)
+    frames = boil(shape)[:, 0]
+    shared.take({shape.id: shape}, {shape.id: np.column_stack([frames, np.full(len(frames), 1.5)])})
+    ends = frames[2], frames[-3]
+    moved = replace(
+        shape, keys=tuple(replace(key, points=key.points + 3.0) if key.frame in ends else key for key in shape.keys)
+    )
+    changed = {frame + step for frame in ends for step in (-1, 0, 1)}
+    assert {frame for frame, pixels in shared(moved).tolist() if pixels != 1.5} == changed
+    closed = replace(moved, closed=not moved.closed)
+    assert shared(closed) == pytest.approx(boil(closed))

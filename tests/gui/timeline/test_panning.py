@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
+from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.panning import FINENESS
 from app.timeline.timeline import Timeline
+from roam_core.roto import Clip, Project
 from tests.gui.timeline.places import x_of
 
 MIDDLE = Qt.MouseButton.MiddleButton
@@ -42,10 +46,23 @@ def test_the_bar_is_there_while_a_part_is_out_of_sight_and_moves_it(qtbot: QtBot
     zoomed(timeline)
     assert timeline.bar.isVisible()
     bar, scale = timeline.bar.bar, timeline.axis.scale
-    assert bar.value() == round(scale.first * FINENESS)
+    assert bar.value() == round((scale.first - 1001) * FINENESS)
     bar.setValue(bar.maximum())
     assert timeline.axis.scale.last == pytest.approx(1049, abs=0.02)
     bar.setValue(bar.minimum())
     assert timeline.axis.scale.first == pytest.approx(1001)
     timeline.axis.fit()
     assert not timeline.bar.isVisible()
+
+
+@pytest.mark.parametrize("last", [103_680_047, 999_999_999])
+def test_frames_have_up_to_nine_digits(timeline: Timeline, document: Document, last: int) -> None:
+    """Steps of the bar were counted from frame 0, and were too many for it."""
+    document.open(Project(Clip(Path("plate"), 103_680_000, last, (64, 48))), None)
+    scale, bar = timeline.axis.scale, timeline.bar.bar
+    timeline.axis.set_scale(scale.zoomed(3.0, scale.x(last)))
+    assert timeline.bar.isVisible()
+    bar.setValue(bar.minimum())
+    assert timeline.axis.scale.first == pytest.approx(103_680_000)
+    bar.setValue(bar.maximum())
+    assert timeline.axis.scale.last == pytest.approx(last + 1)

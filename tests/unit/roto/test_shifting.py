@@ -26,7 +26,7 @@ from roam_core.roto import (
     file,
 )
 from roam_core.roto.imported import IMPORT, import_stamp, stamped
-from roam_core.roto.shape import EVER
+from roam_core.roto.lifetimes import EVER, LAST_FRAME, lifetime_of, open_ends
 from roam_core.roto.shifting import shifted
 from tests.unit.roto.every_field import present_project
 
@@ -137,4 +137,21 @@ def test_keys_between_those_of_a_file_depend_on_these_alone() -> None:
 
 def test_what_would_lie_beyond_all_frames_is_refused(project: Project) -> None:
     with pytest.raises(RoamError, match="beyond frame"):
-        shifted(project, EVER)
+        shifted(project, LAST_FRAME)
+
+
+@pytest.mark.parametrize("start", [None, -50_000_000, 5, 103_680_000])
+@pytest.mark.parametrize("stop", [None, 9, 103_680_100])
+def test_open_ends_stay_open_and_others_where_they_are(start: int | None, stop: int | None) -> None:
+    """Also of plates that are numbered by time code, beyond what stands for always."""
+    lifetime = lifetime_of(start, stop)
+    if lifetime is None or lifetime[0] >= lifetime[1]:
+        return
+    assert open_ends(lifetime) == (start, stop)
+
+
+def test_what_has_nine_digits_is_shifted() -> None:
+    """One frame on was too far, and a lifetime lost its end."""
+    shape = RotoShape("s", "s", (Keyframe(103_680_005, SQUARE),), lifetime=(103_680_001, 103_680_009))
+    (moved,) = shifted(edit.add_shape(Project(), shape), 2).shapes
+    assert (moved.frames, moved.lifetime) == ((103_680_007,), (103_680_003, 103_680_011))

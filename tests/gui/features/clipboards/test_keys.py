@@ -98,6 +98,22 @@ def test_a_key_of_a_shape_with_other_points_is_refused_in_a_sentence(
     assert document.undo_stack.count() == 0
 
 
+def test_a_key_goes_to_those_of_several_shapes_that_it_fits(
+    hand: Hand, document: Document, view_state: ViewState, keys: None
+) -> None:
+    project, triangle = edit.new_shape(document.project, polygon_points(SQUARE[:3]), 1)
+    project, other = edit.new_shape(project, polygon_points(SQUARE), 1)
+    document.open(project, None)
+    view_state.select(frozenset({project.shapes[0].id}))
+    copy_key(hand)
+    view_state.select(frozenset({triangle.id, other.id}))
+    view_state.set_frame(5)
+    paste_key(hand)
+    assert document.project.shape(other.id).artist_frames == (1, 5)
+    assert document.project.shape(triangle.id).artist_frames == (1,)
+    assert "has 3 points and the copied key 4" in view_state.message
+
+
 def test_a_locked_shape_takes_no_key(
     hand: Hand, document: Document, view_state: ViewState, keys: None, square: str, only: OnlyShape
 ) -> None:

@@ -106,6 +106,16 @@ def test_frames_that_no_project_can_number_are_refused(
     verb: Shifting, document: Document, view_state: ViewState
 ) -> None:
     before = document.project
-    verb.shift(10_000_000)
+    verb.shift(1_000_000_000)
     assert document.project is before
     assert "beyond frame" in view_state.message
+
+
+def test_a_project_that_opens_meanwhile_takes_the_question_away(verb: Shifting, document: Document) -> None:
+    """Its keys were not meant."""
+    dialog = asked(verb)
+    dialog.by.setValue(6)
+    other, _ = edit.new_shape(Project(CLIP), SQUARE, 2)
+    document.open(other, None)
+    assert dialog.isHidden()
+    assert document.project is other

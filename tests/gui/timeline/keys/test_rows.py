@@ -245,6 +245,20 @@ def test_keys_of_one_shape_are_pasted_into_all_that_are_selected(
     assert artist(document, third.id) == (1001, 1040)
 
 
+def test_what_the_pasted_keys_do_not_fit_is_named(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    project, third = edit.new_shape(document.project, document.project.shape("shape-1").at(1001).points[:3], 1001)
+    document.apply("Third", project)
+    timeline.keys.select(frozenset({("shape-1", 1001)}))
+    timeline.verbs.copy()
+    view_state.select(frozenset({"shape-2", third.id}))
+    view_state.set_frame(1040)
+    timeline.verbs.paste()
+    assert artist(document, "shape-2") == (1010, 1030, 1040)
+    assert view_state.message.startswith("The copied keys do not fit Shape 3: ")
+
+
 def test_del_and_ctrl_x_delete_the_chosen_keys_but_not_the_last_one(
     qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -195,3 +196,22 @@ def test_depth_comes_before_the_stack() -> None:
     assert [stacked(shapes, frame) for frame in (9, 10, 15, 19, 20)] == [
         [0, 1, 2], [1, 2, 0], [2, 1, 0], [2, 1, 0], [2, 0, 1]
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_many_shapes_are_grouped_as_their_pairs_are(seed: int) -> None:
+    """What boxes alone say of all pairs at once is what each pair says by itself."""
+    draw = np.random.default_rng(seed)
+    shapes = [
+        square(
+            *draw.uniform(0, 300, 2), draw.uniform(10, 60), hole=draw.random() < 0.2, frame=int(draw.integers(1, 3)),
+            link=draw.choice(["", "", "", "", "figure"]), of=draw.choice(["", "", "mask"]),
+        )
+        for _ in range(25)
+    ]  # fmt: skip
+    place = list(range(len(shapes)))
+    for i, j in combinations(range(len(shapes)), 2):
+        if len(objects([shapes[i], shapes[j]], 20.0)) == 1:
+            place = [place[i] if each == place[j] else each for each in place]
+    wanted = sorted([k for k, each in enumerate(place) if each == one] for one in set(place))
+    assert objects(shapes, 20.0) == wanted

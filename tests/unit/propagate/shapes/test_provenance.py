@@ -24,6 +24,7 @@ from roam_core.propagate.shapes.provenance import (
     stamp,
 )
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape, edit
+from roam_core.roto.imported import import_stamp
 from tests.golden.shots import Shot
 
 CLIP = Clip(Path("/plates/plate"), 1001, 1006, (160, 120))
@@ -39,7 +40,9 @@ def tracked(shot: Shot, shape: RotoShape, frames: range, config: str = DEFAULT_C
 
 
 def stale_frames(shape: RotoShape, clip: Clip | None = CLIP) -> list[int]:
-    return [key.frame for key in shape.keys if is_stale(shape, key, clip)]
+    found = [key.frame for key in shape.keys if is_stale(shape, key, clip)]
+    assert Stamps.of([shape], clip).stale_frames(shape) == found
+    return found
 
 
 @pytest.fixture(scope="module")
@@ -357,3 +360,35 @@ def test_which_outlines_are_of_one_thing_is_in_the_stamp_and_its_name_is_not(kin
     assert stale_of(named) == []  # no other of it is in the object
     assert stale_of([named[0], replace(beside, compound="b"), far]) == []
     assert stale_of([named[0], replace(beside, compound="a"), far]) == list(range(2, 9))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_stale_frames_are_those_of_the_keys_that_are_stale(seed: int) -> None:
+    """Keys of one stamp are looked at once between the frames on which the artist did something."""
+    draw = np.random.default_rng(seed)
+    parts = []
+    for name in ("torso", "arm"):
+        keys = [Keyframe(int(f), SQUARE + f) for f in sorted(draw.choice(range(1, 40), 5, replace=False))]
+        depth = tuple((int(f), int(draw.integers(-1, 2))) for f in sorted(draw.choice(range(1, 40), 2, replace=False)))
+        parts.append(RotoShape(name, name, tuple(keys), depth=depth))
+    stamps, clip = Stamps.of(parts, CLIP), clip_stamp(CLIP)
+    for k, shape in enumerate(parts):
+        gap = shape.artist_frames[1:3]
+        made = [
+            fill_stamp([shape], (gap[0], gap[1]), PARAMS, clip),
+            *(import_stamp(shape, frame) for frame in (7, 30)),
+            *(stamps.tracked(k, int(draw.integers(1, 40)), 1, PARAMS, forward) for forward in (True, False)),
+        ]
+        runs = [made[int(each)] for each in np.repeat(draw.integers(0, len(made), 8), 5)]
+        free = [f for f in range(1, 41) if f not in shape.artist_frames]
+        solved = [
+            Keyframe(f, SQUARE, origin=Origin.ENGINE, inputs=runs[f - 1])
+            if f % 3
+            else Keyframe(f, SQUARE, origin=Origin.ENGINE, inputs=stamps.tracked(k, f, 20, PARAMS, f > 20))
+            for f in free
+        ]
+        parts[k] = edit.set_engine_keys(shape, solved)
+    now = Stamps.of(parts, CLIP)
+    for shape in parts:
+        assert now.stale_frames(shape) == [key.frame for key in shape.keys if now.is_stale(shape, key)]
+        assert 0 < len(now.stale_frames(shape)) < len(shape.keys)

@@ -1,17 +1,22 @@
-"""How high the timeline is: as the artist dragged it, a share of the window until then, half of it while it is tall."""
+"""How high the timeline is: as the artist dragged it, until then by what was opened, half of the window while tall."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QSplitter
 
+from ... import style
+
 LEAST, SHARE, TALL_SHARE = 200, 0.22, 0.5
 """Pixels and share of the window's height that it has before it is dragged; its share while it is tall."""
+ROWS, MOST_SHARE = 2, 0.33
+"""Key rows that have room in `LEAST` pixels; the share up to which more rows of an opened project make it higher."""
 
 
 class TimelineHeight(QObject):
     """Keeps the lower part of a splitter at its height while the window changes its own.
 
+    Before it is dragged it has room for the shapes of the project that was opened; what is drawn since moves nothing.
     `dragged` is the height in pixels that the artist gave it, None before that.
     """
 
@@ -19,13 +24,18 @@ class TimelineHeight(QObject):
         super().__init__(halves)
         self._halves = halves
         self.dragged: int | None = None
-        self._is_tall = False
+        self._is_tall, self._rows = False, 0
         halves.splitterMoved.connect(lambda *_: self._note_drag())
         halves.installEventFilter(self)
 
     def make_tall(self, tall: bool) -> None:
         """Give it half of the window, or what it had before."""
         self._is_tall = tall
+        self._pull()
+
+    def make_room(self, rows: int) -> None:
+        """Have room for so many key rows, as far as the viewer can spare it, where it was not dragged."""
+        self._rows = rows
         self._pull()
 
     def forget_drag(self) -> None:
@@ -54,7 +64,10 @@ class TimelineHeight(QObject):
         height = self._halves.height()
         if self._is_tall:
             return round(TALL_SHARE * height)
-        return max(LEAST, round(SHARE * height)) if self.dragged is None else self.dragged
+        if self.dragged is not None:
+            return self.dragged
+        rows = min(LEAST + (self._rows - ROWS) * style.ROW_HEIGHT, round(MOST_SHARE * height))
+        return max(LEAST, round(SHARE * height), rows)
 
     def _note_drag(self) -> None:
         if not self._is_tall:

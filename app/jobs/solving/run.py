@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterable, Sequence
 from roam_core.params import is_doubtful
 from roam_core.roto import Keyframe, Project, RotoShape
 
-from ..translation import N_, tr
-from .filling import Gap
-from .runner import Job
+from ...translation import N_, tr
+from ..filling import Gap
+from ..runner import Job
+from .company import Company
 
 TRACK, FILL = N_("Track"), N_("Fill")
 """What the two kinds of run are called in the undo list."""
@@ -27,7 +28,7 @@ def told_of(project: Project, shape: RotoShape) -> str:
 class Run:
     """What is known of the run under way.
 
-    `expected` are the shapes as the run left them in the document, `beside` the others that are solved with them.
+    `expected` are the shapes as the run left them in the document.
     """
 
     def __init__(
@@ -45,7 +46,8 @@ class Run:
         self.job, self.verb, self.shown_frame = job, verb, shown_frame
         self.expected = {shape.id: shape for shape in shapes}
         self.merge_key, self.frames, self.config, self.alone = merge_key, frames, config, alone
-        self.beside: dict[str, RotoShape] = {}
+        self.company = Company(Project(), ())
+        """The others that are solved with them, and how all are stacked."""
         self.reached: int | None = None
         self.keeps_undone = False
         """Whether nothing was undone when it began: then what is, is so since, and the artist's to do again."""

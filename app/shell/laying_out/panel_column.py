@@ -1,0 +1,78 @@
+"""PanelColumn: the panels at the right of the viewer, one below the other; those that are asked for come at its end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QScrollArea, QUndoView
+
+from ...actions.actions import Actions
+from ...panels.planar import PlanarPanel
+from ...panels.properties import PropertiesPanel
+from ...panels.review import ReviewPanel
+from ...panels.shapes import ShapesPanel
+from ...panels.tracker import TrackerPanel
+from ...translation import tr
+from ...widgets.controls import tool_button
+from ...widgets.panel import Panel
+from ..workspace import Workspace
+from . import layout
+
+SHAPE_TOOLS = ("shape.group", "shape.duplicate", "shape.delete")
+KEY_TOOLS = ("key.set", "key.delete")
+"""Actions with a button in the title of the panels Shapes and Shape."""
+
+
+@dataclass(frozen=True)
+class PanelParts:
+    """What lies in the panels; `log` is a panel already."""
+
+    shapes: ShapesPanel
+    tracker: TrackerPanel
+    planar: PlanarPanel
+    properties: PropertiesPanel
+    review: ReviewPanel
+    history: QUndoView
+    log: Panel
+
+
+class PanelColumn:
+    """Gives each part its panel, and `workspace` the panels: they fold, float and go away.
+
+    Attributes
+    ----------
+    area : the column itself, which scrolls where the window is low. shape, review, history : three of its panels.
+    """
+
+    def __init__(self, parts: PanelParts, actions: Actions, workspace: Workspace) -> None:
+        self._parts, self._actions = parts, actions
+        shape_tools = tuple(tool_button(actions, name) for name in SHAPE_TOOLS)
+        self.history = Panel(tr("History"), parts.history)
+        self.review = Panel(tr("Review"), parts.review, parts.review.tools)
+        self.shape = Panel(tr("Shape"), parts.properties, tuple(tool_button(actions, name) for name in KEY_TOOLS))
+        shapes = Panel(tr("Shapes"), parts.shapes, shape_tools)
+        tracks = Panel(tr("Track"), parts.tracker), Panel(tr("Planar track"), parts.planar)
+        asked = self.review, self.history, parts.log
+        column = layout.column(shapes, *tracks, self.shape, *asked, growing=shapes, is_loose=True)
+        column.setObjectName("panelColumn")
+        column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, self.shape), strict=True):
+            workspace.add(name, panel.title, panel)
+        workspace.add("review", tr("Review"), self.review, show="review.panel", is_shown_first=False)
+        workspace.add("history", tr("History"), self.history, show="edit.history", is_shown_first=False)
+        workspace.add("log", tr("Messages"), parts.log, show="help.log", is_shown_first=False)
+        self.area: QScrollArea = layout.scrolled(column)
+        actions["view.panels"].toggled.connect(self.area.setVisible)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"shape.delete": self._parts.shapes.tree.delete_selected, "view.shape_panel": self.show_shape}
+
+    def show_shape(self) -> None:
+        """Bring the Shape panel into sight, unfolded."""
+        for name in ("view.panels", "window.shape"):
+            self._actions[name].setChecked(True)
+        self.shape.fold(False)
+        QTimer.singleShot(0, self.area, lambda: self.area.ensureWidgetVisible(self._parts.properties))
