@@ -202,7 +202,7 @@ def _key(item: Nested, is_timed: bool) -> tuple[float, ...]:
     if len(words) < head or len(tail) > 5:
         raise FormError(f"a key has {len(words)} parts")
     kind = CUBIC
-    if tail and tail[-1] != "-" and len(tail) in (1, 3, 5):
+    if tail and tail[-1] != "-" and (len(tail) in (1, 3, 5) or tail[0] == "-"):
         kind = int(decoded(tail.pop())) & 255
     numbers = [decoded(word) for word in words[:head]]
     slopes = [0.0, 1.0, 0.0, 1.0]

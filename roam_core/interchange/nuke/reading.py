@@ -72,7 +72,7 @@ class NukeImporter:
             told = (_size(knobs["format"]) if "format" in knobs else None) or script_size
             names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
             node = _NodeReader(reader, (told or clip.size)[1], _name(knobs), names, tells_size=told is not None)
-            return reader.fitted(node.root(knobs["curves"]), told)
+            return reader.fitted(node.root(knobs["curves"], knobs.get("disable")), told)
 
         whole = joined(every, root_of, reader) if is_joined(every) else None
         layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
@@ -117,8 +117,8 @@ class _NodeReader:
     true_names: dict[str, str]
     tells_size: bool
 
-    def root(self, curves: Word) -> Layer:
-        """The node's layers and shapes, in a layer that bears its name."""
+    def root(self, curves: Word, disabled: Word | None = None) -> Layer:
+        """The node's layers and shapes, in a layer that bears its name; of a node that is disabled it is hidden."""
         documents = [word for word in curves.words() if word.is_braced]
         items = documents[-1].words() if documents else []
         for item in items:
@@ -127,11 +127,18 @@ class _NodeReader:
                 if not curves.is_whole:
                     self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
                 layer = self._layer(parts[1], [])
-                return replace(layer, name=self.node)
+                return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))
         raise RoamError(
             f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and later; "
             "save the script with such a version."
         )
+
+    def _is_off(self, disabled: Word | None) -> bool:
+        """Whether the node is disabled; where that varies it is taken to be on."""
+        said = "false" if disabled is None else disabled.value.strip().lower()
+        if said not in ("true", "false", "1", "0"):
+            self.reader.note(f"Whether the node {brief(self.node)} is disabled varies: it was read as on.")
+        return said in ("true", "1")
 
     def _layer(self, word: Word, outer: Sequence[Transform]) -> Layer:
         items = word.words()[1:]
@@ -153,13 +160,14 @@ class _NodeReader:
                 children.append(self._layer(item, [form, *outer]))
             elif head in ("curvegroup", "cubiccurve"):
                 children += self._shape(item, parts, [form, *outer])
+        visible, opacity = attributes.seen(self.reader)
         return Layer(
             self.reader.fresh_id("layer"),
             name,
             tuple(reversed(children)),
-            visible=attributes.number("vis", 1) != 0,
+            visible=visible,
             locked=bool(flags & LOCKED),
-            opacity=attributes.opacity(self.reader),
+            opacity=opacity,
             invert=attributes.number("inv", 0) != 0,
             blend=attributes.blend(),
         )
