@@ -25,10 +25,12 @@ from roam_core.interchange.reading import (
 from roam_core.interchange.silhouette.exporter import MODES, PATH_KINDS, VEIL
 from roam_core.interchange.silhouette.project import project_session, project_shapes, unpacked
 from roam_core.interchange.silhouette.values import (
+    LINEAR,
     MATRIX,
     TRANSFORMS,
     LayerTransform,
     Track,
+    in_order,
     number,
     pairs,
     says,
@@ -245,15 +247,12 @@ class _SessionReader:
         rows = [self._control_points(inner, label, spline) for _, inner in found]
         if not rows or len({len(row) for row in rows}) != 1:
             raise ValueError("its keys have no path, or differ in their number of points")
-        order = np.argsort([number(key.get("frame", "0")) for key, _ in found], kind="stable")
-        outlines = Track(
-            np.array([number(found[i][0].get("frame", "0")) for i in order]),
-            np.stack([rows[i].ravel() for i in order]),
-            np.array([found[i][0].get("interp", "linear") for i in order]),
+        outlines = in_order(
+            [number(key.get("frame", "0")) for key, _ in found],
+            [row.ravel().tolist() for row in rows],
+            [key.get("interp", LINEAR) for key, _ in found],
         )
-        if (np.diff(outlines.frames) <= 0).any():
-            raise ValueError("it has two keys on one frame")
-        is_plain = not outer and not outlines.bends
+        is_plain = not outer and not outlines.bends and outlines.is_on_frames
         raw = self._plain(outlines) if is_plain else self._moved(outlines, label, outer)
         keys = tuple(
             Keyframe(
@@ -269,7 +268,7 @@ class _SessionReader:
         return keys, closed, spline
 
     def _plain(self, outlines: Track) -> list[Key]:
-        frames = [round(frame) for frame in outlines.frames.tolist()]
+        frames = [int(frame) for frame in outlines.frames.tolist()]
         return [
             Key(frame, Interpolation.HOLD if outlines.holds(k) else Interpolation.LINEAR, value.reshape(-1, 3, 2), True)
             for k, (frame, value) in enumerate(zip(frames, outlines.values, strict=True))

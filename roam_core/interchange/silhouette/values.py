@@ -21,6 +21,9 @@ from roam_core.interchange.xml import local_name
 LINEAR, HOLD, CATMULL_ROM = "linear", "hold", "catmullrom"
 """How values move from a key to the next one; what else a file says is taken for the first."""
 
+ROUNDED = 1e-3
+"""Frames: so near to a whole one lies a key that a few decimals moved off it."""
+
 TRANSFORMS = {"anchor": (0.0, 0.0), "position": (0.0, 0.0), "scale": (1.0, 1.0), "rotate": (0.0,)}
 """The parts of a layer's transform and the values at which they do nothing."""
 
@@ -40,6 +43,11 @@ class Track:
     def times(self) -> list[float]:
         """Of its keys; nothing for a constant."""
         return self.frames.tolist() if len(self.frames) > 1 else []
+
+    @property
+    def is_on_frames(self) -> bool:
+        """True where no key lies between two frames, as a change of speed leaves them."""
+        return not (self.frames % 1.0).any()
 
     @property
     def bends(self) -> bool:
@@ -138,10 +146,18 @@ def track(element: Element, count: int) -> Track:
         rows.append([number(word) for word in words[:count]])
     if not rows:
         raise ValueError(f"{element.get('id', 'a property')!r} has no value")
-    frames = np.array([number(entry.get("frame", "0")) for entry in entries])
-    if (np.diff(frames) <= 0).any():
-        raise ValueError(f"the keys of {element.get('id', 'a property')!r} are not in order")
-    return Track(frames, np.array(rows), np.array([entry.get("interp", LINEAR) for entry in entries]))
+    moves = [entry.get("interp", LINEAR) for entry in entries]
+    return in_order([number(entry.get("frame", "0")) for entry in entries], rows, moves)
+
+
+def in_order(frames: Sequence[float], rows: Sequence[Sequence[float]], moves: Sequence[str]) -> Track:
+    """Keys in any order as a track; those that are meant for a whole frame are on it."""
+    order = np.argsort(frames, kind="stable")
+    stamps, nearest = np.array(frames)[order], np.rint(frames)[order]
+    stamps = np.where(np.abs(stamps - nearest) < ROUNDED, nearest, stamps)
+    if (np.diff(stamps) <= 0).any():
+        raise ValueError("it has two keys on one frame")
+    return Track(stamps, np.array(rows)[order], np.array(moves)[order])
 
 
 def says(element: Element, default: Sequence[float]) -> bool:

@@ -105,6 +105,23 @@ def test_keys_are_numbered_from_the_session_and_may_hold(read: Read) -> None:
     np.testing.assert_allclose(shape.at(1020).anchors[0], [175, 50])
 
 
+def test_keys_between_frames_move_to_those_around_them(read: Read) -> None:
+    """As after a change of speed: two of them may round to one frame, and no shape is lost over that."""
+    keys = [path_key(at, shifted(at / 10.0)) for at in (0, 1.2, 1.4, 2.5, 4.0000001)]
+    shape = only(imported := read(shape_xml(*keys)))
+    assert imported.notes == ()
+    assert shape.frames == (1001, 1002, 1003, 1004, 1005)
+    np.testing.assert_allclose([shape.at(frame).anchors[0][0] for frame in shape.frames], [100, 110, 120, 130, 140])
+
+
+def test_keys_of_an_opacity_may_stand_in_any_order(read: Read) -> None:
+    imported = read(shape_xml(properties=keyed("opacity", (5, "50"), (0, "100"))))
+    assert only(imported).opacity == Animated((ValueKey(1001, 1.0), ValueKey(1006, 0.5)))
+    assert imported.notes == ()
+    twice = read(shape_xml(properties=keyed("opacity", (5, "50"), (5, "100"))))
+    assert twice.notes == ("The opacity of the shape 'A' was left out: it has two keys on one frame.",)
+
+
 def test_what_holds_stays_until_the_next_key_and_changes_there() -> None:
     track = Track(np.array([0.0, 10.0, 20.0]), np.array([[1.0], [3.0], [5.0]]), np.array(["hold", "linear", "hold"]))
     np.testing.assert_allclose(track.at(np.array([-5.0, 0.0, 9.5, 10.0, 15.0, 30.0]))[:, 0], [1, 1, 1, 3, 4, 5])
