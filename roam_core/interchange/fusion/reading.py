@@ -242,9 +242,7 @@ class _Flow:
             raise ValueError("it has a point that lies nowhere near the picture")
         is_line = closed == {True} and inputs.table("Solid").named.get("Value", 1.0) in (0, False)
         if is_line:
-            self.reader.note(
-                f"{brief(title)} is a line, whose width is not read: it came in hidden."
-            )
+            self.reader.note(f"{brief(title)} is a line, whose width is not read: it came in hidden.")
         return RotoShape(
             self.reader.fresh_id("shape"),
             title,

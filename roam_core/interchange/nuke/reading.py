@@ -344,6 +344,5 @@ class _Motion:
         absolute = np.stack(curves, axis=1)
         for form in self.transforms:
             if form.moves:
-                matrices = form.matrices(moments)[:, None, None, None]
-                absolute = (matrices[..., :2, :2] @ absolute[..., None])[..., 0] + matrices[..., :2, 2]
+                absolute = form.apply(absolute, moments)
         return np.asarray(absolute * UP + [0.0, self.height])
