@@ -11,6 +11,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key, keys_of
+from roam_core.interchange.layer_motion import layer_motion
 from roam_core.interchange.nuke.attributes import Attributes
 from roam_core.interchange.nuke.curves import (
     Curve,
@@ -38,7 +39,7 @@ from roam_core.interchange.reading import (
     quietly,
     sensible,
 )
-from roam_core.roto import Clip, Keyframe, Layer, RotoShape
+from roam_core.roto import Clip, Keyframe, Layer, LayerTransform, RotoShape
 from roam_core.translatable import N_
 
 PER_CURVE = 2
@@ -68,13 +69,16 @@ class NukeImporter:
         scripts = [_size(knobs["format"]) for species, knobs in every if species == "Root" and "format" in knobs]
         script_size = scripts[-1] if scripts else None
 
+        is_ours = is_joined(every)
+
         def root_of(knobs: dict[str, Word]) -> Layer:
             told = (_size(knobs["format"]) if "format" in knobs else None) or script_size
             names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
-            node = _NodeReader(reader, (told or clip.size)[1], _name(knobs), names, tells_size=told is not None)
+            size = told or clip.size
+            node = _NodeReader(reader, size, _name(knobs), names, tells_size=told is not None, keeps_motion=not is_ours)
             return reader.fitted(node.root(knobs["curves"], knobs.get("disable")), told)
 
-        whole = joined(every, root_of, reader) if is_joined(every) else None
+        whole = joined(every, root_of, reader) if is_ours else None
         layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
         if len(layers) == 1 and _says_nothing(layers[0]):
             return reader.finished(layers[0].children)
@@ -91,7 +95,8 @@ def _name(knobs: dict[str, Word]) -> str:
 
 
 def _says_nothing(layer: Layer) -> bool:
-    return layer.visible and not layer.locked and not layer.invert and layer.opacity == 1.0
+    is_plain = layer.visible and not layer.locked and not layer.invert and layer.transform is None
+    return is_plain and layer.opacity == 1.0
 
 
 def _flags(words: list[Word]) -> int:
@@ -112,10 +117,11 @@ class _NodeReader:
     """Layers and shapes of one node."""
 
     reader: ShapeReader
-    height: float
+    size: tuple[float, float]
     node: str
     true_names: dict[str, str]
     tells_size: bool
+    keeps_motion: bool
 
     def root(self, curves: Word, disabled: Word | None = None) -> Layer:
         """The node's layers and shapes, in a layer that bears its name; of a node that is disabled it is hidden."""
@@ -126,7 +132,7 @@ class _NodeReader:
             if len(parts) > 1 and parts[0].raw == "n" and parts[1].is_braced:
                 if not curves.is_whole:
                     self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
-                layer = self._layer(parts[1], [])
+                layer = self._layer(parts[1], [], is_root=True)
                 return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))
         raise RoamError(
             f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and later; "
@@ -140,10 +146,11 @@ class _NodeReader:
             self.reader.note(f"Whether the node {brief(self.node)} is disabled varies: it was read as on.")
         return said in ("true", "1")
 
-    def _layer(self, word: Word, outer: Sequence[Transform]) -> Layer:
+    def _layer(self, word: Word, outer: Sequence[Transform], *, is_root: bool = False) -> Layer:
         items = word.words()[1:]
         name = self._true(items.pop(0).value) if items else "?"
-        flags, form, attributes = 0, Transform({}), Attributes([], self._teller("layer", name))
+        flags, attributes = 0, Attributes([], self._teller("layer", name))
+        motion, inner = None, list(outer)
         children: list[Layer | RotoShape] = []
         for item in items:
             parts = item.words()
@@ -152,14 +159,16 @@ class _NodeReader:
                 flags = _flags(parts[1:])
             elif head in ("t", "tx"):
                 form = self._transform(item, "layer", name)
-                if not outer and not self.tells_size:
+                if is_root and not self.tells_size:
                     self._doubt_size(form)
+                motion = self._motion(form) if not outer else None
+                inner = [form, *outer] if motion is None and form.moves else [*outer]
             elif head == "a":
                 attributes = Attributes(item.nested(), self._teller("layer", name))
             elif head == "layer":
-                children.append(self._layer(item, [form, *outer]))
+                children.append(self._layer(item, inner))
             elif head in ("curvegroup", "cubiccurve"):
-                children += self._shape(item, parts, [form, *outer])
+                children += self._shape(item, parts, inner)
         visible, opacity = attributes.seen(self.reader)
         return Layer(
             self.reader.fresh_id("layer"),
@@ -170,6 +179,20 @@ class _NodeReader:
             opacity=opacity,
             invert=attributes.number("inv", 0) != 0,
             blend=attributes.blend(),
+            transform=motion,
+        )
+
+    def _motion(self, form: Transform) -> LayerTransform | None:
+        """What moves a layer, y down; None where nothing does, or our layers cannot move so."""
+        if not self.keeps_motion or not form.moves or not form.times:
+            return None
+        over = np.array([[1.0, 0.0, 0.0], [0.0, -1.0, self.size[1]], [0.0, 0.0, 1.0]])  # its own inverse
+        return layer_motion(
+            lambda moments: over @ form.matrices(moments) @ over,
+            form.times,
+            self.size,
+            self.reader.frame,
+            self.reader,
         )
 
     def _doubt_size(self, form: Transform) -> None:
@@ -218,7 +241,7 @@ class _NodeReader:
         own = None if outline is feather or not feather.is_braced else self._points(feather, name)[1]
         if own is not None and len(own.curves) != len(points.curves):
             raise FormError("its feather has not as many points as its outline")
-        motion = _Motion(points, own, [form, *outer], self.height, bool(curve_flags & RELATIVE_TANGENTS))
+        motion = _Motion(points, own, [form, *outer], self.size[1], bool(curve_flags & RELATIVE_TANGENTS))
         keys = self._keys(motion, name)
         if not sensible(keys):
             raise FormError("a point of it lies nowhere near the image")

@@ -95,25 +95,27 @@ class LayerTransform:
 
         Raises `ValueError` where the matrix sends a position to infinity.
         """
+        homogeneous = np.concatenate([positions, np.ones((*positions.shape[:-1], 1))], axis=-1)
+        x, y, depth = np.moveaxis(homogeneous @ self.matrices(moments).transpose(0, 2, 1)[:, None], -1, 0)
+        if (np.abs(depth) < 1e-9).any():
+            raise ValueError("the matrix of a layer sends it to infinity")
+        return np.stack([x / depth, y / depth], axis=-1)
+
+    def matrices(self, moments: Array) -> Array:
+        """The same as maps of the plane `(T, 3, 3)`, in the file's units."""
         anchor, position, scale, rotate = (
             self.parts[name].at(moments) if name in self.parts else np.tile(default, (len(moments), 1))
             for name, default in TRANSFORMS.items()
         )
         angle = np.radians(rotate[:, 0])
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
-        about = (positions - anchor[:, None, None]) * scale[:, None, None]
-        moved = (turn[:, None, None] @ about[..., None])[..., 0] + (anchor + position)[:, None, None]
-        return moved if MATRIX not in self.parts else _projected(moved, self.parts[MATRIX].at(moments))
-
-
-def _projected(positions: Array, matrices: Array) -> Array:
-    """Positions `(T, P, 3, 2)` as row vectors (x, y, 0, 1) times `matrices (T, 16)`, divided by the last of four."""
-    plane = matrices.reshape(-1, 4, 4)[:, [[0], [1], [3]], [0, 1, 3]]
-    homogeneous = np.concatenate([positions, np.ones((*positions.shape[:-1], 1))], axis=-1)
-    x, y, depth = np.moveaxis(homogeneous @ plane[:, None], -1, 0)
-    if (np.abs(depth) < 1e-9).any():
-        raise ValueError("the matrix of a layer sends it to infinity")
-    return np.stack([x / depth, y / depth], axis=-1)
+        result = np.tile(np.eye(3), (len(moments), 1, 1))
+        result[:, :2, :2] = turn * scale[:, None]
+        result[:, :2, 2] = anchor + position - (result[:, :2, :2] @ anchor[..., None])[..., 0]
+        if MATRIX not in self.parts:
+            return result
+        rows = self.parts[MATRIX].at(moments).reshape(-1, 4, 4)[:, [[0], [1], [3]], [0, 1, 3]]
+        return np.asarray(rows.transpose(0, 2, 1) @ result)
 
 
 # ---- words -----------------------------------------------------------------------------------------------------------
