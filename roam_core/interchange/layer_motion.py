@@ -8,7 +8,6 @@ from itertools import pairwise
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.errors import RoamError
 from roam_core.geometry import bspline, projective
 from roam_core.interchange.keys.keying import NEAR, keys_of
 from roam_core.interchange.reading import ShapeReader, brief
@@ -35,7 +34,8 @@ def layer_motion(
 
     Returns
     -------
-    The motion, or None where one of its matrices is no map of the plane, as where a layer shrinks to nothing.
+    The motion, or None where one of its matrices is no map of the plane, as where a layer shrinks to nothing, or one of
+    its frames no frame.
     """
     reach = np.array([*size, 1.0]) * np.array([1.0, 1.0, max(size)])[:, None]
 
@@ -44,21 +44,20 @@ def layer_motion(
         return np.asarray(found / found[:, 2:, 2:] * reach)
 
     keys = keys_of(scaled, times, reader.check_keys)
-    frames = {key.frame for key in keys}
+    found = {key.frame: key.value / reach for key in keys}
+    more: set[int] = set()
     for key, following in pairwise(keys):  # between two of ours a matrix moves evenly
         if key.interpolation is Interpolation.SMOOTH:
             reader.check_keys(following.frame - key.frame)
-            frames.update(range(key.frame, following.frame))
+            more.update(range(key.frame + 1, following.frame))
         elif key.interpolation is Interpolation.HOLD:
-            frames.add(following.frame - 1)
-    counted = sorted(frames)
-    found = matrices(np.array(counted, dtype=np.float64))
-    if any(projective.usable(matrix) is None for matrix in found):
-        return None
+            more.add(following.frame - 1)
+    if beside := sorted(more - found.keys()):
+        found |= zip(beside, matrices(np.array(beside, dtype=np.float64)), strict=True)
     try:
-        return LayerTransform.of({frame(at): matrix for at, matrix in zip(counted, found, strict=True)})
-    except ValueError as error:
-        raise RoamError(f"{reader.path} cannot be read: {error}.") from None
+        return LayerTransform.of({frame(at): matrix for at, matrix in found.items()})
+    except ValueError:
+        return None
 
 
 def tell_strays(layer: Layer, reader: ShapeReader) -> None:
