@@ -58,7 +58,8 @@ class NukeImporter:
         """Read all shapes of all Roto nodes; paint strokes, expressions and the like are named and left out.
 
         Each node is scaled from its own format to the clip's. One without is taken to have that of the script, or else
-        the clip's size; where its pivot speaks of another, that is told.
+        the clip's size; where its pivot speaks of another, that is told. Formats mean nothing to a node that has an
+        input: where its pivot is the middle of the clip's pictures, that is its plate.
         """
         reader = ShapeReader(path, clip, options)
         script = Script(reader)
@@ -73,6 +74,8 @@ class NukeImporter:
 
         def root_of(knobs: dict[str, Word]) -> Layer:
             told = (_size(knobs["format"]) if "format" in knobs else None) or script_size
+            if _is_of_the_plate(knobs, clip):
+                told = clip.size
             names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
             size = told or clip.size
             node = _NodeReader(reader, size, _name(knobs), names, tells_size=told is not None, keeps_motion=not is_ours)
@@ -83,6 +86,33 @@ class NukeImporter:
         if len(layers) == 1 and _says_nothing(layers[0]):
             return reader.finished(layers[0].children)
         return reader.finished(tuple(reversed(layers)))
+
+
+def _root(curves: Word) -> Word | None:
+    """The root layer of a knob of curves, or None where it has another form."""
+    documents = [word for word in curves.words() if word.is_braced]
+    for item in documents[-1].words() if documents else []:
+        parts = item.words() if item.is_braced else []
+        if len(parts) > 1 and parts[0].raw == "n" and parts[1].is_braced:
+            return parts[1]
+    return None
+
+
+def _is_of_the_plate(knobs: dict[str, Word], clip: Clip) -> bool:
+    """Whether a node has an input, which its script need not say, whose pictures are as large as the clip's."""
+    root = _root(knobs["curves"])
+    if root is None or ("inputs" in knobs and knobs["inputs"].value == "0"):
+        return False
+    form = next((item for item in root.words()[2:] if item.raw.lstrip().startswith("t")), None)
+    try:
+        middle = None if form is None else transform(form.nested()).pivot
+    except (ValueError, IndexError):
+        return False
+    return middle is not None and _is_middle_of(middle, clip)
+
+
+def _is_middle_of(middle: Array, clip: Clip) -> bool:
+    return bool(np.abs(2.0 * middle - clip.size).max() <= 1.0)
 
 
 def _offsets(value: Array) -> Array | None:
@@ -125,19 +155,16 @@ class _NodeReader:
 
     def root(self, curves: Word, disabled: Word | None = None) -> Layer:
         """The node's layers and shapes, in a layer that bears its name; of a node that is disabled it is hidden."""
-        documents = [word for word in curves.words() if word.is_braced]
-        items = documents[-1].words() if documents else []
-        for item in items:
-            parts = item.words() if item.is_braced else []
-            if len(parts) > 1 and parts[0].raw == "n" and parts[1].is_braced:
-                if not curves.is_whole:
-                    self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
-                layer = self._layer(parts[1], [], is_root=True)
-                return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))
-        raise RoamError(
-            f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and later; "
-            "save the script with such a version."
-        )
+        root = _root(curves)
+        if root is None:
+            raise RoamError(
+                f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and "
+                "later; save the script with such a version."
+            )
+        if not curves.is_whole:
+            self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
+        layer = self._layer(root, [], is_root=True)
+        return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))
 
     def _is_off(self, disabled: Word | None) -> bool:
         """Whether the node is disabled; where that varies it is taken to be on."""
@@ -198,7 +225,7 @@ class _NodeReader:
     def _doubt_size(self, form: Transform) -> None:
         """Tell where the root turns about the middle of other pictures than the clip's: Nuke puts its pivot there."""
         middle = form.pivot
-        if middle is None or np.abs(2.0 * middle - self.reader.clip.size).max() <= 1.0:
+        if middle is None or _is_middle_of(middle, self.reader.clip):
             return
         (width, height), (own_width, own_height) = np.rint(2.0 * middle), self.reader.clip.size
         self.reader.note(

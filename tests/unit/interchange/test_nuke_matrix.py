@@ -60,7 +60,7 @@ def test_a_corner_pin_carries_the_shapes_of_its_layer_in_perspective(tmp_path: P
     np.testing.assert_allclose(only(imported).at(1001).anchors, carried(PIN), atol=1e-4)
 
 
-@pytest.mark.parametrize("knobs", ["", ' format "400 100 0 0 400 100 1 wide"'])
+@pytest.mark.parametrize("knobs", ["", ' inputs 0\n format "400 100 0 0 400 100 1 wide"'])
 def test_a_corner_pin_that_moves_stays_the_motion_of_its_layer(tmp_path: Path, knobs: str) -> None:
     """The shapes keep their own keys; pictures of another size scale both."""
     later = PIN + np.array([[0.0, 0.0, 4.0], [0.0, 0.0, -3.0], [0.001, 0.0, 0.0]])

@@ -1,4 +1,5 @@
-"""What a Nuke script switches off: nodes that are disabled, visibility that has keys; and the nodes of clones."""
+"""What a Nuke script says of a node: that it is disabled, of which there are clones, what lies under it; and visibility
+that has keys."""
 
 from __future__ import annotations
 
@@ -49,6 +50,24 @@ def test_a_node_that_is_disabled_by_an_expression_is_read_and_named(tmp_path: Pa
 def test_the_first_of_several_clones_has_the_shapes(tmp_path: Path) -> None:
     script = f"clone node1f0a|Roto|31 {node(group(name='Cloned'))}\nclone $C1f0a {{\n xpos 5\n}}\n"
     assert only(read(tmp_path, script)).name == "Cloned"
+
+
+@pytest.mark.parametrize("knobs", ["", " inputs 1", " inputs 1+1"])
+@pytest.mark.parametrize("where", ["script", "node"])
+def test_formats_mean_nothing_to_a_node_over_the_plate(tmp_path: Path, knobs: str, where: str) -> None:
+    """Its root turns about the middle of the plate; the script's format is often left at another."""
+    wide = ' format "400 300 0 0 400 300 1 2K"'
+    script = node(group(), knobs=knobs + ("\n" + wide if where == "node" else ""))
+    imported = read(tmp_path, script if where == "node" else f"Root {{\n{wide}\n}}\n{script}")
+    assert imported.notes == ()
+    assert only(imported).at(1001).anchors[0].tolist() == [10.0, 80.0]
+
+
+@pytest.mark.parametrize(("knobs", "root"), [(" inputs 0", "{t 100 50}"), ("", "{t 200 150}"), ("", "{t {=x 100} 50}")])
+def test_formats_hold_for_a_node_without_an_input_or_of_another_plate(tmp_path: Path, knobs: str, root: str) -> None:
+    script = node(group(), knobs=knobs, root=f"{{f 512}} {root} {{a}}")
+    imported = read(tmp_path, f'Root {{\n format "400 300 0 0 400 300 1 2K"\n}}\n{script}')
+    assert only(imported).at(1001).anchors[0] == pytest.approx([5.0, 280.0 / 3.0])
 
 
 def test_visibility_with_keys_becomes_opacity(tmp_path: Path) -> None:
