@@ -46,6 +46,10 @@ PER_CURVE = 2
 """Parts that the curve of one coordinate counts for."""
 
 
+WARPS = "SplineWarp"
+"""How the species of nodes begin whose curves say where a picture is pulled from and to."""
+
+
 class NukeImporter:
     """Reads `.nk` scripts and gizmos: every node with a knob of curves."""
 
@@ -64,7 +68,7 @@ class NukeImporter:
         reader = ShapeReader(path, clip, options)
         script = Script(reader)
         every = [(species, body.knobs()) for species, body in script.nodes()]
-        nodes = [knobs for species, knobs in every if "curves" in knobs and species not in ("Root", "Viewer")]
+        nodes = [each for each in every if "curves" in each[1] and each[0] not in ("Root", "Viewer")]
         if not nodes:
             raise RoamError(f"{path} holds no Roto or RotoPaint node.")
         scripts = [_size(knobs["format"]) for species, knobs in every if species == "Root" and "format" in knobs]
@@ -82,10 +86,18 @@ class NukeImporter:
             return reader.fitted(node.root(knobs["curves"], knobs.get("disable")), told)
 
         whole = joined(every, root_of, reader) if is_ours else None
-        layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
+        layers = [whole] if whole is not None else [_shown(root_of(knobs), species, reader) for species, knobs in nodes]
         if len(layers) == 1 and _says_nothing(layers[0]):
             return reader.finished(layers[0].children)
         return reader.finished(tuple(reversed(layers)))
+
+
+def _shown(layer: Layer, species: str, reader: ShapeReader) -> Layer:
+    """The layer of a node; hidden where the curves of its species make no matte."""
+    if not species.startswith(WARPS):
+        return layer
+    reader.note(f"{species} {brief(layer.name)} warps by its curves, which make no matte: they came in hidden.")
+    return replace(layer, visible=False)
 
 
 def _root(curves: Word) -> Word | None:

@@ -70,6 +70,16 @@ def test_formats_hold_for_a_node_without_an_input_or_of_another_plate(tmp_path: 
     assert only(imported).at(1001).anchors[0] == pytest.approx([5.0, 280.0 / 3.0])
 
 
+def test_curves_of_a_warp_are_hidden_and_named(tmp_path: Path) -> None:
+    script = node(group(name="Pulled"), knobs=" name SplineWarp1", species="SplineWarp3") + node(group(name="Drawn"))
+    imported = read(tmp_path, script)
+    drawn, warp = imported.layer.children
+    assert (warp.name, warp.visible, drawn.visible) == ("SplineWarp1", False, True)
+    assert imported.notes == (
+        "SplineWarp3 'SplineWarp1' warps by its curves, which make no matte: they came in hidden.",
+    )
+
+
 def test_visibility_with_keys_becomes_opacity(tmp_path: Path) -> None:
     """From a key on it is as the key says, wherever the next one lies."""
     imported = read(tmp_path, node(group(attributes="vis {{1011 0} {1015 1} {1018.5 0}} opc 0.5")), offset=10)
