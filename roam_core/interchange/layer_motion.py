@@ -61,13 +61,22 @@ def layer_motion(
 
 
 def tell_strays(layer: Layer, reader: ShapeReader) -> None:
-    """A note for each B-spline that a perspective shows otherwise than in the other program.
+    """A note where a perspective shows B-splines otherwise than in the other program.
 
     There the curve is that of the control points as they are seen; in our layers it is the curve itself that is seen.
     """
-    for shape in layer.in_plate_space().shapes():
-        if shape.spline is Spline.BSPLINE and (stray := _stray(shape)) > NEAR:
-            reader.note(f"The B-spline {brief(shape.name)} lies in perspective: it strays by up to {stray:.1f} px.")
+    strays = {
+        shape.id: (_stray(shape), shape.name)
+        for shape in layer.in_plate_space().shapes()
+        if shape.spline is Spline.BSPLINE and shape.placement
+    }
+    seen = [each for each in strays.values() if each[0] > NEAR]
+    if seen:
+        most, name = max(seen)
+        reader.note(
+            f"{len(seen)} B-spline(s) lie in a layer that moves in perspective, which carries the curve in place "
+            f"of its control points: {brief(name)} strays by up to {most:.1f} px."
+        )
 
 
 def _stray(shape: RotoShape) -> float:
