@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.geometry import bspline, projective
+from roam_core.geometry import projective
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.keys.keying import NEAR, keys_of
 from roam_core.interchange.reading import ShapeReader, brief
 from roam_core.roto import Interpolation, Layer, LayerTransform, RotoShape, Spline
-from roam_core.roto.placement import matrix_at
-from roam_core.roto.shape import unplaced
+from roam_core.roto.placement import Placement, matrix_at
 
 
 def layer_motion(
@@ -65,12 +65,7 @@ def tell_strays(layer: Layer, reader: ShapeReader) -> None:
 
     There the curve is that of the control points as they are seen; in our layers it is the curve itself that is seen.
     """
-    strays = {
-        shape.id: (_stray(shape), shape.name)
-        for shape in layer.in_plate_space().shapes()
-        if shape.spline is Spline.BSPLINE and shape.placement
-    }
-    seen = [each for each in strays.values() if each[0] > NEAR]
+    seen = [(stray, shape.name) for shape, above in _carried(layer) if (stray := _stray(shape, above)) > NEAR]
     if seen:
         most, name = max(seen)
         reader.note(
@@ -79,13 +74,35 @@ def tell_strays(layer: Layer, reader: ShapeReader) -> None:
         )
 
 
-def _stray(shape: RotoShape) -> float:
-    """How far the handles of a B-spline lie from those of the B-spline of its control points, as they are seen."""
-    strays = [0.0]
-    for key in unplaced(shape).keys:
-        matrix = matrix_at(shape.placement, key.frame)
-        if matrix[2, :2].any():
-            controls = projective.apply(matrix, bspline.control_polygon(key.points, shape.closed))
-            curve = bspline.bezier_points(controls, shape.closed)
-            strays.append(float(np.abs(curve - projective.apply(matrix, key.points)).max()))
-    return max(strays)
+def _carried(layer: Layer, above: Placement = ()) -> Iterator[tuple[RotoShape, Placement]]:
+    """The B-splines of layers that move, and what moves them."""
+    for child in layer.children:
+        if isinstance(child, Layer):
+            yield from _carried(child, above if child.transform is None else (*above, child.transform))
+        elif above and child.spline is Spline.BSPLINE and child.point_count > 1:
+            yield child, above
+
+
+def _stray(shape: RotoShape, above: Placement) -> float:
+    """How far the points of a B-spline lie from those of the B-spline of its control points, as they are seen."""
+    matrices = np.stack([matrix_at(above, key.frame) for key in shape.keys])
+    if not matrices[:, 2, :2].any():
+        return 0.0
+    points = np.stack([key.points for key in shape.keys])
+    leaving = points[:, :, OUT]
+    arriving, following = (np.roll(points[:, :, part], -1, axis=1) for part in (IN, ANCHOR))
+    if not shape.closed:
+        leaving, arriving, following = leaving[:, :-1], arriving[:, :-1], following[:, :-1]
+    # Handles lie at the thirds between two control points; these lie as far beyond the handles as the handles apart.
+    first, second = 2.0 * leaving - arriving, 2.0 * arriving - leaving
+    left, out, into, right = (_seen(matrices, places) for places in (first, leaving, arriving, second))
+    curve_out, curve_into = (2.0 * left + right) / 3.0, (left + 2.0 * right) / 3.0
+    between = 0.5 * (curve_into + np.roll(curve_out, -1, axis=1)) - _seen(matrices, following)
+    strays = (curve_out - out, curve_into - into, between if shape.closed else between[:, :-1])
+    return float(np.abs(np.concatenate(strays, axis=1)).max())
+
+
+def _seen(matrices: Array, places: Array) -> Array:
+    """Places `(K, P, 2)` carried by `(K, 3, 3)`."""
+    whole = np.concatenate([places, np.ones((*places.shape[:-1], 1))], axis=-1) @ matrices.transpose(0, 2, 1)
+    return np.asarray(whole[..., :2] / np.maximum(whole[..., 2:], projective.HORIZON))
