@@ -268,6 +268,9 @@ class ShapeReader:
     def _tell_frames(self, layer: Layer) -> None:
         """A note where shapes move, but on none of the clip's frames: they would stand still there."""
         frames = [frame for shape in layer.shapes() if len(shape.keys) > 1 for frame in shape.frames]
+        frames += [
+            at for item in layer.items() if isinstance(item, Layer) and item.transform for at in item.transform.frames
+        ]
         first, last = self.clip.first, self.clip.last
         if frames and not any(first <= frame <= last for frame in frames):
             shift = self.options.frame_offset + min(frames) - first
@@ -308,4 +311,8 @@ def _scaled(layer: Layer, ratio: np.ndarray[tuple[int], np.dtype[np.float64]]) -
         return replace(shape.map_points(lambda points: points * ratio), feather=feather)
 
     children = (_scaled(child, ratio) if isinstance(child, Layer) else scaled(child) for child in layer.children)
-    return replace(layer, children=tuple(children))
+    motion = layer.transform
+    if motion is not None:
+        larger, smaller = np.diag([*ratio, 1.0]), np.diag([*(1.0 / ratio), 1.0])
+        motion = replace(motion, matrices=larger @ motion.matrices @ smaller)
+    return replace(layer, children=tuple(children), transform=motion)

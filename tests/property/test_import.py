@@ -15,7 +15,7 @@ from hypothesis.extra.numpy import arrays
 
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
 from roam_core.interchange.literals import whole
-from roam_core.interchange.protocol import STANDARD
+from roam_core.interchange.protocol import STANDARD, without_smooth_keys
 from roam_core.interchange.xml import xml_text
 from roam_core.matte import render_matte
 from roam_core.roto import (
@@ -245,10 +245,11 @@ def check_outline(found: RotoShape, was: RotoShape, frame: int) -> None:
 
 
 def without_feather_curves(layer: Layer) -> Layer:
+    """Nor with smooth keys, but with straight ones on every frame: between these, motion blur sees the difference."""
     children = (
         without_feather_curves(child)
         if isinstance(child, Layer)
-        else replace(child, keys=tuple(replace(key, feather=None) for key in child.keys))
+        else without_smooth_keys(replace(child, keys=tuple(replace(key, feather=None) for key in child.keys)))
         for child in layer.children
     )
     return replace(layer, children=tuple(children))

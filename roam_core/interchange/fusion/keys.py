@@ -77,12 +77,16 @@ def feather_of(reader: ShapeReader, title: str, inputs: Table, tools: Tools, wid
     edge = _value(reader, title, inputs, tools, "SoftEdge", 0.0)
     border = _value(reader, title, inputs, tools, "BorderWidth", 0.0)
     edges, borders = values_of(edge), values_of(border)
-    if not any(edges) and not any(borders):
+    if not any(edges):
+        if any(borders):
+            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.")
         return 0.0
     if len(edges) != len(borders) or any(
         abs(abs(b) * 2.0 - e) > 1e-8 + 1e-6 * e for e, b in zip(edges, borders, strict=True)
     ):
         reader.note(f"The soft edge of {brief(title)} lies on both sides of its outline; it was read as outside.")
+        if any(borders):
+            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.")
         return mapped(edge, lambda share: _sane(share * width))
     return mapped(border, lambda share: _sane(share * 2.0 * width))
 

@@ -240,6 +240,9 @@ class _Flow:
         )
         if not sensible(made):
             raise ValueError("it has a point that lies nowhere near the picture")
+        is_line = closed == {True} and inputs.table("Solid").named.get("Value", 1.0) in (0, False)
+        if is_line:
+            self.reader.note(f"{brief(title)} is a line, whose width is not read: it came in hidden.")
         return RotoShape(
             self.reader.fresh_id("shape"),
             title,
@@ -251,7 +254,7 @@ class _Flow:
             invert=_flag(inputs, "Invert"),
             feather=feather_of(self.reader, title, inputs, self.tools, self.size[0]),
             motion_blur=_motion_blur(inputs),
-            visible=tool.named.get("PassThrough") is not True,
+            visible=tool.named.get("PassThrough") is not True and not is_line,
             locked=tool.named.get("Locked") is True,
             spline=Spline.BEZIER if is_polygon else Spline.BSPLINE,
         )

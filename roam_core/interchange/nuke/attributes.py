@@ -14,8 +14,8 @@ from roam_core.interchange.nuke.curves import CUBIC, Curve, FollowsExpressionErr
 from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import ShapeReader
 from roam_core.interchange.timing import right_before
-from roam_core.roto import Animated, BlendMode, Clip, MotionBlur, RotoShape, ValueKey
-from roam_core.roto.animated import Animatable
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, MotionBlur, RotoShape, ValueKey
+from roam_core.roto.animated import Animatable, product
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.roto.value_curves import opacity_as_seen
 
@@ -120,16 +120,34 @@ class Attributes:
             self._tell(f"its {name!r} cannot be read")
             return constant(default)
 
-    def opacity(self, reader: ShapeReader) -> Animatable:
-        """The opacity of a shape or layer, in [0, 1]."""
-        return opacity_as_seen(self.animatable(("opc",), 1.0, reader))
+    def seen(self, reader: ShapeReader) -> tuple[bool, Animatable]:
+        """Whether a shape or layer is visible, and its opacity in [0, 1].
+
+        One whose visibility is switched by keys is visible with an opacity of 0 where it is off: we have no such keys.
+        """
+        opacity = opacity_as_seen(self.animatable(("opc",), 1.0, reader))
+        keyed = self._curve("vis", 1.0)
+        is_on = keyed.values != 0.0
+        if is_on.all() or not is_on.any():
+            return bool(is_on[0]), opacity
+        self._tell("its visibility is switched by keys; its opacity has them")
+
+        on = {
+            reader.frame(math.ceil(time)): float(shown)
+            for time, shown in zip(keyed.times.tolist(), is_on.tolist(), strict=True)
+        }
+        if isinstance(opacity, Animated):  # their product may have a key on every frame
+            frames = [*on, *opacity.frames]
+            reader.check_keys(max(frames) - min(frames) + 1)
+        return True, product(opacity, Animated(tuple(ValueKey(*key, Interpolation.HOLD) for key in on.items())))
 
     def shape_fields(self, reader: ShapeReader) -> dict[str, Any]:
         """What the attributes make of a `RotoShape`."""
         self._note_unknown()
+        visible, opacity = self.seen(reader)
         return {
-            "visible": self.number("vis", 1) != 0,
-            "opacity": self.opacity(reader),
+            "visible": visible,
+            "opacity": opacity,
             "invert": self.number("inv", 0) != 0,
             "blend": self.blend(),
             "colour": self._colour(),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
@@ -18,8 +19,16 @@ PIVOT, TRANSLATE, ROTATE, SCALE, SKEW, EXTRA, LENGTH = 0, 3, 6, 9, 12, 19, 35
 """Where the parts of a transform begin in its list of numbers."""
 
 
+IN_PLANE = (0, 1, 3)
+"""Rows and columns of the extra matrix that act on the plane: x, y, and the share of both."""
+
+
 class FollowsExpressionError(ValueError):
     """A number that an expression gives: it is not run. The message is the expression."""
+
+
+AT_INFINITY = 1e-9
+"""Depths that count as none: what a matrix puts there lies nowhere."""
 
 
 class FormError(ValueError):
@@ -202,7 +211,7 @@ def _key(item: Nested, is_timed: bool) -> tuple[float, ...]:
     if len(words) < head or len(tail) > 5:
         raise FormError(f"a key has {len(words)} parts")
     kind = CUBIC
-    if tail and tail[-1] != "-" and len(tail) in (1, 3, 5):
+    if tail and tail[-1] != "-" and (len(tail) in (1, 3, 5) or tail[0] == "-"):
         kind = int(decoded(tail.pop())) & 255
     numbers = [decoded(word) for word in words[:head]]
     slopes = [0.0, 1.0, 0.0, 1.0]
@@ -248,11 +257,11 @@ class Transform:
     @property
     def unknown(self) -> list[str]:
         """Parts that are set and that this reader leaves out."""
-        ranges = {"rotation in depth": (ROTATE, ROTATE + 2), "skew": (SKEW, EXTRA), "perspective": (31, LENGTH - 1)}
+        ranges = {"rotation in depth": (ROTATE, ROTATE + 2), "skew": (SKEW, EXTRA)}
         return [name for name, (start, stop) in ranges.items() if any(i in self.parts for i in range(start, stop))]
 
     def matrices(self, moments: Array) -> Array:
-        """`(T, 3, 3)`, y up: about the pivot first scaled, then turned, then moved; last the extra matrix."""
+        """Projective `(T, 3, 3)`, y up: about the pivot first scaled, then turned, moved, and last the extra matrix."""
 
         def part(index: int) -> Array:
             default = float(index in (SCALE, SCALE + 1))
@@ -269,13 +278,25 @@ class Transform:
         result[:, 2, 2] = 1.0
         return np.asarray(self._extra(moments) @ result)
 
+    def apply(self, positions: Array, moments: Array) -> Array:
+        """Positions `(T, ..., 2)`, y up, as they lie at the moments `(T,)`.
+
+        Raises `ValueError` where a perspective sends one to infinity.
+        """
+        matrices = self.matrices(moments).reshape(-1, *[1] * (positions.ndim - 2), 3, 3)
+        moved = (matrices[..., :2, :2] @ positions[..., None])[..., 0] + matrices[..., :2, 2]
+        depth = (matrices[..., 2, :2] * positions).sum(axis=-1) + matrices[..., 2, 2]
+        if (np.abs(depth) < AT_INFINITY).any():
+            raise ValueError("the matrix of a transform sends it to infinity")
+        return np.asarray(moved / depth[..., None])
+
     def _extra(self, moments: Array) -> Array:
-        """The plane's part of the extra 4 x 4 matrix, row by row."""
+        """The plane's part of the extra 4 x 4 matrix, row by row, with the perspective that a corner pin gives it."""
         result = np.tile(np.eye(3), (len(moments), 1, 1))
-        for row, column in ((0, 0), (0, 1), (0, 3), (1, 0), (1, 1), (1, 3)):
+        for row, column in product(IN_PLANE, IN_PLANE):
             index = EXTRA + 4 * row + column
             if index in self.parts:
-                result[:, row, min(column, 2)] = self.parts[index].at(moments)
+                result[:, min(row, 2), min(column, 2)] = self.parts[index].at(moments)
         return result
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key, keys_of
+from roam_core.interchange.layer_motion import layer_motion
 from roam_core.interchange.nuke.attributes import Attributes
 from roam_core.interchange.nuke.curves import (
     Curve,
@@ -38,11 +39,15 @@ from roam_core.interchange.reading import (
     quietly,
     sensible,
 )
-from roam_core.roto import Clip, Keyframe, Layer, RotoShape
+from roam_core.roto import Clip, Keyframe, Layer, LayerTransform, RotoShape
 from roam_core.translatable import N_
 
 PER_CURVE = 2
 """Parts that the curve of one coordinate counts for."""
+
+
+WARPS = "SplineWarp"
+"""How the species of nodes begin whose curves say where a picture is pulled from and to."""
 
 
 class NukeImporter:
@@ -57,28 +62,69 @@ class NukeImporter:
         """Read all shapes of all Roto nodes; paint strokes, expressions and the like are named and left out.
 
         Each node is scaled from its own format to the clip's. One without is taken to have that of the script, or else
-        the clip's size; where its pivot speaks of another, that is told.
+        the clip's size; where its pivot speaks of another, that is told. Formats mean nothing to a node that has an
+        input: where its pivot is the middle of the clip's pictures, that is its plate.
         """
         reader = ShapeReader(path, clip, options)
         script = Script(reader)
         every = [(species, body.knobs()) for species, body in script.nodes()]
-        nodes = [knobs for species, knobs in every if "curves" in knobs and species not in ("Root", "Viewer")]
+        nodes = [each for each in every if "curves" in each[1] and each[0] not in ("Root", "Viewer")]
         if not nodes:
             raise RoamError(f"{path} holds no Roto or RotoPaint node.")
         scripts = [_size(knobs["format"]) for species, knobs in every if species == "Root" and "format" in knobs]
         script_size = scripts[-1] if scripts else None
 
+        is_ours = is_joined(every)
+
         def root_of(knobs: dict[str, Word]) -> Layer:
             told = (_size(knobs["format"]) if "format" in knobs else None) or script_size
+            if _is_of_the_plate(knobs, clip):
+                told = clip.size
             names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
-            node = _NodeReader(reader, (told or clip.size)[1], _name(knobs), names, tells_size=told is not None)
-            return reader.fitted(node.root(knobs["curves"]), told)
+            size = told or clip.size
+            node = _NodeReader(reader, size, _name(knobs), names, tells_size=told is not None, keeps_motion=not is_ours)
+            return reader.fitted(node.root(knobs["curves"], knobs.get("disable")), told)
 
-        whole = joined(every, root_of, reader) if is_joined(every) else None
-        layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
+        whole = joined(every, root_of, reader) if is_ours else None
+        layers = [whole] if whole is not None else [_shown(root_of(knobs), species, reader) for species, knobs in nodes]
         if len(layers) == 1 and _says_nothing(layers[0]):
             return reader.finished(layers[0].children)
         return reader.finished(tuple(reversed(layers)))
+
+
+def _shown(layer: Layer, species: str, reader: ShapeReader) -> Layer:
+    """The layer of a node; hidden where the curves of its species make no matte."""
+    if not species.startswith(WARPS):
+        return layer
+    reader.note(f"{species} {brief(layer.name)} warps by its curves, which make no matte: they came in hidden.")
+    return replace(layer, visible=False)
+
+
+def _root(curves: Word) -> Word | None:
+    """The root layer of a knob of curves, or None where it has another form."""
+    documents = [word for word in curves.words() if word.is_braced]
+    for item in documents[-1].words() if documents else []:
+        parts = item.words() if item.is_braced else []
+        if len(parts) > 1 and parts[0].raw == "n" and parts[1].is_braced:
+            return parts[1]
+    return None
+
+
+def _is_of_the_plate(knobs: dict[str, Word], clip: Clip) -> bool:
+    """Whether a node has an input, which its script need not say, whose pictures are as large as the clip's."""
+    root = _root(knobs["curves"])
+    if root is None or ("inputs" in knobs and knobs["inputs"].value == "0"):
+        return False
+    form = next((item for item in root.words()[2:] if item.raw.lstrip().startswith("t")), None)
+    try:
+        middle = None if form is None else transform(form.nested()).pivot
+    except (ValueError, IndexError):
+        return False
+    return middle is not None and _is_middle_of(middle, clip)
+
+
+def _is_middle_of(middle: Array, clip: Clip) -> bool:
+    return bool(np.abs(2.0 * middle - clip.size).max() <= 1.0)
 
 
 def _offsets(value: Array) -> Array | None:
@@ -91,7 +137,8 @@ def _name(knobs: dict[str, Word]) -> str:
 
 
 def _says_nothing(layer: Layer) -> bool:
-    return layer.visible and not layer.locked and not layer.invert and layer.opacity == 1.0
+    is_plain = layer.visible and not layer.locked and not layer.invert and layer.transform is None
+    return is_plain and layer.opacity == 1.0
 
 
 def _flags(words: list[Word]) -> int:
@@ -112,31 +159,37 @@ class _NodeReader:
     """Layers and shapes of one node."""
 
     reader: ShapeReader
-    height: float
+    size: tuple[float, float]
     node: str
     true_names: dict[str, str]
     tells_size: bool
+    keeps_motion: bool
 
-    def root(self, curves: Word) -> Layer:
-        """The node's layers and shapes, in a layer that bears its name."""
-        documents = [word for word in curves.words() if word.is_braced]
-        items = documents[-1].words() if documents else []
-        for item in items:
-            parts = item.words() if item.is_braced else []
-            if len(parts) > 1 and parts[0].raw == "n" and parts[1].is_braced:
-                if not curves.is_whole:
-                    self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
-                layer = self._layer(parts[1], [])
-                return replace(layer, name=self.node)
-        raise RoamError(
-            f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and later; "
-            "save the script with such a version."
-        )
+    def root(self, curves: Word, disabled: Word | None = None) -> Layer:
+        """The node's layers and shapes, in a layer that bears its name; of a node that is disabled it is hidden."""
+        root = _root(curves)
+        if root is None:
+            raise RoamError(
+                f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and "
+                "later; save the script with such a version."
+            )
+        if not curves.is_whole:
+            self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
+        layer = self._layer(root, [], is_root=True)
+        return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))
 
-    def _layer(self, word: Word, outer: Sequence[Transform]) -> Layer:
+    def _is_off(self, disabled: Word | None) -> bool:
+        """Whether the node is disabled; where that varies it is taken to be on."""
+        said = "false" if disabled is None else disabled.value.strip().lower()
+        if said not in ("true", "false", "1", "0"):
+            self.reader.note(f"Whether the node {brief(self.node)} is disabled varies: it was read as on.")
+        return said in ("true", "1")
+
+    def _layer(self, word: Word, outer: Sequence[Transform], *, is_root: bool = False) -> Layer:
         items = word.words()[1:]
         name = self._true(items.pop(0).value) if items else "?"
-        flags, form, attributes = 0, Transform({}), Attributes([], self._teller("layer", name))
+        flags, attributes = 0, Attributes([], self._teller("layer", name))
+        motion, inner = None, list(outer)
         children: list[Layer | RotoShape] = []
         for item in items:
             parts = item.words()
@@ -145,29 +198,46 @@ class _NodeReader:
                 flags = _flags(parts[1:])
             elif head in ("t", "tx"):
                 form = self._transform(item, "layer", name)
-                if not outer and not self.tells_size:
+                if is_root and not self.tells_size:
                     self._doubt_size(form)
+                motion = self._motion(form) if not outer else None
+                inner = [form, *outer] if motion is None and form.moves else [*outer]
             elif head == "a":
                 attributes = Attributes(item.nested(), self._teller("layer", name))
             elif head == "layer":
-                children.append(self._layer(item, [form, *outer]))
+                children.append(self._layer(item, inner))
             elif head in ("curvegroup", "cubiccurve"):
-                children += self._shape(item, parts, [form, *outer])
+                children += self._shape(item, parts, inner)
+        visible, opacity = attributes.seen(self.reader)
         return Layer(
             self.reader.fresh_id("layer"),
             name,
             tuple(reversed(children)),
-            visible=attributes.number("vis", 1) != 0,
+            visible=visible,
             locked=bool(flags & LOCKED),
-            opacity=attributes.opacity(self.reader),
+            opacity=opacity,
             invert=attributes.number("inv", 0) != 0,
             blend=attributes.blend(),
+            transform=motion,
+        )
+
+    def _motion(self, form: Transform) -> LayerTransform | None:
+        """What moves a layer, y down; None where nothing does, or our layers cannot move so."""
+        if not self.keeps_motion or not form.moves or not form.times:
+            return None
+        over = np.array([[1.0, 0.0, 0.0], [0.0, -1.0, self.size[1]], [0.0, 0.0, 1.0]])  # its own inverse
+        return layer_motion(
+            lambda moments: over @ form.matrices(moments) @ over,
+            form.times,
+            self.size,
+            self.reader.frame,
+            self.reader,
         )
 
     def _doubt_size(self, form: Transform) -> None:
         """Tell where the root turns about the middle of other pictures than the clip's: Nuke puts its pivot there."""
         middle = form.pivot
-        if middle is None or np.abs(2.0 * middle - self.reader.clip.size).max() <= 1.0:
+        if middle is None or _is_middle_of(middle, self.reader.clip):
             return
         (width, height), (own_width, own_height) = np.rint(2.0 * middle), self.reader.clip.size
         self.reader.note(
@@ -210,7 +280,7 @@ class _NodeReader:
         own = None if outline is feather or not feather.is_braced else self._points(feather, name)[1]
         if own is not None and len(own.curves) != len(points.curves):
             raise FormError("its feather has not as many points as its outline")
-        motion = _Motion(points, own, [form, *outer], self.height, bool(curve_flags & RELATIVE_TANGENTS))
+        motion = _Motion(points, own, [form, *outer], self.size[1], bool(curve_flags & RELATIVE_TANGENTS))
         keys = self._keys(motion, name)
         if not sensible(keys):
             raise FormError("a point of it lies nowhere near the image")
@@ -336,6 +406,5 @@ class _Motion:
         absolute = np.stack(curves, axis=1)
         for form in self.transforms:
             if form.moves:
-                matrices = form.matrices(moments)[:, None, None, None]
-                absolute = (matrices[..., :2, :2] @ absolute[..., None])[..., 0] + matrices[..., :2, 2]
+                absolute = form.apply(absolute, moments)
         return np.asarray(absolute * UP + [0.0, self.height])

@@ -86,8 +86,13 @@ class Script:
         self._closing: dict[int, int] = {}
 
     def nodes(self) -> Iterator[tuple[str, Word]]:
-        """Class and body of every node, in the order of the script."""
+        """Class and body of every node, in the order of the script.
+
+        The first of several clones is written as `clone node1f0a|Roto|31 Roto {...}`; the others repeat no curves.
+        """
         for command in self.commands(0, len(self.text)):
+            if command[0].raw == "clone":
+                command = command[-2:]
             if len(command) > 1 and command[1].is_braced:
                 yield command[0].value, command[1]
 

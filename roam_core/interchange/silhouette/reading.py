@@ -12,6 +12,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key, animated_of, keys_of
+from roam_core.interchange.layer_motion import layer_motion, tell_strays
 from roam_core.interchange.reading import (
     PLAIN,
     Imported,
@@ -25,10 +26,12 @@ from roam_core.interchange.reading import (
 from roam_core.interchange.silhouette.exporter import MODES, PATH_KINDS, VEIL
 from roam_core.interchange.silhouette.project import project_session, project_shapes, unpacked
 from roam_core.interchange.silhouette.values import (
+    LINEAR,
     MATRIX,
     TRANSFORMS,
     LayerTransform,
     Track,
+    in_order,
     number,
     pairs,
     says,
@@ -47,6 +50,7 @@ from roam_core.roto import (
     Spline,
     control_points,
 )
+from roam_core.roto import LayerTransform as Motion
 from roam_core.roto.animated import Animatable
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.translatable import N_
@@ -103,6 +107,12 @@ class _Session:
             raise RoamError(f"{path} speaks of pictures of {width:g} x {height:g} pixels; that cannot be.")
         return cls((width, height), aspect, start)
 
+    @property
+    def matrix(self) -> Array:
+        """The same as a map of the plane `(3, 3)`."""
+        width, height = self.size
+        return np.array([[height / self.pixel_aspect, 0.0, width / 2.0], [0.0, height, height / 2.0], [0.0, 0.0, 1.0]])
+
     def pixels(self, positions: Array) -> Array:
         """Positions `(..., 2)` in image heights from the centre, y down, as pixels."""
         result: Array = positions * self.size[1] / [self.pixel_aspect, 1.0] + np.array(self.size) / 2.0
@@ -121,9 +131,12 @@ class _SessionReader:
         children = tuple(self._items(root, []))
         if len(children) == 1 and isinstance(children[0], Layer):
             layer = children[0]
-            if layer.visible and not layer.locked and not layer.invert and layer.opacity == 1.0:
+            is_plain = layer.visible and not layer.locked and not layer.invert and layer.transform is None
+            if is_plain and layer.opacity == 1.0:
                 children = layer.children
-        return self.reader.finished(children, self.session.size)
+        imported = self.reader.finished(children, self.session.size)
+        tell_strays(imported.layer, self.reader)
+        return replace(imported, notes=tuple(self.reader.notes))
 
     def _items(self, parent: Element, outer: Sequence[LayerTransform]) -> Iterator[Layer | RotoShape]:
         for element in parent:
@@ -149,7 +162,11 @@ class _SessionReader:
                     parts[name] = track(found, count)
                 except ValueError as error:
                     self.reader.note(f"The {name} of the layer {brief(label)} was left out: {error}.")
-        inner = [LayerTransform(parts), *outer] if parts else outer
+        form, motion, inner = LayerTransform(parts), None, outer
+        if form.times and not outer:  # the motion stays that of the layer
+            motion = self._motion(form)
+        if parts and motion is None:
+            inner = [form, *outer]
         objects = properties.get("objects")
         layer = Layer(
             self.reader.fresh_id("layer"),
@@ -160,8 +177,20 @@ class _SessionReader:
             opacity=self._percent(properties, f"layer {brief(label)}", may_begin=False)[0],
             invert=_truth(_text(properties, "invert", "")),
             blend=self._blend(_text(properties, "mode", MODES[BlendMode.ADD]), f"layer {brief(label)}"),
+            transform=motion,
         )
         return _unveiled(layer)
+
+    def _motion(self, form: LayerTransform) -> Motion | None:
+        """What moves a layer, in pixels; None where our layers cannot move so."""
+        pixels, units = self.session.matrix, np.linalg.inv(self.session.matrix)
+        return layer_motion(
+            lambda moments: pixels @ form.matrices(moments) @ units,
+            form.times,
+            self.session.size,
+            self._frame,
+            self.reader,
+        )
 
     def _shape(self, element: Element, label: str, outer: Sequence[LayerTransform]) -> RotoShape:
         properties = self._properties(element, f"The shape {brief(label)}")
@@ -245,15 +274,12 @@ class _SessionReader:
         rows = [self._control_points(inner, label, spline) for _, inner in found]
         if not rows or len({len(row) for row in rows}) != 1:
             raise ValueError("its keys have no path, or differ in their number of points")
-        order = np.argsort([number(key.get("frame", "0")) for key, _ in found], kind="stable")
-        outlines = Track(
-            np.array([number(found[i][0].get("frame", "0")) for i in order]),
-            np.stack([rows[i].ravel() for i in order]),
-            np.array([found[i][0].get("interp", "linear") for i in order]),
+        outlines = in_order(
+            [number(key.get("frame", "0")) for key, _ in found],
+            [row.ravel().tolist() for row in rows],
+            [key.get("interp", LINEAR) for key, _ in found],
         )
-        if (np.diff(outlines.frames) <= 0).any():
-            raise ValueError("it has two keys on one frame")
-        is_plain = not outer and not outlines.bends
+        is_plain = not outer and not outlines.bends and outlines.is_on_frames
         raw = self._plain(outlines) if is_plain else self._moved(outlines, label, outer)
         keys = tuple(
             Keyframe(
@@ -269,7 +295,7 @@ class _SessionReader:
         return keys, closed, spline
 
     def _plain(self, outlines: Track) -> list[Key]:
-        frames = [round(frame) for frame in outlines.frames.tolist()]
+        frames = [int(frame) for frame in outlines.frames.tolist()]
         return [
             Key(frame, Interpolation.HOLD if outlines.holds(k) else Interpolation.LINEAR, value.reshape(-1, 3, 2), True)
             for k, (frame, value) in enumerate(zip(frames, outlines.values, strict=True))

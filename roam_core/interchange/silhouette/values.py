@@ -21,6 +21,9 @@ from roam_core.interchange.xml import local_name
 LINEAR, HOLD, CATMULL_ROM = "linear", "hold", "catmullrom"
 """How values move from a key to the next one; what else a file says is taken for the first."""
 
+ROUNDED = 1e-3
+"""Frames: so near to a whole one lies a key that a few decimals moved off it."""
+
 TRANSFORMS = {"anchor": (0.0, 0.0), "position": (0.0, 0.0), "scale": (1.0, 1.0), "rotate": (0.0,)}
 """The parts of a layer's transform and the values at which they do nothing."""
 
@@ -40,6 +43,11 @@ class Track:
     def times(self) -> list[float]:
         """Of its keys; nothing for a constant."""
         return self.frames.tolist() if len(self.frames) > 1 else []
+
+    @property
+    def is_on_frames(self) -> bool:
+        """True where no key lies between two frames, as a change of speed leaves them."""
+        return not (self.frames % 1.0).any()
 
     @property
     def bends(self) -> bool:
@@ -87,25 +95,27 @@ class LayerTransform:
 
         Raises `ValueError` where the matrix sends a position to infinity.
         """
+        homogeneous = np.concatenate([positions, np.ones((*positions.shape[:-1], 1))], axis=-1)
+        x, y, depth = np.moveaxis(homogeneous @ self.matrices(moments).transpose(0, 2, 1)[:, None], -1, 0)
+        if (np.abs(depth) < 1e-9).any():
+            raise ValueError("the matrix of a layer sends it to infinity")
+        return np.stack([x / depth, y / depth], axis=-1)
+
+    def matrices(self, moments: Array) -> Array:
+        """The same as maps of the plane `(T, 3, 3)`, in the file's units."""
         anchor, position, scale, rotate = (
             self.parts[name].at(moments) if name in self.parts else np.tile(default, (len(moments), 1))
             for name, default in TRANSFORMS.items()
         )
         angle = np.radians(rotate[:, 0])
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
-        about = (positions - anchor[:, None, None]) * scale[:, None, None]
-        moved = (turn[:, None, None] @ about[..., None])[..., 0] + (anchor + position)[:, None, None]
-        return moved if MATRIX not in self.parts else _projected(moved, self.parts[MATRIX].at(moments))
-
-
-def _projected(positions: Array, matrices: Array) -> Array:
-    """Positions `(T, P, 3, 2)` as row vectors (x, y, 0, 1) times `matrices (T, 16)`, divided by the last of four."""
-    plane = matrices.reshape(-1, 4, 4)[:, [[0], [1], [3]], [0, 1, 3]]
-    homogeneous = np.concatenate([positions, np.ones((*positions.shape[:-1], 1))], axis=-1)
-    x, y, depth = np.moveaxis(homogeneous @ plane[:, None], -1, 0)
-    if (np.abs(depth) < 1e-9).any():
-        raise ValueError("the matrix of a layer sends it to infinity")
-    return np.stack([x / depth, y / depth], axis=-1)
+        result = np.tile(np.eye(3), (len(moments), 1, 1))
+        result[:, :2, :2] = turn * scale[:, None]
+        result[:, :2, 2] = anchor + position - (result[:, :2, :2] @ anchor[..., None])[..., 0]
+        if MATRIX not in self.parts:
+            return result
+        rows = self.parts[MATRIX].at(moments).reshape(-1, 4, 4)[:, [[0], [1], [3]], [0, 1, 3]]
+        return np.asarray(rows.transpose(0, 2, 1) @ result)
 
 
 # ---- words -----------------------------------------------------------------------------------------------------------
@@ -138,10 +148,18 @@ def track(element: Element, count: int) -> Track:
         rows.append([number(word) for word in words[:count]])
     if not rows:
         raise ValueError(f"{element.get('id', 'a property')!r} has no value")
-    frames = np.array([number(entry.get("frame", "0")) for entry in entries])
-    if (np.diff(frames) <= 0).any():
-        raise ValueError(f"the keys of {element.get('id', 'a property')!r} are not in order")
-    return Track(frames, np.array(rows), np.array([entry.get("interp", LINEAR) for entry in entries]))
+    moves = [entry.get("interp", LINEAR) for entry in entries]
+    return in_order([number(entry.get("frame", "0")) for entry in entries], rows, moves)
+
+
+def in_order(frames: Sequence[float], rows: Sequence[Sequence[float]], moves: Sequence[str]) -> Track:
+    """Keys in any order as a track; those that are meant for a whole frame are on it."""
+    order = np.argsort(frames, kind="stable")
+    stamps, nearest = np.array(frames)[order], np.rint(frames)[order]
+    stamps = np.where(np.abs(stamps - nearest) < ROUNDED, nearest, stamps)
+    if (np.diff(stamps) <= 0).any():
+        raise ValueError("it has two keys on one frame")
+    return Track(stamps, np.array(rows)[order], np.array(moves)[order])
 
 
 def says(element: Element, default: Sequence[float]) -> bool:

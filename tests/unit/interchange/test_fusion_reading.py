@@ -86,6 +86,31 @@ def test_levels_and_soft_edges(tmp_path: Path) -> None:
     assert any("eased" in note for note in imported.notes)
 
 
+@pytest.mark.parametrize(
+    ("soft", "border", "feather", "notes"),
+    [
+        (0.0, 0.01, 0.0, ["The border of 'P'"]),
+        (0.01, 0.0, 19.2, ["The soft edge of 'P'"]),
+        (0.01, 0.01, 19.2, ["The soft edge of 'P'", "The border of 'P'"]),
+    ],
+)
+def test_borders_that_move_the_edge_are_named(
+    tmp_path: Path, soft: float, border: float, feather: float, notes: list[str]
+) -> None:
+    more = f"SoftEdge = Input {{ Value = {soft}, }}, BorderWidth = Input {{ Value = {border}, }},"
+    imported = read(mask("P", key(1, 0), more), tmp_path)
+    assert only(imported).feather == pytest.approx(feather)
+    assert [note.split(",")[0].split(" lies")[0] for note in imported.notes] == notes
+
+
+def test_a_line_around_an_area_is_hidden_and_named(tmp_path: Path) -> None:
+    imported = read(mask("P", key(1, 0), "Solid = Input { Value = 0, },"), tmp_path)
+    shape = only(imported)
+    assert (shape.closed, shape.visible) == (True, False)
+    assert ["'P' is a line" in note for note in imported.notes] == [True]
+    assert only(read(mask("P", key(1, 0), "Solid = Input { Value = 1, },"), tmp_path)).visible
+
+
 def test_a_chain_lies_in_its_order_whatever_the_files(tmp_path: Path) -> None:
     above = """EffectMask = Input { SourceOp = "Low", Source = "Mask", },
                PaintMode = Input { Value = FuID { "Subtract" }, },"""

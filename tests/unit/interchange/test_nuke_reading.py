@@ -307,14 +307,14 @@ def test_the_list_begins_with_what_lies_on_top(read: Read) -> None:
 
 
 def test_the_format_of_the_node_turns_y_over_and_scales_to_the_clip(read: Read) -> None:
-    imported = read(node(group(), knobs=' format "400 300 0 0 400 300 1 big"'))
+    imported = read(node(group(), knobs=' inputs 0\n format "400 300 0 0 400 300 1 big"'))
     assert anchors(only(imported))[0] == [5, pytest.approx((300 - 20) / 3, abs=1e-3)]
     assert ["scaled" in note for note in imported.notes] == [True]
 
 
 def test_each_node_is_scaled_from_its_own_format(read: Read) -> None:
     """A node without one is of the clip's; all were scaled as the first that had one, and lay in a wrong place."""
-    knobs = (' format "400 300 0 0 400 300 1 x"', "", ' format "200 200 0 0 200 200 1 x"')
+    knobs = (' inputs 0\n format "400 300 0 0 400 300 1 x"', "", ' inputs 0\n format "200 200 0 0 200 200 1 x"')
     imported = read("".join(node(group(), knobs=each) for each in knobs))
     first = [np.round(shape.at(1001).anchors[0], 3).tolist() for shape in reversed(list(imported.layer.shapes()))]
     assert first == [[5.0, 93.333], [10.0, 80.0], [10.0, 90.0]]
@@ -339,7 +339,7 @@ def test_handles_may_be_told_as_places(read: Read) -> None:
 
 
 def test_the_format_of_the_script_is_the_next_best(read: Read) -> None:
-    script = 'Root {\n format "200 500 0 0 200 500 1 tall"\n}\n' + node(group())
+    script = 'Root {\n format "200 500 0 0 200 500 1 tall"\n}\n' + node(group(), knobs=" inputs 0")
     assert anchors(only(read(script)))[0] == [10, 480 / 5]
 
 
