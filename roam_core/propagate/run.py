@@ -52,7 +52,7 @@ def track(
     Parameters
     ----------
     read : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; raises `MissingFrame` where there is
-        none. What else it raises ends the run.
+        none. What else it raises ends the run; of a mapping that lacks the frame (`KeyError`) as a `RoamError`.
     frames : in the order in which they are gone through, rising or falling.
     config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
     clip : identity of the clip for the stamps of ENGINE keys (`provenance.clip_stamp`).
@@ -76,7 +76,7 @@ def track(
         raise RoamError("There is no shape to track; draw one, or select one, first.")
     if len(frames) == 0:
         raise RoamError("There is no frame to track; name the one to begin on, and those to go to.")
-    first = PreparedFrame(read(frames[0]))
+    first = _picture(read, frames[0])
     begun_with = [shapes[k].at(frames[0]).points for k in asked]
     if not any(shapes[k].key_at(frames[0]) for k in asked) and is_blank(first, begun_with, params_for(config).blank):
         raise MissingFrame(f"Frame {frames[0]} shows nothing; track from a frame that does.")
@@ -92,7 +92,7 @@ def track(
     for beginning, run in runs.items():
         take_up(
             run.tracker,
-            lambda frame: first if frame == frames[0] else PreparedFrame(read(frame)),
+            lambda frame: first if frame == frames[0] else _picture(read, frame),
             stamps,
             beginning,
             frames[0],
@@ -108,7 +108,7 @@ def track(
         if token is not None:
             token.check()
         try:
-            picture = PreparedFrame(read(frame))
+            picture = _picture(read, frame)
         except MissingFrame:
             yield _in_order(frame, under_way, [run.tracker.skip(frame) for run in under_way])
             continue
@@ -162,6 +162,17 @@ def _regrouped(
         tracker.start(picture, [now.get(j, stamps.shapes[j]) for j in members], frame, forward=forward)
         result.append(_Run(tracker, members, asked))
     return sorted(result, key=lambda run: (run.members, run.asked))
+
+
+def _picture(read: ReadFrame, frame: int) -> PreparedFrame:
+    try:
+        return PreparedFrame(read(frame))
+    except KeyError as error:
+        if error.args != (frame,):
+            raise
+        raise RoamError(
+            f"There is no image of frame {frame}; give one, or raise MissingFrame where the plate has none."
+        ) from None
 
 
 def _numbers(frames: Sequence[int]) -> tuple[int, ...]:

@@ -66,6 +66,9 @@ def fill_span(
     filled together. A shape that ends between two keys of its object is carried on from its last key; one that begins
     or ends on a key gets no keys, but tells how much of the object the others do not show there.
 
+    All shapes that are given are filled, also what is locked in a project: that holds for an artist's hand, the window
+    and the command line. `only` leaves out what is to stay as it is (`Project.is_locked`).
+
     Parameters
     ----------
     images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for about four times
