@@ -16,7 +16,8 @@ import pytest
 import roam_core
 from roam_core import installation
 from roam_core.cli import COMMANDS, program
-from roam_core.roto import file
+from roam_core.geometry import bezier
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
 
 
@@ -51,6 +52,32 @@ def test_commands_do_not_ask_for_the_window(
     monkeypatch.setattr(installation, "find_spec", lambda name: pytest.fail(f"asked for {name}"))
     assert program.main(["info", "nowhere.roam"]) == 1
     assert "nowhere.roam" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words", [["--version"], ["--help"], ["configs"], ["info", "--help"], ["info", "p.png"], ["info", "p.roam"]]
+)
+def test_what_needs_no_engine_does_not_load_what_compiles_it(tmp_path: Path, words: list[str]) -> None:
+    cv2.imwrite(str(tmp_path / "p.png"), np.full((40, 60, 3), 90, np.uint8))
+    outline = bezier.polygon_points([(10.0, 10.0), (40.0, 10.0), (40.0, 30.0)])
+    tracked = Keyframe(2, outline, origin=Origin.ENGINE, confidence=0.9, inputs="none")
+    shape = RotoShape("a", "A", (Keyframe(1, outline), tracked))
+    project = Project(Clip(tmp_path / "p.png", 1, 2, (60, 40)))
+    file.save(edit.add_shape(project, shape), tmp_path / "p.roam")
+    code = f"""
+import sys
+from roam_core.cli.program import main
+try:
+    main({words!r})
+finally:
+    print(*{{"numba", "scipy"}} & set(sys.modules), file=sys.stderr)
+"""
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr.splitlines()[-1]) == (0, "")
+    assert done.stdout
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a process of Windows gets no SIGINT from itself")
