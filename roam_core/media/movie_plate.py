@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from pathlib import Path
 
+from roam_core.arguments import frame_number
 from roam_core.arrays import Image
 from roam_core.media.curves import SRGB
 from roam_core.media.layers import PLAIN
@@ -70,6 +71,7 @@ class MoviePlate(ABC):
         MissingFrame, DamagedFrame
             see `PlateSource.read`.
         """
+        frame = frame_number(frame)
         if not 1 <= frame <= self.count:
             raise MissingFrame(f"Frame {frame} of {self.path} is missing: the movie has the frames 1 to {self.count}.")
         picture = self._picture(frame - 1)

@@ -47,7 +47,8 @@ def track(
 
     `only` are the ids of the shapes that are wanted; None: all. The others are solved with those whose object they
     belong to, and are not given back: what is wanted comes out the same whichever of its object is. With `alone` each
-    shape is solved as if there were no others.
+    shape is solved as if there were no others. What is locked in a project is carried like all else: `only` leaves it
+    out (`Project.is_locked`).
 
     Parameters
     ----------
