@@ -12,7 +12,7 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.features.blank import is_blank
-from roam_core.media.partial import ReadFrame
+from roam_core.media.partial import Images, reading
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate.frame.result import FrameResult, TrackResult
@@ -25,7 +25,7 @@ from roam_core.threads import each
 
 
 def track(
-    read: ReadFrame,
+    read: Images,
     shapes: Sequence[RotoShape],
     frames: Sequence[int],
     config: str | RoamParams = DEFAULT_CONFIG,
@@ -52,8 +52,8 @@ def track(
 
     Parameters
     ----------
-    read : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; raises `MissingFrame` where there is
-        none. What else it raises ends the run; of a mapping that lacks the frame (`KeyError`) as a `RoamError`.
+    read : a function that gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1], and raises
+        `MissingFrame` where there is none, or a mapping that does so. What else it raises ends the run.
     frames : in the order in which they are gone through, rising or falling.
     config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
     clip : identity of the clip for the stamps of ENGINE keys (`provenance.clip_stamp`).
@@ -69,15 +69,14 @@ def track(
         frame, is passed over and reported as MISSING_FRAME.
     """
     shapes, frames = shapes_of(shapes), frames if isinstance(frames, range) else _numbers(frames)
-    if not callable(read):
-        raise ValueError(f"`read` gives the picture of a frame, as the method `read` of a plate, but is {shown(read)}")
+    read = reading(read)
     only = names_of(only, (shape.id for shape in shapes))
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:
         raise RoamError("There is no shape to track; draw one, or select one, first.")
     if len(frames) == 0:
         raise RoamError("There is no frame to track; name the one to begin on, and those to go to.")
-    first = _picture(read, frames[0])
+    first = PreparedFrame(read(frames[0]))
     begun_with = [shapes[k].at(frames[0]).points for k in asked]
     if not any(shapes[k].key_at(frames[0]) for k in asked) and is_blank(first, begun_with, params_for(config).blank):
         raise MissingFrame(f"Frame {frames[0]} shows nothing; track from a frame that does.")
@@ -93,7 +92,7 @@ def track(
     for beginning, run in runs.items():
         take_up(
             run.tracker,
-            lambda frame: first if frame == frames[0] else _picture(read, frame),
+            lambda frame: first if frame == frames[0] else PreparedFrame(read(frame)),
             stamps,
             beginning,
             frames[0],
@@ -109,7 +108,7 @@ def track(
         if token is not None:
             token.check()
         try:
-            picture = _picture(read, frame)
+            picture = PreparedFrame(read(frame))
         except MissingFrame:
             yield _in_order(frame, under_way, [run.tracker.skip(frame) for run in under_way])
             continue
@@ -163,17 +162,6 @@ def _regrouped(
         tracker.start(picture, [now.get(j, stamps.shapes[j]) for j in members], frame, forward=forward)
         result.append(_Run(tracker, members, asked))
     return sorted(result, key=lambda run: (run.members, run.asked))
-
-
-def _picture(read: ReadFrame, frame: int) -> PreparedFrame:
-    try:
-        return PreparedFrame(read(frame))
-    except KeyError as error:
-        if error.args != (frame,):
-            raise
-        raise RoamError(
-            f"There is no image of frame {frame}; give one, or raise MissingFrame where the plate has none."
-        ) from None
 
 
 def _numbers(frames: Sequence[int]) -> tuple[int, ...]:

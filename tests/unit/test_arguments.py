@@ -261,17 +261,21 @@ def test_only_may_be_one_id_and_no_other_than_there_are() -> None:
 def test_frames_and_their_reader_are_what_they_should_be() -> None:
     with pytest.raises(ValueError, match="frames are several numbers"):
         carried(frames=FIRST)
-    for read in (None, IMAGES, dict(zip(SHOT.frames, IMAGES, strict=True))):
-        with pytest.raises(ValueError, match="`read` gives the picture of a frame"):
+    by_frame = dict(zip(SHOT.frames, IMAGES, strict=True))
+    assert carried(read=by_frame) == carried(read=by_frame.__getitem__) == carried()
+    for read in (None, IMAGES, "shot"):
+        with pytest.raises(ValueError, match="a mapping from frames to pictures, or a function that reads one"):
             carried(read=read)
 
 
 def test_a_span_is_filled_from_a_list_of_its_pictures() -> None:
     by_frame = filled(dict(zip(SHOT.frames, IMAGES, strict=True)))
-    assert filled(IMAGES) == filled(tuple(IMAGES)) == filled(np.stack(IMAGES)) == by_frame
+    assert filled(IMAGES) == filled(tuple(IMAGES)) == filled(np.stack(IMAGES)) == filled(SHOT.read) == by_frame
+    with pytest.raises(RoamError, match=f"no image of frame {FIRST}; give one, or raise MissingFrame"):
+        filled({LAST: IMAGES[-1]})
     with pytest.raises(ValueError, match=f"3 images for the frames {FIRST} to {LAST}"):
         filled(IMAGES[1:])
-    for images in (None, iter(IMAGES), SHOT.read):
+    for images in (None, iter(IMAGES), "shot"):
         with pytest.raises(ValueError, match="a mapping from frames to pictures"):
             filled(images)
 
