@@ -6,7 +6,7 @@ import argparse
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ from tqdm import tqdm
 from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
 from roam_core.cli.configuring import configured
-from roam_core.cli.keeping import kept
+from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
@@ -134,7 +134,7 @@ def fill_project(
     project: Project,
     gaps: Sequence[Gap],
     params: RoamParams,
-    keep: Callable[[Project], None],
+    keep: Write,
     picking: Picking = EVERYTHING,
 ) -> FilledProject:
     """Fill the gaps one after the other. `keep` is given what is finished, as it goes and however it ends.
