@@ -114,7 +114,9 @@ def test_a_command_runs_without_standard_streams(closed: str, tmp_path: Path) ->
     assert file.load(tmp_path / "p.roam").shapes[0].frames == (1001, 1002)
 
 
-@pytest.mark.parametrize(("arguments", "status"), [(["--help"], 0), (["--version"], 0), (["--versio"], 2)])
+@pytest.mark.parametrize(
+    ("arguments", "status"), [(["--help"], 0), (["--version"], 0), (["version"], 0), (["--versio"], 2)]
+)
 def test_help_and_version_need_no_window(
     no_window: None, arguments: list[str], status: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
