@@ -27,7 +27,6 @@ from benchmarks import report
 from benchmarks.scaling import drawn
 from roam_core import edit
 from roam_core.arrays import Image
-from roam_core.cli.fill import Pictures
 from roam_core.cli.plate import AHEAD, opened
 from roam_core.media import FrameCache, decoding, open_clip
 from roam_core.media.cache import DEFAULT_LIMIT
@@ -260,7 +259,7 @@ def filled(folder: Path, shape: RotoShape, count: int) -> Carried:
         last = first + count + 1
         both = edit.set_key(shape, last, shape.at(first).points)
         began = processor_seconds()
-        fill_span(Pictures(plate), [both], first, last)
+        fill_span(plate.parts_or_bridge, [both], first, last)
         seconds = (processor_seconds() - began) / count
     return Carried(seconds, peak_mebibytes())
 

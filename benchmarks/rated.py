@@ -89,7 +89,8 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
     """The frames between keys so many frames apart, from the true masks there."""
     keys = list(shot.frames[::gap])
     shapes = true_keys.of(shot).over(keys)
-    filling = Filling(Reader({frame: shot.read(frame) for frame in shot.frames}), params_for(CONFIGS["best"]))
+    pictures = {frame: shot.read(frame) for frame in shot.frames}
+    filling = Filling(Reader(pictures.__getitem__), params_for(CONFIGS["best"]))
     for start, stop in pairwise(keys):
         gaps = spans(shapes, start, stop)
         if not gaps:

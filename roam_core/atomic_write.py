@@ -60,6 +60,26 @@ def write_atomically(path: Path, content: bytes | Iterable[bytes], *, flushes: b
         raise
 
 
+def make_folder(folder: Path) -> None:
+    """Have a folder be there, with those around it.
+
+    Raises
+    ------
+    RoamError
+        when it cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
+
+
+def require_open(folder: Path) -> None:
+    """Refuse a folder in which this user may make no files, in a `RoamError`."""
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
+
+
 def temporary_beside(target: Path) -> Path:
     """A new name in the folder of `target` that tells whose it is, and is short however long the target's name is."""
     return target.with_name(f".roam-{os.getpid()}-{secrets.token_hex(8)}.tmp")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from typing import Any, Self
 
 Progress = Callable[[float, str], None]
 """Called with the finished fraction in [0, 1] and a few words that say what is being done."""
@@ -14,10 +15,25 @@ class Cancelled(Exception):
 
 
 class CancelToken:
-    """A flag that one thread raises and a job on another thread looks at, at its safe points."""
+    """A flag that one thread raises and a job on another thread looks at, at its safe points.
+
+    A copy is the same flag. It is one of its process, and is not pickled (`TypeError`).
+    """
 
     def __init__(self) -> None:
         self._event = threading.Event()
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, _memo: dict[int, Any]) -> Self:
+        return self
+
+    def __getstate__(self) -> dict[str, Any]:
+        raise TypeError(
+            "a CancelToken is not pickled: it would be another flag in another process, which nobody could raise; make "
+            "one there"
+        )
 
     def cancel(self) -> None:
         """Ask the job to stop at its next safe point."""

@@ -13,7 +13,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-from roam_core.atomic_write import write_atomically
+from roam_core.atomic_write import make_folder, write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
@@ -83,10 +83,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 0
     tasks = tasks_of(found.jobs, overwrite=arguments.overwrite)
     out = found.jobs.out
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise RoamError(f"The folder {out} cannot be made: {error.strerror}.") from None
+    make_folder(out)
     outcomes: list[driver.Outcome] = []
     began, workers = time.perf_counter(), 0
     try:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +11,7 @@ from platformdirs import user_cache_path
 from tqdm import tqdm
 
 from roam_core.cli.configuring import configured
+from roam_core.cli.keeping import Write
 from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import Plate, opened
@@ -101,7 +101,7 @@ def demo_project(plate: Plate) -> Project:
     return project
 
 
-def track_demo(plate: Plate, config: str, report: Report, keep: Callable[[Project], None] | None = None) -> Project:
+def track_demo(plate: Plate, config: str, report: Report, keep: Write | None = None) -> Project:
     """Track the demo forward from its first frame; `report` and `keep` as for `track_project`."""
     frames = frame_range(plate.source.frames, None, None)
     return track_project(plate, demo_project(plate), frames, config, report=report, keep=keep)

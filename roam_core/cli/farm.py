@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from roam_core.atomic_write import write_atomically
+from roam_core.atomic_write import make_folder, write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import loaded
@@ -59,10 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
     shares = Shares(gaps, frames, arguments.chunk)
     template = template_of(job, out, shares, target.absolute().parent, arguments.roam)
     content = written(checked(template), target)
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise RoamError(f"The folder {out} cannot be made: {error.strerror}.") from None
+    make_folder(out)
     write_atomically(target, content)
     names = [step["name"] for step in template["steps"]]
     if arguments.json:

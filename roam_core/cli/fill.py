@@ -6,7 +6,7 @@ import argparse
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ from tqdm import tqdm
 from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
 from roam_core.cli.configuring import configured
-from roam_core.cli.keeping import kept
+from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
@@ -30,7 +30,6 @@ from roam_core.cli.targets import require_target, require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.media.partial import PartialPicture
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.between.span import fill_span
@@ -135,7 +134,7 @@ def fill_project(
     project: Project,
     gaps: Sequence[Gap],
     params: RoamParams,
-    keep: Callable[[Project], None],
+    keep: Write,
     picking: Picking = EVERYTHING,
 ) -> FilledProject:
     """Fill the gaps one after the other. `keep` is given what is finished, as it goes and however it ends.
@@ -178,24 +177,10 @@ def _filled(
     stamp = clip_stamp(project.clip)
     asked = {shape.id for shape in trackable(project, picking) if takes_part(shape, gap)}
     shapes = [shape for shape in project.shapes if shape.closed]
-    filled = fill_span(Pictures(plate), shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone)
+    filled = fill_span(
+        plate.parts_or_bridge, shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone
+    )
     return [shape for shape in filled if shape.id in asked]
-
-
-class Pictures(Mapping[int, PartialPicture]):
-    """The plate's pictures by frame, for the engine; a gap of the plate raises `MissingFrame`."""
-
-    def __init__(self, plate: Plate) -> None:
-        self._plate = plate
-
-    def __getitem__(self, frame: int) -> PartialPicture:
-        return self._plate.parts_or_bridge(frame)
-
-    def __iter__(self) -> Iterator[int]:
-        return iter(self._plate.source.frames)
-
-    def __len__(self) -> int:
-        return len(self._plate.source.frames)
 
 
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:

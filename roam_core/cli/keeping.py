@@ -12,8 +12,14 @@ from roam_core.roto import Project
 
 PAUSE = 1.0
 """Seconds between two writes, at least."""
+SPARSER = 60
+"""Times longer is the pause after each write that found what somebody else had written meanwhile. Each keeps that as a
+backup: two runs that write to one file would push all earlier ones out within seconds."""
 SHARE = 0.1
 """Of a run's time that writing may take: the pause grows with the time that a write takes."""
+
+Write = Callable[[Project], object]
+"""Puts a project where it belongs, whole or not at all. Gives True where somebody else had written there meanwhile."""
 
 
 class Keeper:
@@ -21,14 +27,15 @@ class Keeper:
 
     Parameters
     ----------
-    write : puts a project where it belongs, whole or not at all; None: nothing is kept.
+    write : None: nothing is kept.
     clock : seconds.
     """
 
-    def __init__(self, write: Callable[[Project], None] | None, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(self, write: Write | None, clock: Callable[[], float] = time.monotonic) -> None:
         self._write, self._clock = write, clock
         self._waiting: Project | None = None
         self.has_written = False
+        self._pause = PAUSE
         self._due = clock() + PAUSE
 
     def offer(self, project: Project) -> None:
@@ -42,13 +49,14 @@ class Keeper:
         if self._waiting is None or self._write is None:
             return
         project, began = self._waiting, self._clock()
-        self._write(project)
+        if self._write(project):
+            self._pause *= SPARSER
         self._waiting, self.has_written, ended = None, True, self._clock()
-        self._due = ended + max(PAUSE, (ended - began) / SHARE)
+        self._due = ended + max(self._pause, (ended - began) / SHARE)
 
 
 @contextmanager
-def kept(write: Callable[[Project], None] | None) -> Iterator[Keeper]:
+def kept(write: Write | None) -> Iterator[Keeper]:
     """A keeper for the length of a `with` block; however the block is left, what was offered is written.
 
     An error of the block that is told to the user says what has become of that.

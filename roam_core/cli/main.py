@@ -45,8 +45,9 @@ STOPPED = "roam: stopped; what was finished is kept."
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage; a command that a signal
-    ended gives 128 and its number: 130 interrupted, 143 terminated, 129 hung up, 141 output that nobody reads."""
+    """Run one command. Returns the exit code: 0 done, 1 refused or failed; a command that a signal ended gives 128 and
+    its number: 130 interrupted, 143 terminated, 129 hung up, 141 output that nobody reads. Bad usage, and a word such
+    as `--help`, end in `SystemExit`, of 2 and of 0."""
     # A name of a file may hold what the terminal cannot show: it is escaped, not an error.
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):

@@ -23,18 +23,19 @@ def add_overwrite(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def project_writer(target: Path, read: Path | None = None) -> Callable[[Project], None]:
+def project_writer(target: Path, read: Path | None = None) -> Callable[[Project], bool]:
     """A function that writes projects to `target`. Ask for it before `read`, the project to work on, is read.
 
     A project that is there is kept aside first, and the user is told, unless it is what was read or written last:
     another one, and what somebody else saved there meanwhile. What was read is kept aside, too, without a word, as by
-    the window: once, when something else takes its place.
+    the window: once, when something else takes its place. The function gives True where somebody else had saved there.
     """
     is_as_read = read is not None and target.exists() and read.exists() and target.samefile(read)
     known = Fingerprint.of(target) if is_as_read else None
 
-    def write(project: Project) -> None:
+    def write(project: Project) -> bool:
         nonlocal known, is_as_read
+        is_contested = False
         if is_as_read and known is not None and known.is_of(target) and not file.is_saved(project, target):
             is_as_read = False
             _keep_read(target)
@@ -42,10 +43,12 @@ def project_writer(target: Path, read: Path | None = None) -> Callable[[Project]
             if known is None:
                 said = f"The project that was {target} is kept as {kept.name}."
             else:
+                is_contested = True
                 said = f"roam: {target} was changed by somebody else meanwhile; what it held is kept as {kept.name}."
             print(said, file=sys.stderr)
         file.save(project, target)
         known = Fingerprint.of(target)
+        return is_contested
 
     return write
 

@@ -8,7 +8,7 @@ import sys
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from roam_core.atomic_write import write_atomically
+from roam_core.atomic_write import make_folder, write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_word
 from roam_core.errors import RoamError
@@ -53,14 +53,13 @@ def _write(folder: Path, contents: dict[str, bytes]) -> None:
     """Write all files; where one cannot be, a folder that is new goes again: half of them stop the other program."""
     is_new = not folder.exists()
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         for name, content in contents.items():
             write_atomically(folder / name, content)
-    except (OSError, RoamError) as error:
+    except RoamError:
         if is_new:
             shutil.rmtree(folder, ignore_errors=True)
-        reason = error.strerror or error if isinstance(error, OSError) else str(error).rstrip(".")
-        raise RoamError(f"The scripts cannot be written to {folder}: {reason}.") from None
+        raise
 
 
 def _scripts(program: str) -> list[Traversable]:

@@ -28,7 +28,10 @@ roam COMMAND --help describes each of them.
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, or no window or display."""
+    """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 no window or display.
+
+    Bad usage ends in `SystemExit`.
+    """
     if argv is None:
         open_missing_streams()
     arguments = list(sys.argv[1:] if argv is None else argv)
@@ -87,9 +90,8 @@ def _path_in(arguments: list[str]) -> str | None:
     given, rest = parser.parse_known_args(arguments)
     path: str | None = given.path
     if path is not None and path not in COMMANDS and not os.path.lexists(path):
-        if path == "help":
-            parser.print_help()
-            parser.exit()
+        if path in ("help", "version"):
+            parser.parse_args([f"--{path}"])  # says it, and ends
         # A word alone may be a folder that is elsewhere: it has to be nearer to a command.
         near = get_close_matches(path, COMMANDS, n=1, cutoff=0.6 if rest else NEARLY)
         if rest or near:

@@ -7,7 +7,7 @@ import platform
 import shutil
 import sys
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +15,7 @@ from pathlib import Path
 from roam_core.atomic_write import is_alive
 from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
-from roam_core.cli.keeping import kept
+from roam_core.cli.keeping import Write, kept
 from roam_core.cli.performing import WORK
 from roam_core.cli.picking import Picking
 from roam_core.cli.spans import Gap, Piece, pieces_of, taken
@@ -42,7 +42,7 @@ def filled_apart(
     params: RoamParams,
     picking: Picking,
     workers: int,
-    keep: Callable[[Project], None],
+    keep: Write,
 ) -> Project:
     """The project with the keys of as many gaps as could be filled; it comes out as from one process.
 

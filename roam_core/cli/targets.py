@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
-from roam_core.atomic_write import writable_target
+from roam_core.atomic_write import make_folder, require_open, writable_target
 from roam_core.errors import RoamError
 
 
@@ -21,12 +20,8 @@ def require_writable(folder: Path, *, create: bool) -> None:
     """Refuse a target before any work is done for it; make the folder where that is asked for."""
     if folder.exists() and not folder.is_dir():
         raise RoamError(f"{folder} is a file; name a folder to write to.")
-    try:
-        if create:
-            folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
+    if create:
+        make_folder(folder)
     if not folder.is_dir():
         raise RoamError(f"The folder {folder} does not exist; make it first, or name another.")
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
+    require_open(folder)

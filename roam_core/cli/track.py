@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.cli.configuring import configured
-from roam_core.cli.keeping import kept
+from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
@@ -169,7 +169,7 @@ def track_project(
     *,
     report: Report | None = None,
     mattes: Path | None = None,
-    keep: Callable[[Project], None] | None = None,
+    keep: Write | None = None,
 ) -> Project:
     """Track the closed, unlocked shapes of a project, or those picked, through `frames` of its plate.
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from roam_core.arrays import Array, Bools, Indices
+from roam_core.geometry import polyline
 
 ANCHOR, IN, OUT = 0, 1, 2
 
@@ -99,9 +100,7 @@ def flatten(points: Array, closed: bool = True, tolerance: float = 0.05) -> Arra
 
 def area(points: Array) -> float:
     """What a closed spline `(P, 3, 2)` encloses, square units, whichever way it runs."""
-    from roam_core.geometry.polyline import signed_area  # numba, too
-
-    return abs(float(signed_area(flatten(points))))
+    return abs(float(polyline.signed_area(flatten(points))))
 
 
 def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[Indices, Array]:

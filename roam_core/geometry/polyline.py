@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from roam_core.arrays import Array, Indices
-from roam_core.kernels.crossing import crossing_edges
 
 
 def following(ring: Array) -> Array:
@@ -61,4 +60,6 @@ def is_simple(line: Array, closed: bool = True) -> bool:
 
 def crossings(line: Array, closed: bool = True) -> Indices:
     """Pairs `(C, 2)` of indices of edges, not neighbours, that properly cross each other (touching does not count)."""
+    from roam_core.kernels.crossing import crossing_edges  # numba: telling stamps of keys must not wait for it
+
     return np.asarray(crossing_edges(line, closed), dtype=np.intp)

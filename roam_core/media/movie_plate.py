@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from pathlib import Path
+from typing import Any
 
+from roam_core.arguments import frame_number
 from roam_core.arrays import Image
 from roam_core.media.curves import SRGB
 from roam_core.media.layers import PLAIN
@@ -28,7 +30,10 @@ def shortfall(source: PlateSource) -> str:
 
 
 class MoviePlate(ABC):
-    """A movie as a plate: frames are numbered from 1. See `PlateSource` for the attributes."""
+    """A movie as a plate: frames are numbered from 1. See `PlateSource` for the attributes.
+
+    A copy, also in another process, opens the file anew.
+    """
 
     readers = 1
     size: tuple[int, int]
@@ -44,6 +49,9 @@ class MoviePlate(ABC):
     def __init__(self, path: Path) -> None:
         self.path = path
         self.frames: tuple[int, ...] = ()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.path,)
 
     @property
     def count(self) -> int:
@@ -70,6 +78,7 @@ class MoviePlate(ABC):
         MissingFrame, DamagedFrame
             see `PlateSource.read`.
         """
+        frame = frame_number(frame)
         if not 1 <= frame <= self.count:
             raise MissingFrame(
                 sentence(

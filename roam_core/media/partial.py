@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
 
+from roam_core.arguments import shown
 from roam_core.arrays import Image
+from roam_core.errors import RoamError
 from roam_core.media.area import Area
 from roam_core.media.colour import ROWS_AT_ONCE, to_engine
 from roam_core.media.curves import COLOUR_SPACES
@@ -16,6 +18,8 @@ from roam_core.media.source import Areas, MissingFrame, PlateSource
 
 ReadFrame = Callable[[int], "Image | PartialPicture"]
 """Gives the picture `(h, w, 3)` of a frame by its number, or its parts; raises `MissingFrame` in a gap."""
+Images = ReadFrame | Mapping[int, "Image | PartialPicture"]
+"""The pictures of a shot, from a function or in a mapping."""
 
 
 COLUMNS_AT_ONCE = 128
@@ -174,3 +178,31 @@ class PartialFrames:
         """What was looked at of the frame nearest to one, or of itself; None where of no frame anything was."""
         seen = [(abs(other - frame), other) for other, each in tuple(self._looked_at.items()) if each.area]
         return self._looked_at[min(seen)[1]].area if seen else None
+
+
+def reading(images: Images) -> ReadFrame:
+    """The pictures of a shot from a function, which raises a `RoamError` for a frame that a mapping lacks.
+
+    Raises
+    ------
+    ValueError
+        when they are neither given by a function nor in a mapping.
+    """
+    look_up = images if callable(images) else getattr(images, "__getitem__", None)
+    if look_up is None or isinstance(images, str | bytes | list | tuple | np.ndarray):
+        raise ValueError(
+            "images are a mapping from frames to pictures, or a function that reads one, as the method `read` of a "
+            f"plate, not {shown(images)}"
+        )
+
+    def read(frame: int) -> Image | PartialPicture:
+        try:
+            return look_up(frame)
+        except KeyError as error:
+            if error.args != (frame,):
+                raise
+            raise RoamError(
+                f"There is no image of frame {frame}; give one, or raise MissingFrame where the plate has none."
+            ) from None
+
+    return read

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from roam_core.arguments import frame_number
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
 from roam_core.media.area import Area
@@ -74,7 +75,8 @@ class ImageSequence:
         return FileAreas(file, self.layer)
 
     def _existing(self, frame: int) -> Path:
-        """The file of a frame that there is."""
+        """The file of a frame that there is; a `ValueError` for what is no frame's number."""
+        frame = frame_number(frame)
         name = self._sequence.names.get(frame)
         if name is None:
             raise MissingFrame(self._lacks(frame))

@@ -114,6 +114,8 @@ class PlateSource(Protocol):
         MissingFrame
             when the plate has no such frame; `DamagedFrame` when it is there and cannot be decoded, or differs in size
             from the others.
+        ValueError
+            for what is no frame's number.
         """
 
     def areas(self, frame: int) -> Areas | None:

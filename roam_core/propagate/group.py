@@ -48,6 +48,8 @@ class Standing:
 class GroupTracker:
     """Carries closed shapes from frame to frame, in either direction. Shapes that subtract are the object's holes.
 
+    A copy goes on by itself: where a group stands is a value that no step changes.
+
     Parameters
     ----------
     config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
@@ -63,6 +65,11 @@ class GroupTracker:
     def another(self) -> GroupTracker:
         """A tracker like this one that was not started."""
         return GroupTracker(self.params, self._clip, alone=self._alone)
+
+    @property
+    def is_started(self) -> bool:
+        """Whether it stands on a frame."""
+        return self._standing is not None
 
     @property
     def standing(self) -> Standing:

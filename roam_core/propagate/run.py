@@ -12,7 +12,7 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.features.blank import is_blank
-from roam_core.media.partial import ReadFrame
+from roam_core.media.partial import Images, reading
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate.frame.result import FrameResult, TrackResult
@@ -26,7 +26,7 @@ from roam_core.translatable import sentence
 
 
 def track(
-    read: ReadFrame,
+    read: Images,
     shapes: Sequence[RotoShape],
     frames: Sequence[int],
     config: str | RoamParams = DEFAULT_CONFIG,
@@ -48,12 +48,13 @@ def track(
 
     `only` are the ids of the shapes that are wanted; None: all. The others are solved with those whose object they
     belong to, and are not given back: what is wanted comes out the same whichever of its object is. With `alone` each
-    shape is solved as if there were no others.
+    shape is solved as if there were no others. What is locked in a project is carried like all else: `only` leaves it
+    out (`Project.is_locked`).
 
     Parameters
     ----------
-    read : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; raises `MissingFrame` where there is
-        none. What else it raises ends the run.
+    read : a function that gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1], and raises
+        `MissingFrame` where there is none, or a mapping that does so. What else it raises ends the run.
     frames : in the order in which they are gone through, rising or falling.
     config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
     clip : identity of the clip for the stamps of ENGINE keys (`provenance.clip_stamp`).
@@ -69,8 +70,7 @@ def track(
         frame, is passed over and reported as MISSING_FRAME.
     """
     shapes, frames = shapes_of(shapes), frames if isinstance(frames, range) else _numbers(frames)
-    if not callable(read):
-        raise ValueError(f"`read` gives the picture of a frame, as the method `read` of a plate, but is {shown(read)}")
+    read = reading(read)
     only = names_of(only, (shape.id for shape in shapes))
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from copy import copy
+from typing import Any, Self
 
 from numpy.typing import NDArray
 
@@ -18,6 +19,9 @@ from roam_core.roto import RotoShape
 class Tracker:
     """Carries one closed shape from frame to frame, in either direction.
 
+    A copy (`copy.copy`, `copy.deepcopy`) stands on the same frame and goes on by itself, so that a run may branch; both
+    share what none of them changes, such as the picture. One that was started is not pickled (`TypeError`).
+
     Parameters
     ----------
     config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
@@ -32,6 +36,22 @@ class Tracker:
 
     def __init__(self, config: str | RoamParams = DEFAULT_CONFIG, clip: str = "") -> None:
         self._group = GroupTracker(config, clip)
+
+    def __copy__(self) -> Self:
+        branch = type(self).__new__(type(self))
+        vars(branch).update(vars(self), _group=copy(self._group))
+        return branch
+
+    def __deepcopy__(self, _memo: dict[int, Any]) -> Self:
+        return copy(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        if self._group.is_started:
+            raise TypeError(
+                "a Tracker that was started is not pickled: it holds pictures and what was learned of them; keep its "
+                "shape, and go on from the last frame of that with roam_core.track, which takes the run up there"
+            )
+        return vars(self)
 
     @property
     def params(self) -> RoamParams:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -12,7 +11,7 @@ from typing import Any
 import cv2
 
 from roam_core.arrays import UInt8
-from roam_core.atomic_write import writable_target, write_atomically
+from roam_core.atomic_write import make_folder, require_open, writable_target, write_atomically
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -211,9 +210,5 @@ def _unwritten(request: ReviewRequest) -> str:
 
 
 def _make(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
+    make_folder(folder)
+    require_open(folder)

@@ -184,8 +184,8 @@ def _content(path: Path) -> bytes:
             content = file.read(MAX_BYTES + 1) if found.st_size <= MAX_BYTES else b""
     except FileNotFoundError:
         raise RoamError(f"{path} does not exist.") from None
-    except OSError as error:
-        raise RoamError(f"{path} cannot be read: {error.strerror}.") from None
+    except (OSError, ValueError) as error:  # a name that no file can have
+        raise RoamError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
     if max(found.st_size, len(content)) > MAX_BYTES:
         raise RoamError(f"{path} is larger than {MAX_BYTES >> 20} MiB; that is no ROAM project.")
     return content

@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from roam_core.arguments import shown
 from roam_core.errors import RoamError
 from roam_core.media.content import content_of
 from roam_core.media.layers import PLAIN
@@ -58,7 +59,15 @@ class Clip:
 
     @classmethod
     def of(cls, source: PlateSource) -> Clip:
-        """The reference to a plate that is open."""
+        """The reference to a plate that is open.
+
+        Raises
+        ------
+        ValueError
+            when it is none.
+        """
+        if not hasattr(source, "frames"):
+            raise ValueError(f"a Clip is that of an open plate, as open_clip gives it, not of {shown(source)}")
         return cls(
             path=source.path,
             first=source.frames[0],

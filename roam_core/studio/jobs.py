@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -61,6 +62,8 @@ def read_jobs(path: str | Path) -> Jobs:
         when it is missing, too large, not of this form (`fields.schema`), or a job cannot be carried out as it stands.
     """
     path = Path(path)
+    if not os.path.lexists(path):
+        raise RoamError(f"{path} does not exist; give a file of jobs, a folder of shots or an edit (.otio).")
     if path.suffix.lower() not in SUFFIXES:
         raise RoamError(f"{path} is no file of jobs; its name has to end in {', '.join(SUFFIXES)}.")
     document = _parsed(path)

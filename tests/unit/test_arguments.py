@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 
@@ -43,6 +44,7 @@ from roam_core.interchange import MaskOptions
 from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.roto import Animated, ValueKey
 from tests.golden.shots import gliding, square
+from tests.unit.media.conftest import write_movie
 
 SHOT = gliding(square(24.0), 4, (40.0, 38.0), (1.5, 0.5), size=(72, 96))
 FIRST, LAST = SHOT.frames[0], SHOT.frames[-1]
@@ -92,6 +94,28 @@ def test_what_is_no_frame_is_refused(number: Any) -> None:
     for call in calls:
         with pytest.raises(ValueError, match="a frame is a whole number such as 1001, not"):
             call()
+
+
+@pytest.mark.parametrize("name", ["p.1001.png", "p.avi"])
+def test_a_plate_refuses_what_is_no_frame(tmp_path: Path, name: str) -> None:
+    write_movie(tmp_path / "p.avi", "MJPG", 2)
+    cv2.imwrite(str(tmp_path / "p.1001.png"), IMAGES[0])
+    plate = open_clip(tmp_path / name)
+    first = plate.frames[0]
+    assert (plate.read(float(first)) == plate.read(np.int64(first))).all()  # type: ignore[arg-type]
+    for number in (str(first), first + 0.5, None, [first]):
+        with pytest.raises(ValueError, match="a frame is a whole number such as 1001, not"):
+            plate.read(number)  # type: ignore[arg-type]
+
+
+def test_a_clip_is_that_of_a_plate_that_is_open() -> None:
+    with pytest.raises(ValueError, match=r"a Clip is that of an open plate, as open_clip gives it, not of 'shot'"):
+        Clip.of("shot")  # type: ignore[arg-type]
+
+
+def test_a_project_of_a_name_that_no_file_can_have_is_refused() -> None:
+    with pytest.raises(RoamError, match=r"cannot be read: embedded null byte\.$"):
+        load_project("a\0.roam")
 
 
 @pytest.mark.parametrize("frame", ["1001", None, np.nan, np.inf])
@@ -237,17 +261,21 @@ def test_only_may_be_one_id_and_no_other_than_there_are() -> None:
 def test_frames_and_their_reader_are_what_they_should_be() -> None:
     with pytest.raises(ValueError, match="frames are several numbers"):
         carried(frames=FIRST)
-    for read in (None, IMAGES, dict(zip(SHOT.frames, IMAGES, strict=True))):
-        with pytest.raises(ValueError, match="`read` gives the picture of a frame"):
+    by_frame = dict(zip(SHOT.frames, IMAGES, strict=True))
+    assert carried(read=by_frame) == carried(read=by_frame.__getitem__) == carried()
+    for read in (None, IMAGES, "shot"):
+        with pytest.raises(ValueError, match="a mapping from frames to pictures, or a function that reads one"):
             carried(read=read)
 
 
 def test_a_span_is_filled_from_a_list_of_its_pictures() -> None:
     by_frame = filled(dict(zip(SHOT.frames, IMAGES, strict=True)))
-    assert filled(IMAGES) == filled(tuple(IMAGES)) == filled(np.stack(IMAGES)) == by_frame
+    assert filled(IMAGES) == filled(tuple(IMAGES)) == filled(np.stack(IMAGES)) == filled(SHOT.read) == by_frame
+    with pytest.raises(RoamError, match=f"no image of frame {FIRST}; give one, or raise MissingFrame"):
+        filled({LAST: IMAGES[-1]})
     with pytest.raises(ValueError, match=f"3 images for the frames {FIRST} to {LAST}"):
         filled(IMAGES[1:])
-    for images in (None, iter(IMAGES), SHOT.read):
+    for images in (None, iter(IMAGES), "shot"):
         with pytest.raises(ValueError, match="a mapping from frames to pictures"):
             filled(images)
 

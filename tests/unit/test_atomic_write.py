@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from roam_core import atomic_write as writing
-from roam_core.atomic_write import STALE_SECONDS, is_alive, sweep, temporary_beside, write_atomically
+from roam_core.atomic_write import STALE_SECONDS, is_alive, make_folder, sweep, temporary_beside, write_atomically
 from roam_core.errors import RoamError
 from tests.unit.roto.faults import each_crash, each_fault
 
@@ -189,3 +189,13 @@ def test_a_process_is_alive_or_not_and_a_group_of_them_is_none() -> None:
     assert is_alive(os.getpid())
     assert not is_alive(0)
     assert not is_alive(-os.getpgid(0))
+
+
+def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:
+    make_folder(tmp_path / "a" / "b")
+    make_folder(tmp_path / "a" / "b")
+    assert (tmp_path / "a" / "b").is_dir()
+    (tmp_path / "file").write_bytes(NEW)
+    for place in ("file", "file/deeper"):
+        with pytest.raises(RoamError, match=r"The folder .*file.* cannot be made: [A-Z].*\.$"):
+            make_folder(tmp_path / place)

@@ -9,7 +9,7 @@ from importlib.util import find_spec
 
 import pytest
 
-PACKAGES = ["roam_core", "roam_core.propagate"]
+PACKAGES = ["roam_core", "roam_core.propagate", "roam_core.interchange"]
 
 
 @pytest.mark.parametrize("package", PACKAGES)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from roam_core.atomic_write import write_atomically
+from roam_core.atomic_write import make_folder, write_atomically
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.matte_style import OTHER_SUFFIXES, SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
@@ -211,7 +211,7 @@ def write_mattes(
     plan = _plan(frames, folder, name_for, parts, style)
     folders = {path.parent for paths in plan.values() for path in paths}
     for place in sorted(folders if NAME in str(folder) and not _is_single(style) else folders | {folder}):
-        _make(place)
+        make_folder(place)
     made: list[Path] = []
     kept: list[Path] = []
     for done, (frame, paths) in enumerate(plan.items()):
@@ -314,13 +314,6 @@ def _plan(
 def _is_kept(paths: list[Path], style: MatteStyle) -> bool:
     """Whether the pictures of a frame stay as they are."""
     return style.resumes and all(path.is_file() and path.stat().st_size > 0 for path in paths)
-
-
-def _make(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
 
 
 def _shown_shapes(layer: Layer) -> list[RotoShape]:

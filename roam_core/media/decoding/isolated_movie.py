@@ -25,7 +25,8 @@ MOST_FRAMES = 10_000_000
 class IsolatedMovie(MoviePlate):
     """A movie as a plate, as `roam_core.media.movie.Movie` gives it; its process keeps it open between pictures.
 
-    A process that died is started again, and opens the movie anew.
+    A process that died is started again, and opens the movie anew. A copy has one of its own. It is not
+    pickled (`TypeError`): elsewhere the decoding processes are others.
     """
 
     def __init__(self, path: Path, pool: Pool) -> None:
@@ -44,6 +45,18 @@ class IsolatedMovie(MoviePlate):
         self.colour_space, self.depth = told.text("colour_space"), told.text("depth")
         self.claimed = int(told.number("claimed"))
         self._number(min(int(told.number("count")), MOST_FRAMES))
+
+    def __copy__(self) -> IsolatedMovie:
+        return IsolatedMovie(self.path, self._pool)
+
+    def __deepcopy__(self, _memo: dict[int, Any]) -> IsolatedMovie:
+        return IsolatedMovie(self.path, self._pool)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError(
+            f"the movie {self.path} is decoded by a process of this one, and is not pickled; "
+            "open it there with open_clip"
+        )
 
     def _picture(self, index: int) -> Image | None:
         try:

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.arguments import frame_number, names_of, shown
+from roam_core.arguments import frame_number, names_of
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.features.blank import is_blank
-from roam_core.media.partial import PartialPicture
+from roam_core.media.partial import Images, PartialPicture, ReadFrame, reading
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RegionParams, RoamParams, params_for, scale_for
 from roam_core.params.steadiness import STEADINESS
@@ -43,7 +43,7 @@ from roam_core.translatable import sentence
 
 
 def fill_span(
-    images: Mapping[int, NDArray[Any] | PartialPicture] | Sequence[NDArray[Any]],
+    images: Images | Sequence[NDArray[Any]],
     shapes: Sequence[RotoShape],
     start: int,
     stop: int,
@@ -66,11 +66,14 @@ def fill_span(
     filled together. A shape that ends between two keys of its object is carried on from its last key; one that begins
     or ends on a key gets no keys, but tells how much of the object the others do not show there.
 
+    All shapes that are given are filled, also what is locked in a project: that holds for an artist's hand, the window
+    and the command line. `only` leaves out what is to stay as it is (`Project.is_locked`).
+
     Parameters
     ----------
-    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for about four times
-        for every object, in no particular order, by one thread at a time. A `MissingFrame` is passed over. A sequence
-        holds one for each frame from `start` to `stop`.
+    images : a mapping or function that gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is
+        asked for about four times for every object, in no particular order, by one thread at a time. A `MissingFrame`
+        is passed over. A sequence holds one for each frame from `start` to `stop`.
     only : the ids of the shapes that get keys; None: all. The others take part all the same.
     alone : each shape is filled as if there were no others.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
@@ -88,7 +91,7 @@ def fill_span(
     shapes, start, stop = shapes_of(shapes), frame_number(start), frame_number(stop)
     if stop < start:
         raise ValueError(f"a span goes from an earlier frame to a later one, not from {start} to {stop}")
-    images = _by_frame(images, start, stop)
+    read = reading(_by_frame(images, start, stop))
     only = names_of(only, (shape.id for shape in shapes))
     asked = [only is None or shape.id in only for shape in shapes]
     gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
@@ -106,7 +109,7 @@ def fill_span(
             )
         )
     meter = _Meter(sum(last - first for first, last, _ in gaps), progress)
-    filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
+    filling = Filling(Reader(read), params_for(config), clip, meter, token, alone)
     result = list(shapes)
     for first, last, members in gaps:
         for shape, end in product((shapes[k] for k in members), (first, last)):
@@ -117,16 +120,12 @@ def fill_span(
     return result
 
 
-def _by_frame(
-    images: Mapping[int, NDArray[Any] | PartialPicture] | Sequence[NDArray[Any]], start: int, stop: int
-) -> Mapping[int, NDArray[Any] | PartialPicture]:
+def _by_frame(images: Images | Sequence[NDArray[Any]], start: int, stop: int) -> Images:
     """The pictures of a span by their frames."""
     if isinstance(images, list | tuple | np.ndarray):
         if len(images) != stop - start + 1:
             raise ValueError(f"there are {len(images)} images for the frames {start} to {stop}; give one for each")
         return dict(zip(range(start, stop + 1), images, strict=True))
-    if not hasattr(images, "__getitem__"):
-        raise ValueError(f"images are a mapping from frames to pictures, or a list of them, not {shown(images)}")
     return images  # type: ignore[return-value]
 
 
@@ -154,8 +153,8 @@ class Reader:
     All have the size of the first one that is asked for.
     """
 
-    def __init__(self, images: Mapping[int, NDArray[Any] | PartialPicture]) -> None:
-        self._images = images
+    def __init__(self, read: ReadFrame) -> None:
+        self._read = read
         self._lock = threading.Lock()
         self._first: tuple[int, tuple[int, int]] | None = None
 
@@ -173,10 +172,7 @@ class Reader:
     def image(self, frame: int) -> NDArray[Any] | PartialPicture:
         """The picture as it was given."""
         with self._lock:
-            try:
-                return self._images[frame]
-            except KeyError:
-                raise RoamError(f"There is no image of frame {frame}; every frame of a span is looked at.") from None
+            return self._read(frame)
 
 
 class _Meter:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,8 +19,10 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.features.levels import Levels
 from roam_core.params import RoamParams, enlargement_for
-from roam_core.propagate.engines.protocol import Account, Engine, Step
-from roam_core.propagate.frame.result import Part, StepResult
+
+if TYPE_CHECKING:  # whole engines: which frames are blank is told without them
+    from roam_core.propagate.engines.protocol import Account, Engine, Step
+    from roam_core.propagate.frame.result import Part, StepResult
 
 
 @dataclass(frozen=True)

@@ -7,16 +7,18 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property, lru_cache
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier, polyline
-from roam_core.kernels.coverage import coverage
 from roam_core.params import OBJECTS, scale_for
 from roam_core.roto import BlendMode, RotoShape
 from roam_core.roto.shape import Same
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Box = tuple[float, float, float, float]
 """The lowest x and y, and the highest."""
@@ -47,7 +49,7 @@ class Drawn:
 
     @cached_property
     def tree(self) -> cKDTree:
-        return cKDTree(self.evenly)
+        return _tree(self.evenly)
 
     @cached_property
     def area(self) -> float:
@@ -172,7 +174,13 @@ def _meet(a: Drawn, b: Drawn, shared: float, gap: float) -> bool:
         return False
     places = [polyline.resample(each.line, max(8, round(polyline.length(each.line) / scale))) for each in (a, b)]
     shorter, longer = sorted(places, key=len)
-    return bool((cKDTree(longer).query(shorter)[0] <= reach).mean() >= OBJECTS.along)
+    return bool((_tree(longer).query(shorter)[0] <= reach).mean() >= OBJECTS.along)
+
+
+def _tree(places: Array) -> cKDTree:
+    from scipy.spatial import cKDTree  # large: only where shapes lie near each other
+
+    return cKDTree(places)
 
 
 def _box(places: Array) -> Box:
@@ -305,6 +313,8 @@ def _shared(a: Drawn, b: Drawn) -> float:
     low, high = np.maximum(a.line.min(axis=0), b.line.min(axis=0)), np.minimum(a.line.max(axis=0), b.line.max(axis=0))
     if (high <= low).any():
         return 0.0
+    from roam_core.kernels.coverage import coverage  # numba: only where shapes lie near each other
+
     smaller = min(float(np.ptp(each.line, axis=0).max()) for each in (a, b))
     cell = max(smaller / OBJECTS.cells, float((high - low).max()) / (4 * OBJECTS.cells))
     columns, rows = (max(1, int(np.ceil(extent / cell))) for extent in high - low)

@@ -18,11 +18,13 @@ import pytest
 
 from roam_core.cancel import Cancelled
 from roam_core.cli.keeping import PAUSE, SHARE, Keeper, kept
+from roam_core.cli.overwriting import project_writer
 from roam_core.cli.stopping import STOPPING, Stopped, cancelling, raising
 from roam_core.errors import RoamError
 from roam_core.propagate import FrameResult, track
 from roam_core.propagate.between.span import fill_span
 from roam_core.roto import Mark, Project, file
+from roam_core.roto.backups import backup_path
 from tests.unit.cli.conftest import SHOT, Plate, Roam, write_picture
 from tests.unit.cli.test_fill import CONFIG
 from tests.unit.cli.test_fill import keyed as keyed
@@ -71,6 +73,23 @@ def test_the_pause_grows_with_the_time_that_a_write_takes() -> None:
         keeper.offer(STATES[0])
     assert len(began) > 2
     assert all(later - before >= 3.0 + 3.0 / SHARE for before, later in pairwise(began))
+
+
+def test_two_runs_that_write_to_one_file_leave_its_earlier_versions_their_places(tmp_path: Path) -> None:
+    path, clock = tmp_path / "p.roam", Clock()
+    drawn = Project(marks=(Mark(1, "drawn by hand"),))
+    file.save(drawn, path)
+    runs = [Keeper(project_writer(path), clock) for _ in range(2)]
+    for second in range(1, 600):
+        clock.now += PAUSE
+        for number, run in enumerate(runs):
+            run.offer(Project(marks=(Mark(second, f"run {number}"),)))
+    for run in runs:
+        run.flush()
+    kept_there = [file.load(backup_path(path, number)) for number in range(1, 9) if backup_path(path, number).exists()]
+    assert drawn in kept_there
+    assert Project(marks=(Mark(599, "run 0"),)) in kept_there
+    assert file.load(path) == Project(marks=(Mark(599, "run 1"),))
 
 
 def broken_off(write: Callable[[Project], None] | None, way_out: BaseException) -> None:

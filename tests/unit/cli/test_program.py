@@ -16,7 +16,8 @@ import pytest
 import roam_core
 from roam_core import installation
 from roam_core.cli import COMMANDS, program
-from roam_core.roto import file
+from roam_core.geometry import bezier
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
 
 
@@ -53,6 +54,32 @@ def test_commands_do_not_ask_for_the_window(
     assert "nowhere.roam" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    "words", [["--version"], ["--help"], ["configs"], ["info", "--help"], ["info", "p.png"], ["info", "p.roam"]]
+)
+def test_what_needs_no_engine_does_not_load_what_compiles_it(tmp_path: Path, words: list[str]) -> None:
+    cv2.imwrite(str(tmp_path / "p.png"), np.full((40, 60, 3), 90, np.uint8))
+    outline = bezier.polygon_points([(10.0, 10.0), (40.0, 10.0), (40.0, 30.0)])
+    tracked = Keyframe(2, outline, origin=Origin.ENGINE, confidence=0.9, inputs="none")
+    shape = RotoShape("a", "A", (Keyframe(1, outline), tracked))
+    project = Project(Clip(tmp_path / "p.png", 1, 2, (60, 40)))
+    file.save(edit.add_shape(project, shape), tmp_path / "p.roam")
+    code = f"""
+import sys
+from roam_core.cli.program import main
+try:
+    main({words!r})
+finally:
+    print(*{{"numba", "scipy"}} & set(sys.modules), file=sys.stderr)
+"""
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr.splitlines()[-1]) == (0, "")
+    assert done.stdout
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="a process of Windows gets no SIGINT from itself")
 def test_ctrl_c_at_the_very_end_is_no_traceback() -> None:
     code = """
@@ -87,7 +114,9 @@ def test_a_command_runs_without_standard_streams(closed: str, tmp_path: Path) ->
     assert file.load(tmp_path / "p.roam").shapes[0].frames == (1001, 1002)
 
 
-@pytest.mark.parametrize(("arguments", "status"), [(["--help"], 0), (["--version"], 0), (["--versio"], 2)])
+@pytest.mark.parametrize(
+    ("arguments", "status"), [(["--help"], 0), (["--version"], 0), (["version"], 0), (["--versio"], 2)]
+)
 def test_help_and_version_need_no_window(
     no_window: None, arguments: list[str], status: int, capsys: pytest.CaptureFixture[str]
 ) -> None:

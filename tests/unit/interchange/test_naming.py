@@ -20,6 +20,9 @@ from roam_core.interchange.naming import LONGEST, ascii_name, distinct, file_wor
         ("m.%d.exr", "m.7.exr"),
         ("m.png", "m.0007.png"),
         ("{name}.##.tif", "{name}.07.tif"),
+        ("m.@@@@.png", "m.0007.png"),
+        ("m@@.png", "m07.png"),
+        ("m@2x.####.png", "m@2x.0007.png"),
     ],
 )
 def test_a_pattern_names_a_frame(pattern: str, name: str) -> None:

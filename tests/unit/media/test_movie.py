@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import pickle
 import random
 import threading
+from collections.abc import Callable
+from copy import copy, deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +17,9 @@ import pytest
 
 from roam_core.arrays import Image, UInt8
 from roam_core.errors import RoamError
-from roam_core.media import MissingFrame, decoding, open_clip
+from roam_core.media import MissingFrame, PlateSource, decoding, open_clip
+from roam_core.media.decoding.isolated_movie import IsolatedMovie
+from roam_core.media.decoding.pool import Pool
 from roam_core.media.movie import LONGEST_STEP
 from roam_core.media.movie_plate import shortfall
 from roam_core.media.source import USUAL_SPEED, likely_speed
@@ -270,3 +275,20 @@ def test_a_movie_without_its_index_is_told(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
     with pytest.raises(RoamError, match=r"shot\.mp4 is no movie that can be decoded"):
         open_clip(path)
+
+
+@pytest.mark.parametrize("copied", [copy, deepcopy, lambda plate: pickle.loads(pickle.dumps(plate))])  # noqa: S301
+def test_a_copy_of_a_movie_is_opened_anew(tmp_path: Path, copied: Callable[[PlateSource], PlateSource]) -> None:
+    plate = open_clip(write_movie(tmp_path / "a.avi", "MJPG", 4))
+    other = copied(plate)
+    assert (other.frames, other.size, other.fps) == (plate.frames, plate.size, plate.fps)
+    for frame in (4, 1):
+        np.testing.assert_array_equal(other.read(frame), plate.read(frame))
+
+
+def test_a_movie_that_another_process_decodes_is_copied_but_not_pickled(tmp_path: Path, processes: Pool) -> None:
+    plate = IsolatedMovie(write_movie(tmp_path / "a.avi", "MJPG", 4), processes)
+    for other in (copy(plate), deepcopy(plate)):
+        np.testing.assert_array_equal(other.read(3), plate.read(3))
+    with pytest.raises(TypeError, match=r"a\.avi is decoded by a process of this one, .* open it there with open_clip"):
+        pickle.dumps(plate)

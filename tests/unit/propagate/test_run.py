@@ -209,6 +209,19 @@ def test_an_unreadable_frame_ends_the_run_with_what_is_finished(config: str, blo
     assert [result.frame for result in finished] == [1002, 1003]
 
 
+def test_a_mapping_that_lacks_a_frame_is_told_in_a_sentence(config: str, blob_shot: Shot) -> None:
+    pictures = {frame: blob_shot.read(frame) for frame in (1001, 1002)}
+    for frames in ((1001, 1002, 1003), (1003, 1002)):
+        with pytest.raises(RoamError, match="There is no image of frame 1003; give one, or raise MissingFrame"):
+            list(track(pictures.__getitem__, [blob_shot.shape()], frames, config))
+
+    def read(frame: int) -> UInt8:
+        return {"wrong": pictures[1001]}[f"{frame}"]
+
+    with pytest.raises(KeyError, match="1001"):  # a defect of the caller's stays one
+        list(track(read, [blob_shot.shape()], (1001, 1002), config))
+
+
 def test_cancelling_keeps_the_finished_frames(config: str, blob_shot: Shot) -> None:
     token = CancelToken()
     run = track(blob_shot.read, [blob_shot.shape()], blob_shot.frames, config, token)

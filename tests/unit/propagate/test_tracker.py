@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
+from collections.abc import Callable
+from copy import copy, deepcopy
 from dataclasses import replace
 
 import cv2
@@ -310,3 +313,29 @@ def test_an_unknown_configuration_is_refused(config: str) -> None:
     with pytest.raises(RoamError, match=f"no configuration 'utmost'; choose from .*{config}"):
         Tracker("utmost")
     assert (scale_for((480, 854)), scale_for((1080, 1920)), scale_for((90, 120))) == (1.0, 2.25, 1.0)
+
+
+@pytest.mark.parametrize("copied", [copy, deepcopy])
+def test_copies_of_a_tracker_go_on_by_themselves(
+    config: str, blob_shot: Shot, copied: Callable[[Tracker], Tracker]
+) -> None:
+    tracker = Tracker(config)
+    tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
+    tracker.step(blob_shot.read(1002), 1002)
+    astray, branch = copied(tracker), copied(tracker)
+    for frame in (1005, 1001, 1004):
+        astray.step(blob_shot.read(frame), frame)
+    assert (tracker.frame, branch.frame, astray.frame) == (1002, 1002, 1004)
+    whole = tracked(blob_shot, config)
+    for each in (tracker, branch):
+        for frame in blob_shot.frames[2:]:
+            each.step(blob_shot.read(frame), frame)
+        assert each.shape == whole
+
+
+def test_a_tracker_is_pickled_until_it_is_started(config: str, blob_shot: Shot) -> None:
+    tracker = pickle.loads(pickle.dumps(Tracker(config)))  # noqa: S301
+    tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
+    assert tracker.params == CONFIGS[config]
+    with pytest.raises(TypeError, match=r"a Tracker that was started is not pickled: .* roam_core.track"):
+        pickle.dumps(tracker)

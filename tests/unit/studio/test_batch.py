@@ -123,6 +123,7 @@ def test_a_cluster_of_its_own_is_stopped_by_a_signal_and_resumed(tmp_path: Path)
         (["j.json", "--workers", "0"], "1 or more"),
         (["j.json", "--timeline", "o.otio"], "for an edit"),
         (["j.json"], "does not exist"),
+        (["shotz"], "shotz does not exist; give a file of jobs, a folder of shots or an edit"),
     ],
 )
 def test_what_makes_no_sense_is_refused(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:

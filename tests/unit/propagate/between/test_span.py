@@ -190,7 +190,7 @@ def test_pictures_are_asked_for_by_one_thread_at_a_time(shot: Shot) -> None:
             narrow.passed()
             return super().__getitem__(frame)
 
-    read = Reader(Plate(pictures(shot)))
+    read = Reader(Plate(pictures(shot)).__getitem__)
     assert narrow.passed_by_two(lambda: read(FIRST)) == 1
 
 
