@@ -12,7 +12,7 @@ from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
 from roam_core.cli.keeping import Keeper, kept
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import Picking, add_shapes, picked, trackable
 from roam_core.cli.plate import Plate, loaded, opened
@@ -78,8 +78,7 @@ def run(arguments: argparse.Namespace) -> int:
         require_target(target)
         sources = Sources.of(plate.source, arguments.project)
         require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=arguments.project)
-        tell_of_holder(target)
-        with cancelling() as token, kept(write) as keeper:
+        with claimed(target), cancelling() as token, kept(write) as keeper:
             least = follow(
                 plate, project, (shapes, covers), frames, PlaneMotion(arguments.motion), token, keeper, arguments.json
             )

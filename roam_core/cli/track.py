@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
@@ -115,8 +115,6 @@ def run(arguments: argparse.Namespace) -> int:
             rewritten=rewritten,
         )
         tell(kept_nowhere(arguments))
-        if arguments.save is not None:
-            tell_of_holder(arguments.save)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
         landmarks = LandmarkPaths()
@@ -126,7 +124,10 @@ def run(arguments: argparse.Namespace) -> int:
             if arguments.json:
                 print_line(solved)
 
-        with landmarks_kept(landmarks, project.require_clip(), arguments.landmarks):
+        with (
+            nullcontext() if arguments.save is None else claimed(arguments.save),
+            landmarks_kept(landmarks, project.require_clip(), arguments.landmarks),
+        ):
             track_project(
                 plate,
                 project,
