@@ -99,6 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise RoamError(f"{refusal} To write it all the same, say --lossy.") from None
     if not project.shapes:
         notes = (f"{arguments.project} holds no shape: what was written is empty.", *notes)
+    notes = (*filter(None, [bare(exporter, arguments.out)]), *notes)
     if arguments.json:
         files = [str(path) for path, _ in targets]
         print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})
@@ -140,6 +141,13 @@ def require_one_drawing(exporter: Exporter, arguments: argparse.Namespace) -> No
             f"{arguments.out.name} is a pattern for every frame, and --frame asks for one; "
             f"say --frames {arguments.frame} {arguments.frame}."
         )
+
+
+def bare(exporter: Exporter, path: Path) -> str:
+    """That programs may not know a file for its name has no suffix, in a sentence; "" where it has one."""
+    if path.suffix or exporter.name == MatteExporter.name or path.is_dir():
+        return ""
+    return f"{path} has no suffix: other programs know such files by names that end in {exporter.suffix}."
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:

@@ -28,7 +28,7 @@ from roam_core.cli.targets import require_target, require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
-from roam_core.interchange.registry import SHAPE_SUFFIXES, read_shapes
+from roam_core.interchange.registry import holds_shapes, read_shapes
 from roam_core.interchange.targets import PROJECT, Sources, require_free
 from roam_core.matte.vectorise import (
     LEAST_AREA,
@@ -93,7 +93,7 @@ def run(arguments: argparse.Namespace) -> int:
     given = given_project(init)
     with opened(arguments.clip, given.clip if given else None, arguments.layer, arguments.colour) as plate:
         picking = Picking(arguments.shape, arguments.alone)
-        if given is None and is_shape_file(init):
+        if given is None and holds_shapes(init):
             given = imported_project(init, plate)
         start = arguments.start
         if start is None:
@@ -284,11 +284,6 @@ def given_project(init: Path) -> Project | None:
     if not trackable(project):
         raise RoamError(f"{init} holds no closed, unlocked shape to track.")
     return project
-
-
-def is_shape_file(init: Path) -> bool:
-    """Whether a file is one of another program's shapes, by its suffix."""
-    return init.is_file() and init.suffix.lower() in SHAPE_SUFFIXES
 
 
 def imported_project(init: Path, plate: Plate) -> Project:

@@ -40,6 +40,19 @@ def test_shapes_that_were_exported_come_back_on_top(roam: Roam, project: Path, n
     assert len(file.load(project).shapes) == 1
 
 
+def test_shapes_come_back_from_a_file_without_a_suffix(roam: Roam, project: Path) -> None:
+    """What was asked for is written, and it is told how programs know such files."""
+    bare = project.parent / "hero"
+    done = roam("export", project, bare, "--to", "nuke")
+    assert done.status == 0
+    assert f"{bare} has no suffix: other programs know such files by names that end in .nk." in done.err
+    assert bare.is_file()
+    assert roam("import", bare, "--into", project).status == 0
+    assert len(file.load(project).shapes) == 2
+    with_suffix = roam("export", project, project.with_suffix(".nk"), "--to", "nuke")
+    assert "suffix" not in with_suffix.err
+
+
 def test_the_project_itself_grows_when_no_other_is_named(roam: Roam, project: Path) -> None:
     roam("export", project, project.with_suffix(".nk"), "--to", "nuke")
     assert roam("import", project.with_suffix(".nk"), "--into", project).status == 0
