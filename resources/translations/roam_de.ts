@@ -4311,10 +4311,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Zehn Frames weiter</translation>
     </message>
     <message>
-        <source>The B-spline {name!r} is written as Bezier: the same curve, with other handles.</source>
-        <translation>Der B-Spline {name!r} wird als Bézier geschrieben: dieselbe Kurve mit anderen Tangenten.</translation>
-    </message>
-    <message>
         <source>The blue channel alone, and back</source>
         <translation>Nur der blaue Kanal, und zurück</translation>
     </message>
@@ -6383,6 +6379,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{confidence:.2f}{doubt}</source>
         <translation>{confidence:.2f}{doubt}</translation>
+    </message>
+    <message>
+        <source>{count} B-splines, {name!r} among them, are written as Bezier: the same curves, with other handles.</source>
+        <translation>{count} B-Splines, darunter {name!r}, werden als Bézier geschrieben: dieselben Kurven mit anderen Tangenten.</translation>
     </message>
     <message>
         <source>{count} frames, from {first} to {last}</source>

@@ -93,6 +93,19 @@ def test_a_b_spline_stays_one_or_becomes_the_bezier_that_it_is(project: Project,
     assert told is (name not in ("silhouette", "json", "svg"))
 
 
+def test_many_b_splines_are_told_of_once(project: Project, tmp_path: Path) -> None:
+    splined = project
+    for shape in project.shapes:
+        if shape.closed:
+            splined = splined.with_shape(control_points.with_spline(shape, Spline.BSPLINE))
+    count = sum(shape.spline is Spline.BSPLINE for shape in splined.shapes)
+    assert count > 1
+    for name in ("nuke", "after-effects", "fusion", "blender"):
+        notes = EXPORTERS[name].export(splined, tmp_path / f"p{EXPORTERS[name].suffix}", ExportOptions(lossy=True))
+        (told,) = (note for note in notes if "B-spline" in note)
+        assert told.startswith(f"{count} B-splines, '"), name
+
+
 def test_shapes_are_read_from_every_file_that_is_no_picture() -> None:
     assert {".nk", ".fxs", ".setting", ".svg", ".json", ".xml"} <= set(SHAPE_SUFFIXES)
     assert not {".png", ".exr", ""} & set(SHAPE_SUFFIXES)
