@@ -4311,6 +4311,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Zehn Frames weiter</translation>
     </message>
     <message>
+        <source>The B-spline {name!r} is written as Bezier: the same curve, with other handles.</source>
+        <translation>Der B-Spline {name!r} wird als Bézier geschrieben: dieselbe Kurve mit anderen Tangenten.</translation>
+    </message>
+    <message>
         <source>The blue channel alone, and back</source>
         <translation>Nur der blaue Kanal, und zurück</translation>
     </message>

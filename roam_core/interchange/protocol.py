@@ -214,8 +214,9 @@ class ShapeWriter:
         first, self._b_spline = self._b_spline, self._b_spline or (len(self.notes), name)
         self._b_splines += 1
         if first is None:
-            told = "The B-spline {name!r} is written as Bezier: the same curve, with other handles."
-            self.notes.append(sentence(told, name=name))
+            self.notes.append(
+                sentence("The B-spline {name!r} is written as Bezier: the same curve, with other handles.", name=name)
+            )
             return
         self.notes[first[0]] = sentence(
             "{count} B-splines, {name!r} among them, are written as Bezier: the same curves, with other handles.",
