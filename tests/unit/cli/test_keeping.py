@@ -290,7 +290,7 @@ def test_a_full_disk_while_mattes_are_written(roam: Roam, plate: Plate, monkeypa
     really = os.fsync
 
     def full(handle: int) -> None:
-        if next(flushed) == 4:
+        if next(flushed) == 5:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         really(handle)
 
