@@ -13,6 +13,7 @@ from typing import Any
 from numpy.typing import NDArray
 from tqdm import tqdm
 
+from roam_core.bounded import require_regular
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
@@ -278,6 +279,7 @@ def given_project(init: Path) -> Project | None:
             f"{init} is a folder; --init wants the mask of the start frame, a file. "
             "A sequence of masks becomes shapes by roam import."
         )
+    require_regular(init)  # here: a pipe of this process is not there for the one that decodes
     if init.suffix.lower() != PROJECT:
         return None
     project = file.load(init)

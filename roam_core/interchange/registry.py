@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from roam_core.arguments import path_of, shown
+from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.interchange.after_effects.exporter import AfterEffectsExporter
 from roam_core.interchange.blender.exporter import BlenderExporter
@@ -100,6 +101,7 @@ def importer_for(path: Path) -> Importer:
         return next(importer for importer in IMPORTERS if importer.name == name)
     if not os.path.lexists(path):
         raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
+    require_regular(path)
     if suffix == PROJECT:
         raise RoamError(
             f"{path} is a project; export its shapes (--to json) and import those, or copy them from window to window."

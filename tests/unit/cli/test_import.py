@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import cv2
@@ -51,6 +52,16 @@ def test_shapes_come_back_from_a_file_without_a_suffix(roam: Roam, project: Path
     assert len(file.load(project).shapes) == 2
     with_suffix = roam("export", project, project.with_suffix(".nk"), "--to", "nuke")
     assert "suffix" not in with_suffix.err
+
+
+@pytest.mark.parametrize("words", ["import {pipe} --into {project}", "track {folder} --init {pipe}"])
+def test_a_pipe_is_told_as_what_it_is(roam: Roam, project: Path, words: str) -> None:
+    """As a shell gives it for `<(cat mask.png)`; nobody waits for its other end."""
+    pipe, folder = project.parent / "63", project.parent / "plate"
+    os.mkfifo(pipe)
+    folder.mkdir()
+    cv2.imwrite(str(folder / "plate.1001.png"), np.zeros((8, 8, 3), np.uint8))
+    require_refusal(roam(*words.format(pipe=pipe, project=project, folder=folder).split()), pipe, "is a pipe")
 
 
 def test_the_project_itself_grows_when_no_other_is_named(roam: Roam, project: Path) -> None:
