@@ -27,7 +27,7 @@ from roam_core.cli.plate import Plate, add_reading, opened, tell
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_target, require_writable
 from roam_core.errors import RoamError
-from roam_core.interchange.authorship import Kind
+from roam_core.interchange.authorship import Kind, is_project
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
 from roam_core.interchange.registry import holds_shapes, read_shapes
 from roam_core.interchange.targets import PROJECT, Sources, require_free
@@ -108,7 +108,7 @@ def run(arguments: argparse.Namespace) -> int:
         tell(plain_start(plate.read(frames[0]), wanted, frames[0]))
         if arguments.save is not None:
             require_target(arguments.save)
-        rewritten = init if init.suffix.lower() == PROJECT else None
+        rewritten = init if _is_project(init) else None
         require_free(
             results(arguments, plate, frames),
             Sources.of(plate.source, init),
@@ -269,7 +269,7 @@ def frame_range(frames: tuple[int, ...], start: int | None, end: int | None, *, 
 
 
 def given_project(init: Path) -> Project | None:
-    """The project of a `.roam` file, or None for another file."""
+    """The project of a file that holds one, or None for another file."""
     if not init.exists():
         raise RoamError(
             f"{init} does not exist; --init wants a mask image of the start frame, a .roam project or a file of shapes."
@@ -280,12 +280,17 @@ def given_project(init: Path) -> Project | None:
             "A sequence of masks becomes shapes by roam import."
         )
     require_regular(init)  # here: a pipe of this process is not there for the one that decodes
-    if init.suffix.lower() != PROJECT:
+    if not _is_project(init):
         return None
     project = file.load(init)
     if not trackable(project):
         raise RoamError(f"{init} holds no closed, unlocked shape to track.")
     return project
+
+
+def _is_project(init: Path) -> bool:
+    """By its name, or, as of an earlier version (`P.roam.1`), by its content."""
+    return init.suffix.lower() == PROJECT or is_project(init)
 
 
 def imported_project(init: Path, plate: Plate) -> Project:

@@ -11,6 +11,7 @@ from roam_core.arguments import path_of, shown
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.interchange.after_effects.exporter import AfterEffectsExporter
+from roam_core.interchange.authorship import is_project
 from roam_core.interchange.blender.exporter import BlenderExporter
 from roam_core.interchange.fusion.exporter import FusionExporter
 from roam_core.interchange.fusion.reading import FusionImporter
@@ -102,7 +103,7 @@ def importer_for(path: Path) -> Importer:
     if not os.path.lexists(path):
         raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
     require_regular(path)
-    if suffix == PROJECT:
+    if suffix == PROJECT or is_project(path):
         raise RoamError(
             f"{path} is a project; export its shapes (--to json) and import those, or copy them from window to window."
         )

@@ -54,6 +54,18 @@ def test_shapes_come_back_from_a_file_without_a_suffix(roam: Roam, project: Path
     assert "suffix" not in with_suffix.err
 
 
+def test_an_earlier_version_of_a_project_is_one(roam: Roam, project: Path, tmp_path: Path) -> None:
+    """`P.roam.1` is told by its content: its shapes are tracked from, and `import` says what it is."""
+    earlier, plate = project.rename(tmp_path / "p.roam.1"), tmp_path / "frames"
+    plate.mkdir()
+    for frame in (1001, 1002):
+        cv2.imwrite(str(plate / f"plate.{frame}.png"), np.full((1080, 1920, 3), 90, np.uint8))
+    done = roam("track", plate, "--init", earlier, "--config", "baseline", "--end", 1001, "--save", tmp_path / "n.roam")
+    assert done.status == 0, done.err
+    assert [shape.name for shape in file.load(tmp_path / "n.roam").shapes] == ["Arm"]
+    require_refusal(roam("import", earlier, "--into", tmp_path / "n.roam"), earlier, "is a project")
+
+
 @pytest.mark.parametrize("words", ["import {pipe} --into {project}", "track {folder} --init {pipe}"])
 def test_a_pipe_is_told_as_what_it_is(roam: Roam, project: Path, words: str) -> None:
     """As a shell gives it for `<(cat mask.png)`; nobody waits for its other end."""
