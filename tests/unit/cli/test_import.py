@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.project import PALETTE
 from tests.unit.cli.conftest import Roam
 from tests.unit.cli.test_bad_input import require_refusal
@@ -52,6 +52,21 @@ def test_shapes_come_back_from_a_file_without_a_suffix(roam: Roam, project: Path
     assert len(file.load(project).shapes) == 2
     with_suffix = roam("export", project, project.with_suffix(".nk"), "--to", "nuke")
     assert "suffix" not in with_suffix.err
+
+
+def test_many_notes_that_say_the_same_do_not_bury_others(roam: Roam, tmp_path: Path) -> None:
+    shapes = [
+        RotoShape(f"shape-{k}", f"Arm {k}", (Keyframe(1001, points(1)),), blend=BlendMode.SUBTRACT) for k in range(20)
+    ]
+    path = tmp_path / "many.roam"
+    clip = Clip(tmp_path / "plate", 1001, 1040, (1920, 1080))
+    file.save(Project(clip, Layer("root", "Root", tuple(shapes))), path)
+    told = roam("export", path, tmp_path / "a.xml", "--to", "cvat", "--lossy").err.splitlines()
+    alike = [line for line in told if "the mode 'subtract' of" in line]
+    assert len(alike) == 12
+    assert told[told.index(alike[-1]) + 1] == "(and 8 more like this; --json lists all)"
+    listed = roam("export", path, tmp_path / "a.xml", "--to", "cvat", "--lossy", "--json").out
+    assert listed.count("the mode 'subtract' of") == 20
 
 
 def test_an_earlier_version_of_a_project_is_one(roam: Roam, project: Path, tmp_path: Path) -> None:
