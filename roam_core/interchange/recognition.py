@@ -1,25 +1,36 @@
-"""Formats of shapes told by how their files begin, for files whose names say nothing."""
+"""Formats of shapes told by their text: of the clipboard, and of files whose names say nothing."""
 
 from __future__ import annotations
 
 import codecs
 import re
 import stat
+from collections.abc import Mapping
 from pathlib import Path
 
 HEAD_BYTES = 4096
 
-_XML = rb"\s*(?:<\?xml[^>]*\?>\s*)?(?:<!--.*?-->\s*|<!DOCTYPE[^>]*>\s*)*"
-_BEGINNINGS = (
-    ("nuke", rb"# Written by ROAM\n|(?:\s*#[^\n]*\n)*\s*(?:version \d+\.\d+ v\d|set cut_paste_input |push )"),
-    ("nuke", rb"\s*#!.*nuke[^\n]*\n"),
-    ("silhouette", rb"\s*<!-- Silhouette |" + _XML + rb"<Silhouette[\s>]"),
-    ("fusion", rb"\s*\{\s*Tools = ordered\("),
-    ("svg", _XML + rb"<(?:svg:)?svg[\s>]"),
-    ("cvat", _XML + rb"<annotations[\s>]"),
-    ("json", rb'\s*\{\s*"(?:format": "roam-shapes"|info"|images"|annotations"|categories"|licenses"|\d+": ?\[\[)'),
-)
-_FORMATS = tuple((name, re.compile(pattern, re.DOTALL | re.IGNORECASE)) for name, pattern in _BEGINNINGS)
+SIGNS: Mapping[str, re.Pattern[str]] = {
+    "json": re.compile(
+        r'\A\s*\{(?:[^{\[]{0,400}?"format"\s*:\s*"roam-shapes"'
+        r'|\s*"(?:info|images|annotations|categories|licenses)"\s*:|\s*"\d+"\s*:\s*\[\s*\[)'  # COCO, MLT
+    ),
+    "svg": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<(?:\w+:)?svg[\s>]"),
+    "silhouette": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<Silhouette[\s>]"),
+    "cvat": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<annotations[\s>]"),
+    "fusion": re.compile(r"\A\s*\{\s*Tools\s*="),
+    "nuke": re.compile(
+        r"(?m)\A#!.*[Nn]uke|\A# Written by ROAM$|^version \d+\.\d+ v\d"
+        r"|^[ \t]{0,99}(?:set cut_paste_input\b|Roto(?:Paint)?\d*[ \t]{0,9}\{|curves[ \t]{0,9}\{)"
+    ),
+}
+"""By what text each format is known, by its importer's name; the first that fits is meant."""
+
+
+def name_of(text: str) -> str | None:
+    """The name of the importer whose shapes a text holds by its look, or None."""
+    text = text.removeprefix("\ufeff")
+    return next((name for name, sign in SIGNS.items() if sign.search(text)), None)
 
 
 def format_of(path: Path) -> str | None:
@@ -31,4 +42,4 @@ def format_of(path: Path) -> str | None:
             head = file.read(HEAD_BYTES).removeprefix(codecs.BOM_UTF8)
     except (OSError, ValueError):
         return None
-    return next((name for name, beginning in _FORMATS if beginning.match(head)), None)
+    return name_of(head.decode("utf-8", "replace"))
