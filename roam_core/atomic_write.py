@@ -5,7 +5,6 @@ Everything that ROAM writes for an artist goes this way: projects, exports, matt
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
 import re
@@ -13,7 +12,8 @@ import secrets
 import stat
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from roam_core.errors import RoamError
@@ -74,6 +74,23 @@ def make_folder(folder: Path) -> None:
         raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
 
 
+@contextmanager
+def new_folder(folder: Path) -> Iterator[None]:
+    """Have a folder be there for a `with` block; where that fails, one that was made for it and is empty goes again.
+
+    Raises as `make_folder`.
+    """
+    was_there = folder.exists()
+    make_folder(folder)
+    try:
+        yield
+    except BaseException:
+        if not was_there:
+            with suppress(OSError):  # something lies in it by now
+                folder.rmdir()
+        raise
+
+
 def require_open(folder: Path) -> None:
     """Refuse a folder in which this user may make no files, in a `RoamError`."""
     if not os.access(folder, os.W_OK | os.X_OK):
@@ -87,7 +104,7 @@ def temporary_beside(target: Path) -> Path:
 
 def sweep(folder: Path) -> None:
     """Remove the temporary files of ours in `folder` that killed processes left; others are never touched."""
-    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+    with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
             match = _TEMPORARY.fullmatch(entry.name)
             if match and _is_stale(entry, int(match["process"])):
@@ -176,5 +193,5 @@ def _is_stale(entry: os.DirEntry[str], process: int) -> bool:
 
 
 def _remove(temporary: Path) -> None:
-    with contextlib.suppress(OSError):
+    with suppress(OSError):
         temporary.unlink()

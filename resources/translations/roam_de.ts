@@ -6385,6 +6385,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{confidence:.2f}{doubt}</translation>
     </message>
     <message>
+        <source>{count} B-splines, {name!r} among them, are written as Bezier: the same curves, with other handles.</source>
+        <translation>{count} B-Splines, darunter {name!r}, werden als Bézier geschrieben: dieselben Kurven mit anderen Tangenten.</translation>
+    </message>
+    <message>
         <source>{count} frames, from {first} to {last}</source>
         <translation>{count} Frames, von {first} bis {last}</translation>
     </message>

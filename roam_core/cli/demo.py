@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ from tqdm import tqdm
 
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import Write
-from roam_core.cli.overwriting import add_overwrite, project_writer
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.targets import require_target, require_writable
@@ -53,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.json:
             print_line(solved)
 
-    with opened(str(folder)) as plate:
+    with opened(str(folder)) as plate, nullcontext() if arguments.save is None else claimed(arguments.save):
         track_demo(plate, arguments.config, scored, None if arguments.save is None else project_writer(arguments.save))
     solved = np.array(truth[1:])
     worst = int(np.argmin(solved))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,9 +25,12 @@ from roam_core.interchange.naming import is_numbered
 from roam_core.interchange.protocol import Exporter, LossyExport
 from roam_core.interchange.svg.format import SvgFormat
 from roam_core.interchange.targets import Sources, exported, require_free
+from roam_core.translatable import Sentence
 
 MOST_NAMES = 4
 """Of files that are told by name; more are counted."""
+MOST_ALIKE = 12
+"""Of notes that say the same of several shapes; more are counted, that other notes are not lost among them."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -99,15 +103,34 @@ def run(arguments: argparse.Namespace) -> int:
         raise RoamError(f"{refusal} To write it all the same, say --lossy.") from None
     if not project.shapes:
         notes = (f"{arguments.project} holds no shape: what was written is empty.", *notes)
+    notes = (*filter(None, [bare(exporter, arguments.out)]), *notes)
     if arguments.json:
         files = [str(path) for path, _ in targets]
         print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})
         return 0
     place = place_of(arguments.out, [path for path, _ in targets])
     print(f"Wrote {len(project.shapes)} shape(s) to {place}.", file=sys.stderr)
-    for note in notes:
+    for note in condensed(notes):
         print(note, file=sys.stderr)
     return 0
+
+
+def condensed(notes: Sequence[str]) -> Iterator[str]:
+    """The notes, of those that say the same of other shapes the first `MOST_ALIKE`, and how many there are more."""
+    kinds = Counter(kind_of(note) for note in notes)
+    told: Counter[str] = Counter()
+    for note in notes:
+        kind = kind_of(note)
+        told[kind] += 1
+        if told[kind] <= MOST_ALIKE:
+            yield note
+        if told[kind] == MOST_ALIKE and kinds[kind] > MOST_ALIKE:
+            yield f"(and {kinds[kind] - MOST_ALIKE} more like this; --json lists all)"
+
+
+def kind_of(note: str) -> str:
+    """What a note says, whatever it says it of."""
+    return note.template if isinstance(note, Sentence) else note
 
 
 def without_effect(exporter: Exporter, arguments: argparse.Namespace) -> str:
@@ -140,6 +163,13 @@ def require_one_drawing(exporter: Exporter, arguments: argparse.Namespace) -> No
             f"{arguments.out.name} is a pattern for every frame, and --frame asks for one; "
             f"say --frames {arguments.frame} {arguments.frame}."
         )
+
+
+def bare(exporter: Exporter, path: Path) -> str:
+    """That programs may not know a file for its name has no suffix, in a sentence; "" where it has one."""
+    if path.suffix or exporter.name == MatteExporter.name or path.is_dir():
+        return ""
+    return f"{path} has no suffix: other programs know such files by names that end in {exporter.suffix}."
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:

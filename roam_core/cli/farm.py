@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from roam_core.atomic_write import make_folder, write_atomically
+from roam_core.atomic_write import new_folder, write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import loaded
@@ -59,8 +59,8 @@ def run(arguments: argparse.Namespace) -> int:
     shares = Shares(gaps, frames, arguments.chunk)
     template = template_of(job, out, shares, target.absolute().parent, arguments.roam)
     content = written(checked(template), target)
-    make_folder(out)
-    write_atomically(target, content)
+    with new_folder(out):
+        write_atomically(target, content)
     names = [step["name"] for step in template["steps"]]
     if arguments.json:
         print_json({"files": [str(target)], "steps": names, "parameters": to_be_given(template)})

@@ -18,7 +18,7 @@ from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
@@ -84,27 +84,27 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=arguments.project,
         )
-        tell_of_holder(target)
-        if arguments.matte is not None:
-            require_writable(arguments.matte, create=True)
-        for part in parts:
-            project = taken(project, part, gaps, params, picking)
-        wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
-        there, missing, began = len(gaps) - len(wanted), wanted, time.perf_counter()
-        if arguments.workers > 1 and wanted:
-            project = filled_apart(project, wanted, params, picking, arguments.workers, write)
-            parts.append(project)
+        with claimed(target):
+            if arguments.matte is not None:
+                require_writable(arguments.matte, create=True)
+            for part in parts:
+                project = taken(project, part, gaps, params, picking)
             wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
-        apart = [gap for gap in missing if gap not in wanted]
-        shares = seconds_by_frame(apart, time.perf_counter() - began)
-        filled = fill_project(plate, project, wanted, params, write, picking)
-        project = filled.project
-        if not wanted and (target != arguments.project or parts):
-            write(project)
-        if arguments.matte is not None:
-            failed = set(wanted) - set(filled.gaps)
-            shown = [frame for frame in frames if not any(first < frame < last for first, last in failed)]
-            write_mattes(plate, project, shown, arguments.matte)
+            there, missing, began = len(gaps) - len(wanted), wanted, time.perf_counter()
+            if arguments.workers > 1 and wanted:
+                project = filled_apart(project, wanted, params, picking, arguments.workers, write)
+                parts.append(project)
+                wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
+            apart = [gap for gap in missing if gap not in wanted]
+            shares = seconds_by_frame(apart, time.perf_counter() - began)
+            filled = fill_project(plate, project, wanted, params, write, picking)
+            project = filled.project
+            if not wanted and (target != arguments.project or parts):
+                write(project)
+            if arguments.matte is not None:
+                failed = set(wanted) - set(filled.gaps)
+                shown = [frame for frame in frames if not any(first < frame < last for first, last in failed)]
+                write_mattes(plate, project, shown, arguments.matte)
     if arguments.json:
         for frame in frames:
             print_json(line_of(project, frame, shares.get(frame, 0.0) + filled.seconds.get(frame, 0.0)))

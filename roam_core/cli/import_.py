@@ -8,7 +8,7 @@ from pathlib import Path
 
 from roam_core.cli.bar import progress_bar
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
@@ -71,19 +71,19 @@ def run(arguments: argparse.Namespace) -> int:
         overwrite=arguments.overwrite,
         rewritten=arguments.into if arguments.clip is None else None,
     )
-    tell_of_holder(target)
     masks = MaskOptions(arguments.tolerance, KeyChoice(arguments.keys), arguments.speckle)
-    with cancelling() as token, progress_bar() as progress:
-        options = ImportOptions(arguments.frame_offset, masks=masks, progress=progress, token=token)
-        imported = importer.read(arguments.source, project.require_clip(), options)
-    count = sum(1 for _ in imported.layer.shapes())
-    if not arguments.json or count == 0:  # why nothing could be read is told in any case
-        for note in imported.notes:
-            print(note, file=sys.stderr)
-    if count == 0:
-        raise RoamError(f"{arguments.source} holds no shape that ROAM can read; nothing was written.")
-    project, _ = edit.add_items(project, imported.layer.children)
-    write(project)
+    with claimed(target):
+        with cancelling() as token, progress_bar() as progress:
+            options = ImportOptions(arguments.frame_offset, masks=masks, progress=progress, token=token)
+            imported = importer.read(arguments.source, project.require_clip(), options)
+        count = sum(1 for _ in imported.layer.shapes())
+        if not arguments.json or count == 0:  # why nothing could be read is told in any case
+            for note in imported.notes:
+                print(note, file=sys.stderr)
+        if count == 0:
+            raise RoamError(f"{arguments.source} holds no shape that ROAM can read; nothing was written.")
+        project, _ = edit.add_items(project, imported.layer.children)
+        write(project)
     if arguments.json:
         print_json({"shapes": count, "files": [str(target)], "notes": list(imported.notes)})
     else:

@@ -21,7 +21,7 @@ from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.propagate.shapes.provenance import Stamp, Stamps, known_params
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
-from roam_core.roto import Clip, Origin, RotoShape, file
+from roam_core.roto import Clip, Layer, Origin, RotoShape, file
 from roam_core.roto.imported import is_import
 from roam_core.roto.relinking import missing_now, other_content_now, relinked
 
@@ -89,7 +89,27 @@ def _project_values(path: Path) -> dict[str, object]:
     )
     missing = frozenset[int]() if clip is None else missing_now(clip)
     shapes = [_shape_values(shape, stamps, missing, clip) for shape in project.shapes]
-    return {"project": str(path), "digest": file.digest(project), "clip": there, "shapes": shapes}
+    layers = [_layer_values(item) for item in project.root.items() if isinstance(item, Layer)]
+    return {"project": str(path), "digest": file.digest(project), "clip": there, "layers": layers, "shapes": shapes}
+
+
+def _layer_values(layer: Layer) -> dict[str, object]:
+    motion = layer.transform
+    return {
+        "id": layer.id,
+        "name": layer.name,
+        "visible": layer.visible,
+        "locked": layer.locked,
+        "blend": layer.blend.value,
+        "holds": [child.id for child in layer.children],
+        "motion": None
+        if motion is None
+        else {
+            "frames": list(motion.frames),
+            "adjust_keys": list(motion.adjusted),
+            "confidence": {str(frame): confidence for frame, confidence in motion.confidence},
+        },
+    }
 
 
 def _shape_values(shape: RotoShape, stamps: Stamps, missing: Set[int], clip: Clip | None) -> dict[str, object]:
@@ -131,10 +151,26 @@ def _project_lines(path: Path) -> list[str]:
     missing = frozenset[int]() if project.clip is None else missing_now(project.clip)
     if project.clip is not None and len(missing) == len(project.clip.frame_range):
         lines.append("note     The plate has none of these frames; where it was numbered anew, roam shift follows it.")
+    lines.extend(_layer_line(item) for item in project.root.items() if isinstance(item, Layer))
     lines.extend(_shape_line(shape, stamps, missing, project.clip) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):
         lines.append(f"note     {sentence}")
     return lines
+
+
+def _layer_line(layer: Layer) -> str:
+    count = sum(1 for _ in layer.shapes())
+    states = [word for word, holds in (("hidden", not layer.visible), ("locked", layer.locked)) if holds]
+    line = f"layer    {layer.name!r}: " + ", ".join([f"{count} shape(s)", layer.blend.value, *states])
+    motion = layer.transform
+    if motion is not None:
+        line += f"; moves on {motion.frames[0]}-{motion.frames[-1]}"
+        if len(motion.adjusted) > 1:
+            line += f", {len(motion.adjusted)} adjust keys"
+        if motion.confidence:
+            frame, confidence = min(motion.confidence, key=lambda pair: pair[1])
+            line += f"; least sure on {frame} ({confidence:.2f})"
+    return line
 
 
 def _shape_line(shape: RotoShape, stamps: Stamps, missing: Set[int], clip: Clip | None) -> str:

@@ -17,6 +17,13 @@ def print_json(line: Mapping[str, object]) -> None:
         print(json.dumps(line), flush=True)
 
 
+def print_text(text: str) -> None:
+    """Print a text that has its own ends of lines, now. Raises as `flush_output`."""
+    with _told():
+        sys.stdout.write(text)
+        sys.stdout.flush()
+
+
 def flush_output() -> None:
     """Have everything that was printed arrive.
 

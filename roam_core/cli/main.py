@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
@@ -15,6 +14,7 @@ from roam_core import __version__
 from roam_core.cancel import Cancelled
 from roam_core.cli.environment import take_threads
 from roam_core.cli.lines import discard_output, flush_output
+from roam_core.cli.parser import Parser
 from roam_core.cli.stopping import Stopped, raising
 from roam_core.errors import RoamError
 
@@ -82,7 +82,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _run(argv: list[str]) -> int:
     if argv and argv[0] in COMMANDS:
         return _run_command(argv[0], argv[1:])
-    parser = argparse.ArgumentParser(prog="roam", description="Rotoscoping: editable curves carried through a shot.")
+    parser = Parser(prog="roam", description="Rotoscoping: editable curves carried through a shot.")
     parser.add_argument("--version", action="version", version=f"roam {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="command")
     for name, summary in COMMANDS.items():
@@ -95,7 +95,7 @@ def _run_command(name: str, argv: list[str]) -> int:
     """Run a command. Only its module is loaded: `roam info` does not wait for the solver."""
     module = _module(name)
     summary = COMMANDS[name]
-    parser = argparse.ArgumentParser(prog=f"roam {name}", description=f"{summary[0].upper()}{summary[1:]}.")
+    parser = Parser(prog=f"roam {name}", description=f"{summary[0].upper()}{summary[1:]}.")
     module.add_arguments(parser)
     # What is optional may stand between what is not: `roam review P.roam --sheet OUT`.
     arguments = parser.parse_intermixed_args(argv)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.interchange.targets import kept_aside
 from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint
-from roam_core.roto.project_lock import holder
+from roam_core.roto.project_lock import holder, release, take
 
 
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
@@ -61,7 +62,17 @@ def _keep_read(target: Path) -> None:
         print(f"roam: {error}", file=sys.stderr)
 
 
-def tell_of_holder(target: Path) -> None:
-    """Say who else has the project that will be written open."""
+@contextmanager
+def claimed(target: Path) -> Iterator[None]:
+    """For the length of a `with` block the project that will be written is open here, as windows and commands tell.
+
+    Who else has it open is told; the lock stays theirs.
+    """
     if (found := holder(target)) is not None:
         print(f"roam: {target} is {found.sentence}; it is written all the same. Open it anew there.", file=sys.stderr)
+    mine = take(target)
+    try:
+        yield
+    finally:
+        if mine is not None:
+            release(target, mine)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections import deque
 from collections.abc import Sequence
 from functools import partial
 
@@ -12,7 +13,7 @@ from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
 from roam_core.cli.keeping import Keeper, kept
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import Picking, add_shapes, picked, trackable
 from roam_core.cli.plate import Plate, loaded, opened
@@ -78,8 +79,7 @@ def run(arguments: argparse.Namespace) -> int:
         require_target(target)
         sources = Sources.of(plate.source, arguments.project)
         require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=arguments.project)
-        tell_of_holder(target)
-        with cancelling() as token, kept(write) as keeper:
+        with claimed(target), cancelling() as token, kept(write) as keeper:
             least = follow(
                 plate, project, (shapes, covers), frames, PlaneMotion(arguments.motion), token, keeper, arguments.json
             )
@@ -123,6 +123,7 @@ def follow(
     plate.ahead_of(frames[0], frames)
     with bar(1.0) as shown:
         for leg in legs:
+            left = deque(leg[1:])
             given = *outlines_at(shapes, leg[0]), leg, kind, token, partial(covers_at, covers)
             for step in track_plane(plate.read_or_bridge, *given):
                 project = followed(project, layer, leg[0], step.frame, step.matrix, step.confidence)
@@ -130,11 +131,32 @@ def follow(
                 least = min(least, (step.confidence, step.frame))
                 shown.update(abs(step.frame - frames[0]) / (len(frames) - 1) - shown.n)
                 now = time.perf_counter()
+                passed = _up_to(left, step.frame)
                 if tells:
+                    for frame in passed:
+                        print_missing(frame)
                     print_step(step, now - began)
                 began = now
                 plate.ahead_of(step.frame, frames)
+            if tells:
+                for frame in left:
+                    print_missing(frame)
     return least
+
+
+def _up_to(left: deque[int], frame: int) -> list[int]:
+    """Take the frames up to this one from those of a leg that are left; those before it."""
+    passed: list[int] = []
+    while left and left[0] != frame:
+        passed.append(left.popleft())
+    if left:
+        left.popleft()
+    return passed
+
+
+def print_missing(frame: int) -> None:
+    """The line of a frame that the plate lacks: nothing is known of it, and the layer goes straight on past it."""
+    print_json({"frame": frame, "seconds": 0.0, "confidence": 0.0, "seen": 0.0, "error": None, "matrix": None})
 
 
 def print_step(step: PlaneStep, seconds: float) -> None:

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from roam_core.cancel import CancelToken, Progress
 from roam_core.cli.bar import progress_bar
-from roam_core.cli.overwriting import project_writer, tell_of_holder
+from roam_core.cli.overwriting import claimed, project_writer
 from roam_core.cli.picking import Picking, trackable
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
@@ -57,8 +57,12 @@ class PlateTask:
             raise RoamError(f"{source} holds no closed, unlocked shape to {verb}.")
         return cls(source, target, arguments.overwrite, project, asked, writer)
 
-    def look(self, at: Callable[[ReadImage, CancelToken, Progress], T]) -> T:
-        """What `at` finds in the plate, once it is sure that the target can be written; with a bar, and to be stopped.
+    def change(
+        self, look: Callable[[ReadImage, CancelToken, Progress], T], shapes: Callable[[T], Sequence[RotoShape]]
+    ) -> T:
+        """What `look` finds in the plate, with a bar, and to be stopped, once the target is sure to be writable.
+
+        The project is written with the `shapes` that come of it in place of those asked for, in that order.
 
         Raises
         ------
@@ -69,12 +73,13 @@ class PlateTask:
             require_target(self.target)
             sources = Sources.of(plate.source, self.source)
             require_free([(self.target, Kind.PROJECT)], sources, overwrite=self.overwrite, rewritten=self.source)
-            tell_of_holder(self.target)
-            with cancelling() as token, progress_bar() as progress:
-                return at(plate.read_or_bridge, token, progress)
+            with claimed(self.target):
+                with cancelling() as token, progress_bar() as progress:
+                    found = look(plate.read_or_bridge, token, progress)
+                self._write(shapes(found))
+            return found
 
-    def write(self, shapes: Sequence[RotoShape]) -> None:
-        """Write the project with the `shapes` in place of those asked for, in that order."""
+    def _write(self, shapes: Sequence[RotoShape]) -> None:
         project = self.project
         for old, new in zip(self.asked, shapes, strict=True):
             if new is not old:

@@ -13,8 +13,9 @@ from types import ModuleType
 from roam_core import __version__
 from roam_core.cli.environment import decoding_apart
 from roam_core.cli.lines import open_missing_streams
-from roam_core.cli.main import COMMANDS, INTERRUPTED
+from roam_core.cli.main import COMMANDS, INTERRUPTED, UNHEARD
 from roam_core.cli.main import main as command_line
+from roam_core.cli.parser import Parser
 from roam_core.errors import RoamError
 from roam_core.installation import WINDOW_MISSING, window_module
 
@@ -37,7 +38,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
         return command(arguments) if argv is not None else command_as_process(arguments)
-    path = _path_in(arguments)
+    try:
+        path = _path_in(arguments)
+    except RoamError as error:  # help or version that cannot be printed
+        _tell(str(error))
+        return FAILED
+    except BrokenPipeError:
+        return UNHEARD
     launch = window_module("shell.launch")
     with decoding_apart():
         return _demo(launch) if arguments == ["demo"] else _window(launch, path)
@@ -103,7 +110,7 @@ def _path_in(arguments: list[str]) -> str | None:
 
 def _parser() -> argparse.ArgumentParser:
     listed = "\n".join(f"  {name:<10} {summary}" for name, summary in COMMANDS.items())
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="roam",
         usage="roam [CLIP | PROJECT.roam] | roam demo [--headless] | roam COMMAND ...",
         description="Rotoscoping: editable curves carried through a shot. Without a command the window opens.",

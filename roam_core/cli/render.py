@@ -70,7 +70,9 @@ def run(arguments: argparse.Namespace) -> int:
     names = frame_names(project)
     width, height = clip.size
     frames = [frame for frame in asked if frame in names]
-    tell(other_frames(clip, sorted(names)) or left_out([frame for frame in asked if frame not in names]))
+    if told := other_frames(clip, sorted(names)):
+        raise RoamError(told)
+    tell(left_out([frame for frame in asked if frame not in names]))
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__
     require_free(

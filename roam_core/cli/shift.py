@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes, with_only
 from roam_core.cli.plate import loaded, require_plate
@@ -55,8 +55,8 @@ def run(arguments: argparse.Namespace) -> int:
     require_target(target)
     sources = Sources.of_clip(project.clip, source)
     require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=source)
-    tell_of_holder(target)
-    writer(after)
+    with claimed(target):
+        writer(after)
     was, now, more = frames_held(project), frames_held(after), max(_stale(after) - _stale(project), 0)
     if arguments.json:
         print_json({"by": by, "first": now[0], "last": now[-1], "out_of_date": more, "files": [str(target)]})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 
+from roam_core.cancel import CancelToken, Progress
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
@@ -12,6 +13,7 @@ from roam_core.cli.picking import add_shapes
 from roam_core.cli.plate_task import PlateTask
 from roam_core.matte.softening import matched, told
 from roam_core.matte.softness import Softness, measured
+from roam_core.media.source import ReadImage
 from roam_core.params.softness import SOFTNESS
 from roam_core.roto import RotoShape
 
@@ -38,12 +40,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     task = PlateTask.of(arguments, "soften")
-    found = task.look(
-        lambda read, token, progress: measured(read, task.asked, task.project.shapes, SOFTNESS, token, progress)
-    )
     blur, feather = WAYS[arguments.by]
-    soft = [matched(shape, found, SOFTNESS, blur=blur, feather=feather) for shape in task.asked]
-    task.write(soft)
+
+    def softened(read: ReadImage, token: CancelToken, progress: Progress) -> tuple[Softness, list[RotoShape]]:
+        found = measured(read, task.asked, task.project.shapes, SOFTNESS, token, progress)
+        return found, [matched(shape, found, SOFTNESS, blur=blur, feather=feather) for shape in task.asked]
+
+    found, soft = task.change(softened, lambda both: both[1])
     if arguments.json:
         for shape in task.asked:
             _print_lines(shape, found)

@@ -43,12 +43,12 @@ def run(arguments: argparse.Namespace) -> int:
         raise RoamError(f"--strength {strength:g} is not between 0 and 1.")
     task = PlateTask.of(arguments, "steady")
     frames = _frames(task.asked, arguments.start, arguments.end, arguments.project)
-    found = task.look(
+    found = task.change(
         lambda read, token, progress: steadying(
             read, task.asked, frames, strength, STEADINESS, RESIDUAL, token, progress
-        )
+        ),
+        lambda found: found.shapes,
     )
-    task.write(found.shapes)
     if arguments.json:
         _print_lines(found)
     print(told(found), file=sys.stderr)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,11 +13,12 @@ from typing import Any
 from numpy.typing import NDArray
 from tqdm import tqdm
 
+from roam_core.bounded import require_regular
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
-from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
@@ -26,9 +27,9 @@ from roam_core.cli.plate import Plate, add_reading, opened, tell
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_target, require_writable
 from roam_core.errors import RoamError
-from roam_core.interchange.authorship import Kind
+from roam_core.interchange.authorship import Kind, is_project
 from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
-from roam_core.interchange.registry import SHAPE_SUFFIXES, read_shapes
+from roam_core.interchange.registry import holds_shapes, read_shapes
 from roam_core.interchange.targets import PROJECT, Sources, require_free
 from roam_core.matte.vectorise import (
     LEAST_AREA,
@@ -93,7 +94,7 @@ def run(arguments: argparse.Namespace) -> int:
     given = given_project(init)
     with opened(arguments.clip, given.clip if given else None, arguments.layer, arguments.colour) as plate:
         picking = Picking(arguments.shape, arguments.alone)
-        if given is None and is_shape_file(init):
+        if given is None and holds_shapes(init):
             given = imported_project(init, plate)
         start = arguments.start
         if start is None:
@@ -107,7 +108,7 @@ def run(arguments: argparse.Namespace) -> int:
         tell(plain_start(plate.read(frames[0]), wanted, frames[0]))
         if arguments.save is not None:
             require_target(arguments.save)
-        rewritten = init if init.suffix.lower() == PROJECT else None
+        rewritten = init if _is_project(init) else None
         require_free(
             results(arguments, plate, frames),
             Sources.of(plate.source, init),
@@ -115,8 +116,6 @@ def run(arguments: argparse.Namespace) -> int:
             rewritten=rewritten,
         )
         tell(kept_nowhere(arguments))
-        if arguments.save is not None:
-            tell_of_holder(arguments.save)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
         landmarks = LandmarkPaths()
@@ -126,7 +125,10 @@ def run(arguments: argparse.Namespace) -> int:
             if arguments.json:
                 print_line(solved)
 
-        with landmarks_kept(landmarks, project.require_clip(), arguments.landmarks):
+        with (
+            nullcontext() if arguments.save is None else claimed(arguments.save),
+            landmarks_kept(landmarks, project.require_clip(), arguments.landmarks),
+        ):
             track_project(
                 plate,
                 project,
@@ -267,7 +269,7 @@ def frame_range(frames: tuple[int, ...], start: int | None, end: int | None, *, 
 
 
 def given_project(init: Path) -> Project | None:
-    """The project of a `.roam` file, or None for another file."""
+    """The project of a file that holds one, or None for another file."""
     if not init.exists():
         raise RoamError(
             f"{init} does not exist; --init wants a mask image of the start frame, a .roam project or a file of shapes."
@@ -277,7 +279,8 @@ def given_project(init: Path) -> Project | None:
             f"{init} is a folder; --init wants the mask of the start frame, a file. "
             "A sequence of masks becomes shapes by roam import."
         )
-    if init.suffix.lower() != PROJECT:
+    require_regular(init)  # here: a pipe of this process is not there for the one that decodes
+    if not _is_project(init):
         return None
     project = file.load(init)
     if not trackable(project):
@@ -285,9 +288,9 @@ def given_project(init: Path) -> Project | None:
     return project
 
 
-def is_shape_file(init: Path) -> bool:
-    """Whether a file is one of another program's shapes, by its suffix."""
-    return init.is_file() and init.suffix.lower() in SHAPE_SUFFIXES
+def _is_project(init: Path) -> bool:
+    """By its name, or, as of an earlier version (`P.roam.1`), by its content."""
+    return init.suffix.lower() == PROJECT or is_project(init)
 
 
 def imported_project(init: Path, plate: Plate) -> Project:

@@ -2,29 +2,19 @@
 
 from __future__ import annotations
 
-import re
 import tempfile
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.interchange.protocol import STANDARD, ExportOptions
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
+from roam_core.interchange.recognition import name_of
 from roam_core.interchange.registry import EXPORTERS, IMPORTERS
 from roam_core.roto import Clip, Project
 
 CLIPBOARD = Path("The clipboard")
 """What stands for a file's name in sentences."""
-
-SIGNS: Mapping[str, re.Pattern[str]] = {
-    "json": re.compile(r'\A\s*\{[^{\[]{0,400}?"format"\s*:\s*"roam-shapes"'),
-    "svg": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<(?:\w+:)?svg[\s>]"),
-    "silhouette": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<Silhouette[\s>]"),
-    "fusion": re.compile(r"\A\s*\{\s*Tools\s*="),
-    "nuke": re.compile(r"(?m)^[ \t]{0,99}(?:set cut_paste_input\b|Roto(?:Paint)?\d*[ \t]{0,9}\{|curves[ \t]{0,9}\{)"),
-}
-"""By what text each format is known, by the format's name; the first that fits is meant."""
 
 
 def node_text(name: str, project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
@@ -41,9 +31,8 @@ def node_text(name: str, project: Project, options: ExportOptions = STANDARD) ->
 
 def format_of(text: str) -> Importer | None:
     """The format whose shapes the text holds by its look, or None."""
-    text = text.removeprefix("\ufeff")
-    readers = {importer.name: importer for importer in IMPORTERS}
-    return next((readers[name] for name, sign in SIGNS.items() if name in readers and sign.search(text)), None)
+    name = name_of(text)
+    return next((importer for importer in IMPORTERS if importer.name == name), None)
 
 
 def read_text(text: str, clip: Clip, options: ImportOptions = PLAIN) -> Imported:

@@ -185,6 +185,8 @@ class ShapeWriter:
     done: int = 0
     notes: list[str] = field(default_factory=list)
     losses: list[str] = field(default_factory=list)
+    _b_spline: tuple[int, str] | None = None
+    _b_splines: int = 0
 
     def __post_init__(self) -> None:
         self.options.frames_of(self.clip)
@@ -198,11 +200,7 @@ class ShapeWriter:
         self.options.advance(self.done / self.total, sentence("Shape {name}", name=shape.name))
         self.done += 1
         if shape.spline not in self.KINDS or not is_of_its_kind(shape):
-            self.notes.append(
-                sentence(
-                    "The B-spline {name!r} is written as Bezier: the same curve, with other handles.", name=shape.name
-                )
-            )
+            self._tell_of_b_spline(shape.name)
             shape = replace(shape, spline=Spline.BEZIER)
         shape = exported_keys(shape, self.options, self.notes)
         if self.options.keys is not KeyChoice.REDUCED:
@@ -210,6 +208,21 @@ class ShapeWriter:
         reduction = reduced(shape, self.options.tolerance, motion, self.options.token)
         self.notes.append(reduction.report())
         return reduction.shape, reduction.slopes
+
+    def _tell_of_b_spline(self, name: str) -> None:
+        """One note for all of them, where the first one's stands: what is lost is read."""
+        first, self._b_spline = self._b_spline, self._b_spline or (len(self.notes), name)
+        self._b_splines += 1
+        if first is None:
+            self.notes.append(
+                sentence("The B-spline {name!r} is written as Bezier: the same curve, with other handles.", name=name)
+            )
+            return
+        self.notes[first[0]] = sentence(
+            "{count} B-splines, {name!r} among them, are written as Bezier: the same curves, with other handles.",
+            count=self._b_splines,
+            name=first[1],
+        )
 
 
 def readied(project: Project, options: ExportOptions) -> Project:

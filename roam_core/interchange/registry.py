@@ -8,8 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from roam_core.arguments import path_of, shown
+from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.interchange.after_effects.exporter import AfterEffectsExporter
+from roam_core.interchange.authorship import is_project
 from roam_core.interchange.blender.exporter import BlenderExporter
 from roam_core.interchange.fusion.exporter import FusionExporter
 from roam_core.interchange.fusion.reading import FusionImporter
@@ -28,6 +30,7 @@ from roam_core.interchange.nuke.tracks import NukeTracksExporter
 from roam_core.interchange.plain_json import JsonFormat
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
+from roam_core.interchange.recognition import format_of
 from roam_core.interchange.silhouette.exporter import SilhouetteExporter
 from roam_core.interchange.silhouette.reading import SilhouetteImporter
 from roam_core.interchange.svg.format import SvgFormat
@@ -87,14 +90,20 @@ SHAPE_SUFFIXES = tuple(
 
 
 def importer_for(path: Path) -> Importer:
-    """The format that reads files of this suffix, or folders; else a `RoamError`, which lists those that are read."""
+    """The format that reads files of this suffix, or folders; else a `RoamError`, which lists those that are read.
+
+    Where no format has the suffix, or there is none, a file of shapes is known by how it begins.
+    """
     suffix = "" if os.path.isdir(path) else path.suffix.lower() or "none"  # noqa: PTH112 - no error for a long name
     for importer in IMPORTERS:
         if suffix in importer.suffixes:
             return importer
+    if (name := format_of(path)) is not None:
+        return next(importer for importer in IMPORTERS if importer.name == name)
     if not os.path.lexists(path):
         raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
-    if suffix == PROJECT:
+    require_regular(path)
+    if suffix == PROJECT or is_project(path):
         raise RoamError(
             f"{path} is a project; export its shapes (--to json) and import those, or copy them from window to window."
         )
@@ -102,11 +111,20 @@ def importer_for(path: Path) -> Importer:
     raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
 
 
+def holds_shapes(path: Path) -> bool:
+    """Whether a file is one of shapes: by its suffix, or, where no format has that, by how it begins."""
+    suffix = path.suffix.lower()
+    if any(suffix and suffix in importer.suffixes for importer in IMPORTERS):
+        return suffix in SHAPE_SUFFIXES
+    return format_of(path) is not None
+
+
 def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
     """Read the shapes of a file, or of a folder of masks, into pixels and frames of `clip`.
 
-    The suffix tells the format: `.nk`, `.fxs`, `.sfx`, `.setting`, `.svg`, `.json` or `.xml`; a picture or a folder
-    is a sequence of masks. `roam_core.edit.add_items` puts what was read into a project.
+    The suffix tells the format: `.nk`, `.fxs`, `.sfx`, `.setting`, `.svg`, `.json` or `.xml`, and of other files how
+    they begin; a picture or a folder is a sequence of masks. `roam_core.edit.add_items` puts what was
+    read into a project.
 
     Raises
     ------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bisect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from itertools import count
 from typing import Any
 
@@ -126,7 +126,20 @@ def remove_items(project: Project, item_ids: Iterable[str]) -> Project:
 
 
 def set_properties(project: Project, item_id: str, **values: Any) -> Project:
-    """Change plain fields of a layer or shape: name, colour, visible, locked, opacity, blend, feather, ..."""
+    """Change plain fields of a layer or shape: name, colour, visible, locked, opacity, blend, feather, ...
+
+    Raises
+    ------
+    KeyError
+        when no layer or shape has this id.
+    ValueError
+        when it has no such field, or the field cannot have that value.
+    """
+    item = project.find(item_id)
+    known = [field.name for field in fields(item)]
+    if wrong := [name for name in values if name not in known]:
+        kind = "layer" if isinstance(item, Layer) else "shape"
+        raise ValueError(f"a {kind} has no {wrong[0]!r}; it has: {', '.join(known)}")
     return project.map_item(item_id, lambda item: replace(item, **values))
 
 

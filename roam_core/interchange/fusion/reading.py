@@ -53,19 +53,29 @@ class FusionImporter:
 def read_setting(reader: ShapeReader, text: str) -> Imported:
     """The masks of a setting's text, as a file or a clipboard holds it."""
     table = parsed(reader, text)
-    tools = dict(_tools(reader, table))
+    tools = dict(_tools(table))
     if not isinstance(table.named.get("Tools"), Table):
         raise RoamError(f"{reader.path} holds no tools of Fusion's.")
-    flow = _Flow(reader, tools)
+    flow = _Flow(reader, tools, frozenset(_passed(table)))
     return reader.finished(tuple(flow.items()), flow.size)
 
 
-def _tools(reader: ShapeReader, table: Table) -> Iterator[tuple[str, Table]]:
+def _tools(table: Table) -> Iterator[tuple[str, Table]]:
     """All tools by name, those of groups and macros among them."""
     for name, tool in table.table("Tools").named.items():
         if isinstance(tool, Table):
             yield str(name), tool
-            yield from _tools(reader, tool)
+            yield from _tools(tool)
+
+
+def _passed(table: Table, around: bool = False) -> Iterator[str]:
+    """The names of all tools that are passed through, by themselves or with a group around them."""
+    for name, tool in table.table("Tools").named.items():
+        if isinstance(tool, Table):
+            is_passed = around or tool.named.get("PassThrough") is True
+            if is_passed:
+                yield str(name)
+            yield from _passed(tool, is_passed)
 
 
 @dataclass
@@ -74,12 +84,14 @@ class _Flow:
 
     Attributes
     ----------
+    passed : names of the tools that are passed through.
     size : (width, height) that the first mask speaks of, or None.
     above : names of the tools on the way from a chain's end, to refuse a circle.
     """
 
     reader: ShapeReader
     tools: dict[str, Table]
+    passed: frozenset[str]
     size: tuple[float, float] | None = None
     above: set[str] = field(default_factory=set)
     depth: int = 0
@@ -188,7 +200,7 @@ class _Flow:
             self.reader.fresh_id("layer"),
             self._title(name, inputs),
             items,
-            visible=tool.named.get("PassThrough") is not True,
+            visible=name not in self.passed,
             opacity=opacity_of(self.reader, name, inputs, self.tools),
             invert=is_inverted,
             blend=blend,
@@ -254,7 +266,7 @@ class _Flow:
             invert=_flag(inputs, "Invert"),
             feather=feather_of(self.reader, title, inputs, self.tools, self.size[0]),
             motion_blur=_motion_blur(inputs),
-            visible=tool.named.get("PassThrough") is not True and not is_line,
+            visible=name not in self.passed and not is_line,
             locked=tool.named.get("Locked") is True,
             spline=Spline.BEZIER if is_polygon else Spline.BSPLINE,
         )

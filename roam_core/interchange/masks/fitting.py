@@ -161,7 +161,7 @@ def fitted(
             room = (goal, outlines.free, REACH, outlines.scrap)
             errors[k] = judged(away, samples, *room, gone[k])
             errors[k] = max(errors[k], goal * float(away.mean()) / max(outlines.loose[frame], LOOSE * tolerance))
-            if errors[k] <= goal:
+            if errors[k] <= goal or not hopeless:  # what is taken over beyond the goal is judged whole, too
                 back = distances(line, outlines.rings[frame], goal)
                 errors[k] = max(errors[k], judged(back, line, *room, np.empty(len(line), dtype=np.bool_)))
         if turn > 0:

@@ -67,7 +67,7 @@ class NukeImporter:
         """
         reader = ShapeReader(path, clip, options)
         script = Script(reader)
-        every = [(species, body.knobs()) for species, body in script.nodes()]
+        every = [(species, _switched(knobs, groups)) for species, knobs, groups in script.nodes()]
         nodes = [each for each in every if "curves" in each[1] and each[0] not in ("Root", "Viewer")]
         if not nodes:
             raise RoamError(f"{path} holds no Roto or RotoPaint node.")
@@ -98,6 +98,22 @@ def _shown(layer: Layer, species: str, reader: ShapeReader) -> Layer:
         return layer
     reader.note(f"{species} {brief(layer.name)} warps by its curves, which make no matte: they came in hidden.")
     return replace(layer, visible=False)
+
+
+def _switched(knobs: dict[str, Word], groups: Sequence[dict[str, Word]]) -> dict[str, Word]:
+    """The knobs of a node, where it lies in groups with the switch of the one that is disabled, or varies."""
+    words = [each["disable"] for each in (knobs, *groups) if "disable" in each]
+    if not words:
+        return knobs
+    return {**knobs, "disable": min(words, key=lambda word: _SWITCHES.get(_switch(word), 1))}
+
+
+_SWITCHES = {"true": 0, "1": 0, "false": 2, "0": 2}
+"""What disables a node first, what leaves it on last; expressions and keys between."""
+
+
+def _switch(word: Word) -> str:
+    return word.value.strip().lower()
 
 
 def _root(curves: Word) -> Word | None:
@@ -180,10 +196,10 @@ class _NodeReader:
 
     def _is_off(self, disabled: Word | None) -> bool:
         """Whether the node is disabled; where that varies it is taken to be on."""
-        said = "false" if disabled is None else disabled.value.strip().lower()
-        if said not in ("true", "false", "1", "0"):
+        switch = "false" if disabled is None else _switch(disabled)
+        if switch not in _SWITCHES:
             self.reader.note(f"Whether the node {brief(self.node)} is disabled varies: it was read as on.")
-        return said in ("true", "1")
+        return _SWITCHES.get(switch) == 0
 
     def _layer(self, word: Word, outer: Sequence[Transform], *, is_root: bool = False) -> Layer:
         items = word.words()[1:]

@@ -17,6 +17,9 @@ MAX_SCRIPT, MAX_LISTS = 24 << 20, 3_000_000
 PER_WORD = 2
 """Parts that a word counts for: it takes twice as long as an element of XML."""
 
+GROUPS = ("Group", "Gizmo", "LiveGroup")
+"""Classes of nodes that hold others."""
+
 Nested = list[Union[str, "Nested"]]
 """A list of words and lists."""
 
@@ -85,16 +88,23 @@ class Script:
         self._reader = reader
         self._closing: dict[int, int] = {}
 
-    def nodes(self) -> Iterator[tuple[str, Word]]:
-        """Class and body of every node, in the order of the script.
+    def nodes(self) -> Iterator[tuple[str, dict[str, Word], tuple[dict[str, Word], ...]]]:
+        """Class and knobs of every node, in the order of the script, and the knobs of the groups around it.
 
         The first of several clones is written as `clone node1f0a|Roto|31 Roto {...}`; the others repeat no curves.
+        What is in a group follows it, up to `end_group`.
         """
+        around: tuple[dict[str, Word], ...] = ()
         for command in self.commands(0, len(self.text)):
             if command[0].raw == "clone":
                 command = command[-2:]
             if len(command) > 1 and command[1].is_braced:
-                yield command[0].value, command[1]
+                species, knobs = command[0].value, command[1].knobs()
+                yield species, knobs, around
+                if species in GROUPS:
+                    around = (*around, knobs)
+            elif command[0].raw == "end_group":
+                around = around[:-1]
 
     def commands(self, start: int, end: int) -> Iterator[list[Word]]:
         """The words of each line (or part of one up to a semicolon) that is not empty; comments are passed over."""

@@ -175,8 +175,8 @@ class _SessionReader:
             visible=not _truth(element.get("hidden")),
             locked=_truth(element.get("locked")),
             opacity=self._percent(properties, f"layer {brief(label)}", may_begin=False)[0],
-            invert=_truth(_text(properties, "invert", "")),
-            blend=self._blend(_text(properties, "mode", MODES[BlendMode.ADD]), f"layer {brief(label)}"),
+            invert=_truth(self._constant(properties, "invert", f"layer {brief(label)}")),
+            blend=self._blend(self._constant(properties, "mode", f"layer {brief(label)}"), f"layer {brief(label)}"),
             transform=motion,
         )
         return _unveiled(layer)
@@ -211,9 +211,9 @@ class _SessionReader:
             closed=closed,
             spline=spline,
             colour=colour,
-            blend=self._blend(_text(properties, "mode", MODES[BlendMode.ADD]), f"shape {brief(label)}"),
+            blend=self._blend(self._constant(properties, "mode", f"shape {brief(label)}"), f"shape {brief(label)}"),
             opacity=opacity,
-            invert=_truth(_text(properties, "invert", "")),
+            invert=_truth(self._constant(properties, "invert", f"shape {brief(label)}")),
             motion_blur=MotionBlur() if _truth(_text(properties, "motionBlur", "")) else None,
             lifetime=lifetime,
             visible=not _truth(element.get("hidden")),
@@ -233,7 +233,15 @@ class _SessionReader:
                 self.reader.note(f"{subject}: {meaning} was left out.")
         return found
 
+    def _constant(self, properties: dict[str, Element], name: str, subject: str) -> str:
+        """What a property says that cannot vary in ROAM; "" for nothing. Where its keys differ that is told."""
+        words = _texts(properties, name)
+        if len(set(words)) > 1:
+            self.reader.note(f"The {name} of the {subject} varies: it was read as {brief(words[0])}, its first key.")
+        return words[0] if words else ""
+
     def _blend(self, mode: str, subject: str) -> BlendMode:
+        mode = mode or MODES[BlendMode.ADD]
         for blend, name in MODES.items():
             if name == mode:
                 return blend
@@ -362,12 +370,23 @@ def _kind(paths: Sequence[Element]) -> Spline:
 # ---- words -----------------------------------------------------------------------------------------------------------
 
 
+def _texts(properties: dict[str, Element], name: str) -> list[str]:
+    """The values of a property as text: one where it is constant, else one a key, by their frames."""
+    entries = [entry for entry in properties.get(name, ()) if local_name(entry) in ("Value", "Key") and entry.text]
+    return [(entry.text or "").strip() for entry in sorted(entries, key=_frame_of)]
+
+
+def _frame_of(entry: Element) -> float:
+    """The frame of a key; 0 for a constant, and for what says no number."""
+    try:
+        return number(entry.get("frame", "0"))
+    except ValueError:
+        return 0.0
+
+
 def _text(properties: dict[str, Element], name: str, default: str) -> str:
     """The first value of a property as text."""
-    for entry in properties.get(name, ()):
-        if local_name(entry) in ("Value", "Key") and entry.text:
-            return entry.text.strip()
-    return default
+    return next(iter(_texts(properties, name)), default)
 
 
 def _truth(text: str | None) -> bool:

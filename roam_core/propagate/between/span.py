@@ -83,8 +83,8 @@ def fill_span(
     ValueError
         when an argument is not what it should be, such as an id in `only` that no shape has.
     RoamError
-        when no shape that is wanted has artist keys on two frames of the range, or one to be filled is open, a point,
-        or has a point that lies nowhere near the image.
+        when no shape is wanted, or none of them has artist keys on two frames of the range, or one to be filled is
+        open, a point, or has a point that lies nowhere near the image.
     Cancelled
         at a safe point after `token` was cancelled.
     """
@@ -94,6 +94,8 @@ def fill_span(
     read = reading(_by_frame(images, start, stop))
     only = names_of(only, (shape.id for shape in shapes))
     asked = [only is None or shape.id in only for shape in shapes]
+    if not any(asked):
+        raise RoamError("There is no shape to fill; draw one, or select one, first.")
     gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
     if not gaps and any(
         _is_keyed_twice(shape, start, stop) for shape, wanted in zip(shapes, asked, strict=True) if wanted

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
-from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.project import PALETTE
 from tests.unit.cli.conftest import Roam
 from tests.unit.cli.test_bad_input import require_refusal
@@ -38,6 +39,56 @@ def test_shapes_that_were_exported_come_back_on_top(roam: Roam, project: Path, n
     assert second.frames == (1001, 1011)
     np.testing.assert_allclose(second.at(1006).points, first.at(1006).points, atol=0.01)
     assert len(file.load(project).shapes) == 1
+
+
+def test_shapes_come_back_from_a_file_without_a_suffix(roam: Roam, project: Path) -> None:
+    """What was asked for is written, and it is told how programs know such files."""
+    bare = project.parent / "hero"
+    done = roam("export", project, bare, "--to", "nuke")
+    assert done.status == 0
+    assert f"{bare} has no suffix: other programs know such files by names that end in .nk." in done.err
+    assert bare.is_file()
+    assert roam("import", bare, "--into", project).status == 0
+    assert len(file.load(project).shapes) == 2
+    with_suffix = roam("export", project, project.with_suffix(".nk"), "--to", "nuke")
+    assert "suffix" not in with_suffix.err
+
+
+def test_many_notes_that_say_the_same_do_not_bury_others(roam: Roam, tmp_path: Path) -> None:
+    shapes = [
+        RotoShape(f"shape-{k}", f"Arm {k}", (Keyframe(1001, points(1)),), blend=BlendMode.SUBTRACT) for k in range(20)
+    ]
+    path = tmp_path / "many.roam"
+    clip = Clip(tmp_path / "plate", 1001, 1040, (1920, 1080))
+    file.save(Project(clip, Layer("root", "Root", tuple(shapes))), path)
+    told = roam("export", path, tmp_path / "a.xml", "--to", "cvat", "--lossy").err.splitlines()
+    alike = [line for line in told if "the mode 'subtract' of" in line]
+    assert len(alike) == 12
+    assert told[told.index(alike[-1]) + 1] == "(and 8 more like this; --json lists all)"
+    listed = roam("export", path, tmp_path / "a.xml", "--to", "cvat", "--lossy", "--json").out
+    assert listed.count("the mode 'subtract' of") == 20
+
+
+def test_an_earlier_version_of_a_project_is_one(roam: Roam, project: Path, tmp_path: Path) -> None:
+    """`P.roam.1` is told by its content: its shapes are tracked from, and `import` says what it is."""
+    earlier, plate = project.rename(tmp_path / "p.roam.1"), tmp_path / "frames"
+    plate.mkdir()
+    for frame in (1001, 1002):
+        cv2.imwrite(str(plate / f"plate.{frame}.png"), np.full((1080, 1920, 3), 90, np.uint8))
+    done = roam("track", plate, "--init", earlier, "--config", "baseline", "--end", 1001, "--save", tmp_path / "n.roam")
+    assert done.status == 0, done.err
+    assert [shape.name for shape in file.load(tmp_path / "n.roam").shapes] == ["Arm"]
+    require_refusal(roam("import", earlier, "--into", tmp_path / "n.roam"), earlier, "is a project")
+
+
+@pytest.mark.parametrize("words", ["import {pipe} --into {project}", "track {folder} --init {pipe}"])
+def test_a_pipe_is_told_as_what_it_is(roam: Roam, project: Path, words: str) -> None:
+    """As a shell gives it for `<(cat mask.png)`; nobody waits for its other end."""
+    pipe, folder = project.parent / "63", project.parent / "plate"
+    os.mkfifo(pipe)
+    folder.mkdir()
+    cv2.imwrite(str(folder / "plate.1001.png"), np.zeros((8, 8, 3), np.uint8))
+    require_refusal(roam(*words.format(pipe=pipe, project=project, folder=folder).split()), pipe, "is a pipe")
 
 
 def test_the_project_itself_grows_when_no_other_is_named(roam: Roam, project: Path) -> None:

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from roam_core.cli import COMMANDS, main
+from roam_core.roto import edit, file
+from roam_core.roto.placement import LayerTransform
 from tests.unit.cli.conftest import Plate, Roam
 from tests.unit.studio.shots import put_gaps
 
@@ -60,6 +64,26 @@ def test_a_project_and_a_clip_are_described(roam: Roam, project: Path, plate: Pl
     assert told["clip"]["is_there"]
     clip = json.loads(roam("info", plate.folder, "--json").out)["clip"]
     assert (clip["first"], clip["last"], clip["size"], clip["missing"]) == (1001, 1006, [130, 110], [])
+
+
+def test_layers_and_their_motion_are_described(roam: Roam, project: Path) -> None:
+    """A planar track is a layer's: its frames, its adjust keys, and where it is least sure."""
+    held = file.load(project)
+    held, layer = edit.add_layer(held, "Körper 1")
+    held, inner = edit.add_layer(held, "Plain", layer.id)
+    motion = LayerTransform.of({1001: np.eye(3), 1004: np.eye(3)})
+    motion = replace(motion, confidence=((1004, 0.25),), adjusted=(1001, 1004))
+    file.save(edit.set_properties(held, layer.id, transform=motion, locked=True, visible=False), project)
+    first, second = json.loads(roam("info", project, "--json").out)["layers"]
+    assert (first["name"], first["holds"], first["visible"], first["locked"]) == ("Körper 1", [inner.id], False, True)
+    assert first["motion"] == {"frames": [1001, 1004], "adjust_keys": [1001, 1004], "confidence": {"1004": 0.25}}
+    assert (second["name"], second["motion"]) == ("Plain", None)
+    lines = [line for line in roam("info", project).out.splitlines() if line.startswith("layer")]
+    assert lines == [
+        "layer    'Körper 1': 0 shape(s), add, hidden, locked; moves on 1001-1004, 2 adjust keys; "
+        "least sure on 1004 (0.25)",
+        "layer    'Plain': 0 shape(s), add",
+    ]
 
 
 @pytest.mark.parametrize("name", ["ROAM_THREADS", "ROAM_CACHE_MB"])

@@ -290,7 +290,7 @@ def test_a_full_disk_while_mattes_are_written(roam: Roam, plate: Plate, monkeypa
     really = os.fsync
 
     def full(handle: int) -> None:
-        if next(flushed) == 3:
+        if next(flushed) == 5:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         really(handle)
 
@@ -313,6 +313,20 @@ def test_a_full_disk_under_the_output_is_told(tmp_path: Path) -> None:
         done = subprocess.run([*ROAM, "info", str(path)], stdout=full, stderr=subprocess.PIPE, check=False)
     assert done.returncode == 1
     assert done.stderr == b"roam: The standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no device that is always full")
+@pytest.mark.parametrize("words", [["--version"], ["--help"], ["info", "--help"]])
+@pytest.mark.parametrize("buffered", [True, False])
+def test_help_that_does_not_arrive_is_told(words: list[str], buffered: bool) -> None:
+    environment = os.environ | {"PYTHONUNBUFFERED": "" if buffered else "1"}
+    entry = [sys.executable, "-c", "import sys; from roam_core.cli.program import main; sys.exit(main())"]
+    for command in (ROAM, entry):
+        with Path("/dev/full").open("w") as full:
+            given = {"stdout": full, "stderr": subprocess.PIPE, "check": False, "env": environment}
+            done = subprocess.run([*command, *words], **given)
+        assert done.returncode == 1
+        assert done.stderr == b"roam: The standard output cannot be written: No space left on device.\n"
 
 
 # ---- frames that cannot be read --------------------------------------------------------------------------------------

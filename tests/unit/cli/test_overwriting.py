@@ -286,6 +286,45 @@ def test_who_has_a_project_open_is_told(roam: Roam, plate: Plate, project: Path)
     assert "is open on" not in roam("fill", project, *CONFIG).err
 
 
+WRITING = [
+    "fill {project} --config baseline",
+    "track {plate} --init {mask} --config baseline --end 1002 --save {project}",
+    "import {mask} --into {project}",
+    "shift {project} --by 3",
+    "plane {project}",
+    "steady {project}",
+    "soften {project}",
+]
+
+
+@pytest.mark.parametrize("words", WRITING)
+def test_what_a_command_writes_is_open_there_as_long_as_it_runs(
+    roam: Roam, plate: Plate, project: Path, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A second run, and a window that opens the project meanwhile, are told as they begin."""
+    assert roam("fill", project, *CONFIG).status == 0
+    seen = []
+
+    def save(made: Project, path: Path) -> None:
+        seen.append(json.loads(lock_path(path).read_text())["process"])
+        saved(made, path)
+
+    saved = file.save
+    monkeypatch.setattr(file, "save", save)
+    done = roam(*words.format(project=project, plate=plate.folder, mask=plate.mask).split())
+    assert done.status == 0, done.err
+    assert set(seen) <= {os.getpid()}
+    assert seen or words.startswith("fill"), "what is filled already is not written"
+    assert not lock_path(project).exists()
+
+
+def test_a_command_leaves_the_lock_of_others_alone(roam: Roam, plate: Plate, project: Path) -> None:
+    lock = {"host": "far", "user": "ann", "process": 7, "since": 0.0, "mark": "m"}
+    lock_path(project).write_text(json.dumps(lock))
+    assert roam("import", plate.mask, "--into", project).status == 0
+    assert json.loads(lock_path(project).read_text()) == lock
+
+
 def test_a_read_only_project_is_refused_before_anything_is_done(roam: Roam, plate: Plate, project: Path) -> None:
     project.chmod(0o444)
     (project.parent / "link.roam").symlink_to(project)

@@ -65,6 +65,25 @@ def test_a_surface_is_followed_and_what_covers_it_is_left_out_by_name(roam: Roam
     assert found.shape("screen").artist_frames == (1,)
 
 
+@pytest.mark.parametrize("gone", [[3], [2, 3], [6]])
+def test_frames_that_the_plate_lacks_have_a_line_too(
+    roam: Roam, project: Path, plate: Path, tmp_path: Path, gone: list[int]
+) -> None:
+    for path in sorted(plate.iterdir()):
+        if int(path.stem.split(".")[1]) not in gone:
+            (tmp_path / "gaps").mkdir(exist_ok=True)
+            (tmp_path / "gaps" / path.name).write_bytes(path.read_bytes())
+    held = file.load(project)
+    assert held.clip is not None
+    file.save(replace(held, clip=replace(held.clip, path=tmp_path / "gaps")), project)
+    end = min(max(5, *gone), 6 - (6 in gone))
+    done = roam("plane", project, "--shape", "screen", "--exclude", "Hand", "--end", end, "--json")
+    assert done.status == 0, done.err
+    lines = {line["frame"]: line for line in map(json.loads, done.out.splitlines())}
+    assert list(lines) == list(range(2, end + 1))
+    assert [frame for frame, line in lines.items() if line["matrix"] is None] == [each for each in gone if each <= end]
+
+
 def test_every_frame_is_told_in_json(roam: Roam, project: Path, tmp_path: Path) -> None:
     before, target = project.read_bytes(), tmp_path / "tracked.roam"
     words = "--shape", "screen", "--leave-out", "others", "--motion", "homography", "--save", target, "--json"

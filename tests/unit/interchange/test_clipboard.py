@@ -10,7 +10,8 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, IMPORTERS, ImportOptions
-from roam_core.interchange.clipboard import SIGNS, format_of, node_text, read_text
+from roam_core.interchange.clipboard import format_of, node_text, read_text
+from roam_core.interchange.recognition import SIGNS
 from roam_core.roto import Clip, Layer, Project, edit
 
 CLIP = Clip(Path("/plates/shot"), 1001, 1010, (64, 48))

@@ -136,6 +136,14 @@ def test_masks_in_groups_are_found(tmp_path: Path) -> None:
     assert only(read(group, tmp_path)).name == "In"
 
 
+def test_masks_in_a_group_that_is_passed_through_are_hidden(tmp_path: Path) -> None:
+    """However deep; beside it they show."""
+    inner = f"Inner = MacroOperator {{ Tools = ordered() {{ {mask('Deep', key(1, 0))} }} }},"
+    group = f"G = GroupOperator {{ PassThrough = true, Tools = ordered() {{ {mask('In', key(1, 0))} {inner} }} }},"
+    layer = read(group + mask("Out", key(1, 0)), tmp_path).layer
+    assert {item.name: item.visible for item in layer.children} == {"In": False, "Deep": False, "Out": True}
+
+
 def test_b_splines_are_read_by_their_control_points(tmp_path: Path) -> None:
     points = "{ X = -0.1, Y = 0.1, W = 2 }, { X = 0.1, Y = 0.1, W = 2 }, { X = 0.1, Y = -0.1 }, { X = -0.1, Y = -0.1 }"
     text = f"""B = BSplineMask {{ Inputs = {{ Polyline = Input {{ Value = BSplinePolyline {{

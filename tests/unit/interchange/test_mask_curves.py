@@ -15,7 +15,11 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import polyline
 from roam_core.interchange import ImportOptions, KeyChoice, MaskOptions, read_shapes
+from roam_core.interchange.masks.fitting import Outlines, fitted
+from roam_core.interchange.masks.points import curves
 from roam_core.interchange.masks.sequence import Fitted
+from roam_core.kernels.mask_fit import distances
+from roam_core.kernels.mask_fit import drawn as line_of
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Origin, RotoShape
 
@@ -273,3 +277,16 @@ def test_senseless_options_are_one_sentence(tmp_path: Path, options: dict[str, o
     folder = write(tmp_path / "masks", [drawn(pear(0))])
     with pytest.raises(RoamError, match=reason):
         shapes_of(folder, 1, **options)
+
+
+@pytest.mark.parametrize("tolerance", [0.9, 1.0, 1.1, 1.2, 1.5])
+def test_a_curve_that_leaves_the_mask_between_its_samples_is_not_held(tolerance: float) -> None:
+    """Both ways count, from the outline to the curve and back, also where the first is beyond what is worked to."""
+    t = np.linspace(0.0, 2.0 * np.pi, 400, endpoint=False)
+    radius = 12.0 - 8.0 * np.exp(-(((t - np.pi) / 0.2) ** 2))
+    notched = np.stack([40.0 + radius * np.cos(t), 40.0 + radius * np.sin(t)], axis=1)
+    at = np.arange(0, 400, 100)
+    outlines = Outlines([0], [notched], notched[at][None], np.ones(4, dtype=np.bool_), 0.0, 64.0)
+    fit = fitted(outlines, [0], [0], curves(notched[None], at), (None, None), tolerance, False)
+    assert fit is not None
+    assert fit.worst >= distances(line_of(fit.points[0]), notched, 0.0).max() - 1e-6

@@ -41,6 +41,26 @@ def test_what_a_disabled_node_holds_is_hidden(tmp_path: Path, said: str, is_off:
         assert isinstance(item, RotoShape)
 
 
+def in_group(script: str, knobs: str, species: str = "Group") -> str:
+    return f"{species} {{\n name G\n{knobs}\n}}\n{script}\nend_group\n"
+
+
+@pytest.mark.parametrize("species", ["Group", "Gizmo", "LiveGroup"])
+def test_what_lies_in_a_disabled_group_is_hidden(tmp_path: Path, species: str) -> None:
+    """However deep, and up to the end of the group only."""
+    inner = in_group(node(group(name="Deep"), knobs=" name D"), " disable false")
+    within = inner + node(group(name="In"), knobs=" name I\n disable false")
+    script = in_group(within, " disable true", species) + node(group(name="Out"), knobs=" name O")
+    layer = read(tmp_path, script).layer
+    assert {item.name: item.visible for item in layer.children} == {"D": False, "I": False, "O": True}
+
+
+def test_a_group_that_is_disabled_by_an_expression_is_read_and_named(tmp_path: Path) -> None:
+    imported = read(tmp_path, in_group(node(group(), knobs=" name R"), ' disable {{"frame > 5"}}'))
+    assert only(imported).visible
+    assert imported.notes == ("Whether the node 'R' is disabled varies: it was read as on.",)
+
+
 def test_a_node_that_is_disabled_by_an_expression_is_read_and_named(tmp_path: Path) -> None:
     imported = read(tmp_path, node(group(), knobs=' name R\n disable {{"frame > 5"}}'))
     assert only(imported).visible

@@ -11,7 +11,8 @@ import pytest
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
-from roam_core.interchange.registry import SHAPE_SUFFIXES, importer_for
+from roam_core.interchange.recognition import format_of
+from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes, importer_for, read_shapes
 from roam_core.roto import Layer, MotionBlur, Project, Spline, control_points
 from tests.unit.interchange.conftest import CLIP, animated
 
@@ -92,9 +93,63 @@ def test_a_b_spline_stays_one_or_becomes_the_bezier_that_it_is(project: Project,
     assert told is (name not in ("silhouette", "json", "svg"))
 
 
+def test_many_b_splines_are_told_of_once(project: Project, tmp_path: Path) -> None:
+    splined = project
+    for shape in project.shapes:
+        if shape.closed:
+            splined = splined.with_shape(control_points.with_spline(shape, Spline.BSPLINE))
+    count = sum(shape.spline is Spline.BSPLINE for shape in splined.shapes)
+    assert count > 1
+    for name in ("nuke", "after-effects", "fusion", "blender"):
+        notes = EXPORTERS[name].export(splined, tmp_path / f"p{EXPORTERS[name].suffix}", ExportOptions(lossy=True))
+        (told,) = (note for note in notes if "B-spline" in note)
+        assert told.startswith(f"{count} B-splines, '"), name
+
+
 def test_shapes_are_read_from_every_file_that_is_no_picture() -> None:
     assert {".nk", ".fxs", ".setting", ".svg", ".json", ".xml"} <= set(SHAPE_SUFFIXES)
     assert not {".png", ".exr", ""} & set(SHAPE_SUFFIXES)
+
+
+@pytest.mark.parametrize("name", ["nuke", "silhouette", "fusion", "svg", "json", "coco", "cvat"])
+@pytest.mark.parametrize("called", ["bare", "shapes.bak"])
+def test_shapes_are_known_by_their_beginning_where_the_name_says_nothing(
+    project: Project, tmp_path: Path, name: str, called: str
+) -> None:
+    path = tmp_path / called
+    EXPORTERS[name].export(project, path, ExportOptions(lossy=True))
+    assert holds_shapes(path)
+    assert project.clip is not None
+    again = path.with_name(f"p{EXPORTERS[name].suffix}")
+    again.write_bytes(path.read_bytes())
+    assert read_shapes(path, project.clip).layer.children == read_shapes(again, project.clip).layer.children
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("#! /usr/local/Nuke13.2 -nx\nversion 13.2 v3\n", "nuke"),
+        ("set cut_paste_input [stack 0]\nversion 15.0 v4\n", "nuke"),
+        ("\ufeff<?xml version='1.0'?>\n<!-- Made\n by hand -->\n<svg xmlns='x'>", "svg"),
+        ("<Silhouette version='1'>", "silhouette"),
+        ("{\n\tTools = ordered() {", "fusion"),
+        ('{"images": []}', "json"),
+        ("{ }", None),
+        ("\x89PNG", None),
+        ("", None),
+    ],
+)
+def test_what_other_programs_wrote_is_known_too(tmp_path: Path, text: str, name: str | None) -> None:
+    (tmp_path / "given").write_text(text, encoding="utf-8")
+    assert format_of(tmp_path / "given") == name
+    assert format_of(tmp_path) is None
+    assert format_of(tmp_path / "nowhere") is None
+
+
+def test_a_pictures_suffix_is_a_pictures(tmp_path: Path) -> None:
+    (tmp_path / "m.png").write_text("<svg ></svg>")
+    assert not holds_shapes(tmp_path / "m.png")
+    assert importer_for(tmp_path / "m.png").name == "masks"
 
 
 def test_a_name_that_is_too_long_for_any_file_is_told_in_a_sentence() -> None:

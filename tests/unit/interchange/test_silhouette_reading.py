@@ -419,3 +419,27 @@ def test_files_of_another_kind_are_one_sentence(tmp_path: Path, content: str, me
     path.write_text(content)
     with pytest.raises(RoamError, match=message):
         read_shapes(path, CLIP)
+
+
+def keyed_words(name: str, *keys: tuple[float, str]) -> str:
+    return f'<Property id="{name}">{"".join(f"""<Key frame="{at}">{word}</Key>""" for at, word in keys)}</Property>'
+
+
+def test_an_invert_or_mode_that_varies_is_named(read: Read) -> None:
+    """They have their earliest key, in whatever order the keys stand."""
+    varies = keyed_words("invert", (5, "false"), (0, "true")) + keyed_words("mode", (0, "Subtract"), (5, "Add"))
+    imported = read(layer_xml(shape_xml(properties=varies), keyed_words("invert", (0, "true"), (9, "false"))))
+    (layer,) = imported.layer.children
+    assert isinstance(layer, Layer)
+    (shape,) = layer.shapes()
+    assert (shape.invert, shape.blend, layer.invert) == (True, BlendMode.SUBTRACT, True)
+    assert set(imported.notes) == {
+        "The invert of the layer 'L' varies: it was read as 'true', its first key.",
+        "The mode of the shape 'A' varies: it was read as 'Subtract', its first key.",
+        "The invert of the shape 'A' varies: it was read as 'true', its first key.",
+    }
+
+
+def test_keys_that_say_the_same_vary_nothing(read: Read) -> None:
+    same = keyed_words("invert", (0, "true"), (5, "true"))
+    assert read(shape_xml(properties=same)).notes == ()

@@ -349,3 +349,11 @@ def test_the_feather_curve_is_refitted_as_the_outline_is() -> None:
     assert first.feather is not None
     assert second.feather is None
     assert outline_distance(first.points + first.feather, wide) < 0.7
+
+
+def test_a_field_that_is_none_is_refused_in_a_sentence() -> None:
+    project, layer = edit.add_layer(Project())
+    with pytest.raises(ValueError, match=r"a layer has no 'feather'; it has: id, name, .*opacity"):
+        edit.set_properties(project, layer.id, feather=2.0)
+    with pytest.raises(KeyError, match="nobody"):
+        edit.set_properties(project, "nobody", name="Arm")

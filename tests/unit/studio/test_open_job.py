@@ -76,6 +76,19 @@ def test_a_shift_is_refused_for_tasks_are_by_frames(tmp_path: Path, capsys: pyte
     assert not (tmp_path / "sh010.openjd.json").exists()
 
 
+def test_a_job_that_cannot_be_written_leaves_no_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
+    out = tmp_path / "sh010-farm"
+    for own in (False, True):
+        if own:
+            out.mkdir()
+        assert main(["farm", str(project), "--job", str(tmp_path / "nowhere" / "job.json")]) == 1
+        assert "nowhere" in capsys.readouterr().err
+        assert out.exists() is own
+    out.rmdir()
+    assert main(["farm", str(project), "--job", str(out / "job.json")]) == 0, "the job may lie in it"
+
+
 def test_paths_elsewhere_are_to_be_given(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
     (tmp_path / "jobs").mkdir()

@@ -310,3 +310,10 @@ def test_what_begins_on_a_key_tells_how_much_of_the_object_its_neighbours_are() 
     for frame in BETWEEN:
         matte = render_matte([filled], frame, (110, 160)) > 0.5
         assert (matte & true).sum() / (matte | true).sum() > 0.8  # without it: .61
+
+
+@pytest.mark.parametrize("shapes", [0, 1])
+def test_that_no_shape_is_wanted_is_said_so(shot: Shot, shapes: int) -> None:
+    given = [keyed(shot, FIRST, LAST)][:shapes]
+    with pytest.raises(RoamError, match="There is no shape to fill"):
+        fill_span(pictures(shot), given, FIRST, LAST, "baseline", only=[])
