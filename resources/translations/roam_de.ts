@@ -6588,6 +6588,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{names} und {count} weitere</translation>
     </message>
     <message>
+        <source>{name} belongs to the same object now.</source>
+        <translation>{name} gehört jetzt zum selben Objekt.</translation>
+    </message>
+    <message>
         <source>{name} boils</source>
         <translation>{name} flimmert</translation>
     </message>
