@@ -141,7 +141,7 @@ class MainWindow(QMainWindow):
         self.navigation = Navigation(self.document, self.view_state)
         without = self.reader.frames_without_picture
         self.tracking = Tracking(self.document, self.view_state, self.propagation, without)
-        self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
+        self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar, without)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
         self.file_actions = FileActions(
             self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
