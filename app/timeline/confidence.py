@@ -56,7 +56,7 @@ class ConfidencePlot(QWidget):
         row.addWidget(self.lines)
 
     def sizeHint(self) -> QSize:
-        return QSize(600, LEAST_HEIGHT)
+        return QSize(600, self.minimumHeight())  # what there is more goes to the key rows first
 
     def give(self, pixels: int) -> None:
         """Let others have so much of the least height."""

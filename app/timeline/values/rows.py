@@ -254,7 +254,10 @@ class ValueRows(RowBand[KeyedValue]):
             view.select(frozenset(shape.id for shape in item.shapes()), layers=frozenset({item.id}))
 
     def name_of(self, row: KeyedValue) -> str:
-        return row.title
+        return row.item.name
+
+    def ending_of(self, row: KeyedValue) -> str:
+        return f": {row.name}"
 
     def paint_row(self, painter: QPainter, row: KeyedValue) -> None:
         scale, colour = self._axis.scale, QColor.fromRgbF(*colour_of(row.item))
