@@ -372,7 +372,7 @@ class MainWindow(QMainWindow):
         clip = self.document.project.clip
         self.playback.pause()
         self.playback.fps = clip.fps if clip is not None else 24.0
-        self.timeline_height.make_room(len(self.document.project.shapes))
+        self.timeline_height.make_room(self.timeline.wanted_rows)
 
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_stopped_by_key)

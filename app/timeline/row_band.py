@@ -144,6 +144,11 @@ class BandRoom(QScrollArea):
     def _height(self) -> int:
         return min(self._band.maximumHeight(), min(self._most, self._limit) * ROW)
 
+    @property
+    def wanted_rows(self) -> int:
+        """The rows for which it would take room."""
+        return min(len(self._band.rows()), self._most)
+
     def limit(self, rows: int) -> int:
         """Take room for so many rows at most, and no more than `most`; gives how many it takes."""
         if rows != self._limit:

@@ -132,6 +132,11 @@ class Timeline(QWidget):
             self._share()
         return False
 
+    @property
+    def wanted_rows(self) -> int:
+        """The rows of keys that the project would fill: of shapes, of values and of layers that move."""
+        return len(self._document.project.shapes) + sum(band.wanted_rows for band in self.band_rooms)
+
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
         own = self.axis.handlers() | self.verbs.handlers() | self.mark_verbs.handlers()
