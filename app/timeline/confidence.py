@@ -16,8 +16,8 @@ from ..features.tracking import doubt_sentence, doubtful_points
 from ..model.document import Document
 from ..model.view_state import shapes_in_hand
 from ..translation import number, tr
+from ..widgets.broad_line import BroadLine
 from .axis import TimeAxis
-from .broad_line import BroadLine
 from .marks import KeyMarks, MarksOf, on_each_frame
 from .scale import LABEL_WIDTH
 

@@ -26,12 +26,12 @@ from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...translation import number, tr
 from ..axis import TimeAxis
+from ..keys.walking import KeyWalk, is_key_press, is_of_walk
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
 from ..values.selection import ValueSelection
 from ..values.shown import KINDS, SHOWN_AS, Kind
 from ..values.verbs import ValueVerbs
-from ..walking import KeyWalk, is_key_press, is_of_walk
 from .hand import CurveHand, Found, Handle
 from .lines import CurveKey, CurveLine, lines_of, ticks, value_range
 

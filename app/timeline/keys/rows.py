@@ -31,13 +31,13 @@ from ...translation import tr
 from ..axis import TimeAxis, paint_playhead
 from ..marks import KeyMarks, MarksOf
 from ..scale import LABEL_WIDTH
-from ..walking import KeyWalk, is_key_press
 from .depth_marks import change_at
 from .hand import KeyHand
 from .row_painter import ROW, RowPainter
 from .selection import KeySelection
 from .stretch import TIP, End, StretchEnds
 from .tips import key_tip
+from .walking import KeyWalk, is_key_press
 
 GRAB = 6
 """Pixels around a key's middle in which a click means the key."""

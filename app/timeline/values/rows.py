@@ -29,9 +29,9 @@ from ...translation import tr
 from ..axis import TimeAxis
 from ..keys.row_painter import BACKGROUND, ROW
 from ..keys.stretch import TIP, End, Stretch, StretchEnds
+from ..keys.walking import KeyWalk, is_key_press
 from ..row_band import RowBand
 from ..scale import LABEL_WIDTH, TimeScale, whole_frames
-from ..walking import KeyWalk, is_key_press
 from .drag import KeyDrag
 from .key_forms import form_of, paint_key
 from .selection import ValueSelection

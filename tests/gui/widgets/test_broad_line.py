@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
-from app.timeline.broad_line import BroadLine
+from app.widgets.broad_line import BroadLine
 from roam_core.arrays import Array
 
 PALE = QColor(216, 216, 216, 80)

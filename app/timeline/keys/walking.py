@@ -8,9 +8,9 @@ from typing import Generic, TypeGuard, TypeVar
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 
-from ..actions.key_names import key_name
-from ..model.view_state import ViewState
-from .chosen import ChosenPlaces
+from ...actions.key_names import key_name
+from ...model.view_state import ViewState
+from ..chosen import ChosenPlaces
 
 P = TypeVar("P", bound=tuple[object, ...])
 
