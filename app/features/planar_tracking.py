@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from roam_core.geometry.plane_motion import PlaneMotion
@@ -16,7 +16,7 @@ from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState, shapes_in_hand
 from ..translation import tr
 from .navigation import clip_frames
-from .tracking import CLIP_BEGINS, CLIP_ENDS, NO_CLIP, NO_SHAPE
+from .tracking import CLIP_BEGINS, CLIP_ENDS, NO_CLIP, NO_SHAPE, seen_from
 
 POINTS_TOOL = "points"
 """While it is in the hand with points on the picture, tracks follow these in place of the surface."""
@@ -27,11 +27,19 @@ class PlanarTracking:
 
     With the points tool in the hand they follow its points, and where points of shapes are selected move these alone.
     `kind` is what the plane may do; `leave_out` says which other shapes lie before it: those of `left_out`, by their
-    ids, where they are chosen one by one. Hidden shapes do not unless they are chosen.
+    ids, where they are chosen one by one. Hidden shapes do not unless they are chosen. `without_picture()` gives the
+    frames that the plate lacks.
     """
 
-    def __init__(self, document: Document, view_state: ViewState, track: PlanarTrack) -> None:
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        track: PlanarTrack,
+        without_picture: Callable[[], Collection[int]] = tuple,
+    ) -> None:
         self._document, self._view, self._track = document, view_state, track
+        self._without_picture = without_picture
         document.replaced.connect(self._forget)
         self.kind, self.leave_out = PlaneMotion.SIMILARITY, LeaveOut.ABOVE
         self.left_out: frozenset[str] = frozenset()
@@ -60,17 +68,25 @@ class PlanarTracking:
             self._view.say(tr(CLIP_ENDS if frames.step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
             ids = [shape.id for shape in shapes]
-            covers = covering(self._document.project, ids, self._view.frame, self.leave_out, self.left_out)
-            points = self._points(ids)
+            frames = range(self._begin(shapes, frames.step), frames.stop, frames.step)
+            covers = covering(self._document.project, ids, frames[0], self.leave_out, self.left_out)
+            points = self._points(ids, frames[0])
             chosen = frozenset(pair for pair in self._view.selection.points if pair[0] in ids)
             vertices = frozenset() if points is None else chosen
             self._track.start(ids, frames, self.kind, [shape.id for shape in covers], points, vertices)
             if points is not None:
                 self._view.track_points = points
 
-    def _points(self, ids: Sequence[str]) -> TrackPoints | None:
-        """The points that are to be followed, on the present frame; None while their tool is not in the hand."""
-        points = points_at(self._document.project, self._view, ids) if self._view.tool == POINTS_TOOL else None
+    def _begin(self, shapes: Sequence[RotoShape], step: int) -> int:
+        """The frame where a run begins: in a gap of the plate that before it, unless a key is drawn in the gap."""
+        here = self._view.frame
+        begin = seen_from(here, step, self._clip(), self._without_picture())
+        gap = range(here, begin, -step)
+        return here if any(frame in gap for shape in shapes for frame in shape.artist_frames) else begin
+
+    def _points(self, ids: Sequence[str], frame: int) -> TrackPoints | None:
+        """The points that are to be followed, on a frame; None while their tool is not in the hand."""
+        points = points_at(self._document.project, self._view, ids, frame) if self._view.tool == POINTS_TOOL else None
         return points if points is not None and points.places else None
 
     def _forget(self) -> None:
@@ -86,7 +102,7 @@ class PlanarTracking:
             self._view.say(tr(NO_SHAPE))
         elif not able:
             self._view.say(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
-        elif self._points([shape.id for shape in able]) is not None:
+        elif self._points([shape.id for shape in able], self._view.frame) is not None:
             return able
         elif not any(shape.closed for shape in able):
             name = able[0].name
@@ -97,12 +113,13 @@ class PlanarTracking:
         return able
 
 
-def points_at(project: Project, view: ViewState, shape_ids: Sequence[str]) -> TrackPoints:
-    """The points of a point track on the present frame: where they were put, carried as the shapes were tracked.
+def points_at(project: Project, view: ViewState, shape_ids: Sequence[str], frame: int | None = None) -> TrackPoints:
+    """The points of a point track on a frame, or the present one: where they were put, carried as the shapes were.
 
     Where none were put, those that the shapes' track followed; else none, with areas for the clip.
     """
-    points, frame, layer = view.track_points, view.frame, moving_layer(project, shape_ids)
+    points, layer = view.track_points, moving_layer(project, shape_ids)
+    frame = view.frame if frame is None else frame
     if points is None and layer is not None and layer.transform is not None and layer.transform.points:
         motion = matrix_of(project, layer.id, frame)
         return TrackPoints(frame, layer.transform.points, *layer.transform.areas).carried(motion, frame)

@@ -196,22 +196,14 @@ class Tracking:
         elif len(frames) < 2:
             self._view.say(tr(CLIP_ENDS if step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
-            lived = _as_long_as_any_exists(range(self._seen_from(step), stop, step), shapes)
+            begin = seen_from(self._view.frame, step, self._clip(), self._without_picture())
+            lived = _as_long_as_any_exists(range(begin, stop, step), shapes)
             if not any(shape.exists_at(frame) for frame in frames[1:] for shape in shapes):
                 self._view.say(does_not_exist(shapes[0], frames[1]))
                 return
             if begun := self._begun(shapes, lived):
                 ids, alone = [shape.id for shape in begun], self.scope is Scope.ALONE
                 self._propagation.start(ids, lived, self.configuration, alone=alone)
-
-    def _seen_from(self, step: int) -> int:
-        """Where a run in this direction begins: in a gap of the plate on the frame before it, where that has a picture.
-
-        So a run that was stopped in a gap goes on from what it found last.
-        """
-        here, lacking, clip = self._view.frame, self._without_picture(), self._clip()
-        behind = next((frame for frame in range(here, here - len(clip) * step, -step) if frame not in lacking), here)
-        return behind if behind in clip else here
 
     def _begun(self, shapes: Sequence[RotoShape], frames: range) -> list[RotoShape]:
         """The shapes that a run can begin with: their outline on its first frame is no mere copy of a key ahead.
@@ -327,6 +319,15 @@ class Tracking:
 def _has_begun(shape: RotoShape, frame: int, step: int) -> bool:
     """Whether a run in this direction finds a key of a shape on its first frame, or behind it."""
     return shape.frames[0] <= frame if step > 0 else shape.frames[-1] >= frame
+
+
+def seen_from(here: int, step: int, clip: range, lacking: Collection[int]) -> int:
+    """Where a run in this direction begins: in a gap of the plate on the frame before it, where that has a picture.
+
+    So a run that was stopped in a gap goes on from what it found last.
+    """
+    behind = next((frame for frame in range(here, here - len(clip) * step, -step) if frame not in lacking), here)
+    return behind if behind in clip else here
 
 
 def _as_long_as_any_exists(frames: range, shapes: Sequence[RotoShape]) -> range:

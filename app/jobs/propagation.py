@@ -99,7 +99,7 @@ class Propagation(QObject):
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
         run = Run(job, TRACK, shapes, self._view.frame, merge_key, frames, config, alone=alone)
-        run.company = Company(project, shape_ids, alone=alone)
+        run.company = Company(project, shape_ids, frames=frames, config=config, alone=alone)
         if before is not None:
             run.take_over(before)
         self._begin(run, tr("Starting to track {names} …", names=_names(shapes)))
@@ -240,6 +240,8 @@ class Propagation(QObject):
             run.reached = result.frame
             self._follow(run, result.frame)
             self.solved.emit(result, run.frames.step)
+            if run is self._run and run.company.begins_anew(result.frame):
+                self._guard_company(run, frozenset())
 
     def _put_in(self, filled: Filled) -> None:
         """A filled gap has arrived."""
@@ -289,10 +291,14 @@ class Propagation(QObject):
     def _guard_company(self, run: Run, ids: frozenset[str]) -> None:
         """An edit of what the curves under work are solved with ends a track; a fill begins again, as that is now."""
         project = self._document.project
-        changed = run.company.changed(project, ids)
-        if not changed and not run.company.is_restacked(project):
+        if changed := run.company.changed(project, ids):
+            run.ended_by = told_of(project, changed[0])
+        elif joined := run.company.joined(project, run.reached):
+            run.ended_by = tr("{name} belongs to the same object now.", name=joined[0].name)
+        elif run.company.is_restacked(project):
+            run.ended_by = tr("Its shapes were restacked meanwhile.")
+        else:
             return
-        run.ended_by = told_of(project, changed[0]) if changed else tr("Its shapes were restacked meanwhile.")
         if run.begin_again is not None:
             self._waiting.add_first(list(run.expected), run.gaps, run.begin_again)
             run.ended_by += tr(" It goes on from that.")

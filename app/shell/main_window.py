@@ -141,7 +141,7 @@ class MainWindow(QMainWindow):
         self.navigation = Navigation(self.document, self.view_state)
         without = self.reader.frames_without_picture
         self.tracking = Tracking(self.document, self.view_state, self.propagation, without)
-        self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
+        self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar, without)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
         self.file_actions = FileActions(
             self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
@@ -372,7 +372,7 @@ class MainWindow(QMainWindow):
         clip = self.document.project.clip
         self.playback.pause()
         self.playback.fps = clip.fps if clip is not None else 24.0
-        self.timeline_height.make_room(len(self.document.project.shapes))
+        self.timeline_height.make_room(self.timeline.wanted_rows)
 
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_stopped_by_key)

@@ -16,6 +16,7 @@ from ..features.tracking import doubt_sentence, doubtful_points
 from ..model.document import Document
 from ..model.view_state import shapes_in_hand
 from ..translation import number, tr
+from ..widgets.broad_line import BroadLine
 from .axis import TimeAxis
 from .marks import KeyMarks, MarksOf, on_each_frame
 from .scale import LABEL_WIDTH
@@ -55,7 +56,7 @@ class ConfidencePlot(QWidget):
         row.addWidget(self.lines)
 
     def sizeHint(self) -> QSize:
-        return QSize(600, LEAST_HEIGHT)
+        return QSize(600, self.minimumHeight())  # what there is more goes to the key rows first
 
     def give(self, pixels: int) -> None:
         """Let others have so much of the least height."""
@@ -94,7 +95,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         self._curves: dict[str, pg.PlotCurveItem] = {}
         self._drawn: dict[str, tuple[KeyMarks, tuple[float, float, float]]] = {}
         """What each curve shows: a tracked frame changes one of many."""
-        self._least = pg.PlotCurveItem(connect="finite", pen=pg.mkPen(LEAST, width=3))
+        self._least = BroadLine(LEAST, 3.0)
         self._doubt = pg.BarGraphItem(x0=[], x1=[], y0=[], y1=[], pen=None, brush=pg.mkBrush(DOUBT))
         self._box = pg.ViewBox(enableMouse=False, enableMenu=False, defaultPadding=0)
         self.setCentralItem(self._box)
@@ -125,7 +126,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
     def _pull_least(self, shown: list[Array]) -> None:
         """How far the worst of the shapes can be trusted on each frame, and where that is not far enough."""
         least = on_each_frame(np.minimum, shown)
-        self._least.setData(*_with_gaps(least if len(shown) > 1 else least[:0]))
+        self._least.set_line(*_with_gaps(least if len(shown) > 1 else least[:0]))
         doubtful = least[least[:, 1] < DOUBTFUL]
         frames, values = doubtful.T
         self._doubt.setOpts(x0=frames, x1=frames + 1.0, y0=values, y1=np.full(len(values), DOUBTFUL))

@@ -55,8 +55,12 @@ class RowBand(QWidget, Generic[Row]):
         raise NotImplementedError
 
     def name_of(self, row: Row) -> str:
-        """What stands in front of a row."""
+        """What stands in front of a row, shortened where it lacks room."""
         raise NotImplementedError
+
+    def ending_of(self, row: Row) -> str:
+        """What follows the name and is never shortened; nothing unless a class of its own says so."""
+        return ""
 
     def row_at(self, y: float) -> Row | None:
         """What has its row at `y` pixels."""
@@ -96,7 +100,9 @@ class RowBand(QWidget, Generic[Row]):
             painter.translate(0.0, index * ROW)
             painter.fillRect(QRectF(0, ROW - 1, self.width(), 1), QColor(style.WINDOW))
             painter.setPen(QColor(style.TEXT))
-            name = painter.fontMetrics().elidedText(self.name_of(row), Qt.TextElideMode.ElideMiddle, LABEL_WIDTH - 34)
+            metrics, ending = painter.fontMetrics(), self.ending_of(row)
+            room = LABEL_WIDTH - 34 - metrics.horizontalAdvance(ending)
+            name = metrics.elidedText(self.name_of(row), Qt.TextElideMode.ElideMiddle, room) + ending
             painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
             painter.setClipRect(QRectF(left, 0, self.width() - left, ROW))
             self.paint_row(painter, row)
@@ -117,6 +123,7 @@ class BandRoom(QScrollArea):
     def __init__(self, band: RowBand[Any], most: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._band, self._most = band, most
+        self._limit = most
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
@@ -135,7 +142,19 @@ class BandRoom(QScrollArea):
 
     @property
     def _height(self) -> int:
-        return min(self._band.maximumHeight(), self._most * ROW)
+        return min(self._band.maximumHeight(), min(self._most, self._limit) * ROW)
+
+    @property
+    def wanted_rows(self) -> int:
+        """The rows for which it would take room."""
+        return min(len(self._band.rows()), self._most)
+
+    def limit(self, rows: int) -> int:
+        """Take room for so many rows at most, and no more than `most`; gives how many it takes."""
+        if rows != self._limit:
+            self._limit = rows
+            self._follow()
+        return 0 if self.isHidden() else self._height // ROW
 
     def _follow(self) -> None:
         self.setMaximumHeight(self._height)

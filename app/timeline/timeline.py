@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 
 from PySide6.QtCore import QEvent, QObject, QSize, QTimer
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ..actions.actions import Actions
@@ -111,6 +112,8 @@ class Timeline(QWidget):
         self._share()
         self._offer(actions)
         document.replaced.connect(self._pull_clip)
+        for signal in (document.changed, document.replaced, self.tracks.pulled, self.value_rows.pulled):
+            signal.connect(lambda *_: self._share_rows())
 
     def minimumSizeHint(self) -> QSize:
         # What comes and goes has no part in it: Qt asks for this before `_share` has taken its room from the plot.
@@ -120,10 +123,19 @@ class Timeline(QWidget):
         height = self.ruler.height() + LEAST_ROWS * ROW + plots + self.boil.height()
         return QSize(super().minimumSizeHint().width(), height)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._share_rows()
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
             self._share()
         return False
+
+    @property
+    def wanted_rows(self) -> int:
+        """The rows of keys that the project would fill: of shapes, of values and of layers that move."""
+        return len(self._document.project.shapes) + sum(band.wanted_rows for band in self.band_rooms)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -149,8 +161,19 @@ class Timeline(QWidget):
         for room in shown:
             room.setMinimumHeight(min(ROW, left // len(shown)))
         self._given = LEAST_HEIGHT - left + sum(room.minimumHeight() for room in shown)
+        self._share_rows()
         self.confidence.give(self._given)
         self.curves.give(self._given)
+
+    def _share_rows(self) -> None:
+        """Leave half of the rows that have room to the keys of shapes, or as many as there are shapes."""
+        fixed = (self.ruler, self.marks, self.boil, self.bar)
+        taken = sum(part.height() for part in fixed if not part.isHidden())
+        taken += 0 if self.confidence.isHidden() else self.confidence.minimumHeight()
+        room = max(self.height() - taken, 0) // ROW
+        left = max(room - len(self._document.project.shapes), room // 2)
+        for band in self.band_rooms:
+            left -= band.limit(max(left, 1))
 
     def _pull_curves(self, actions: Actions) -> None:
         """In the timeline the curve editor has the place of the confidence plot; it takes the keyboard."""

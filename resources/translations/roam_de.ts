@@ -5034,6 +5034,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Was Keyframes hat, als Kurven über die Zeit</translation>
     </message>
     <message>
+        <source>What is locked gives locked copies; &lt;shape.lock&gt; unlocks them.</source>
+        <translation>Kopien von Gesperrtem sind gesperrt; &lt;shape.lock&gt; entsperrt sie.</translation>
+    </message>
+    <message>
         <source>What is locked stays; unlock it first (&lt;shape.lock&gt;).</source>
         <translation>Was gesperrt ist, bleibt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
     </message>
@@ -6590,6 +6594,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{names} and {count} more</source>
         <translation>{names} und {count} weitere</translation>
+    </message>
+    <message>
+        <source>{name} belongs to the same object now.</source>
+        <translation>{name} gehört jetzt zum selben Objekt.</translation>
     </message>
     <message>
         <source>{name} boils</source>

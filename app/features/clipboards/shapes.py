@@ -17,7 +17,7 @@ from ...model.document import Document
 from ...model.reasons import keys_beside, outdated_by
 from ...model.view_state import ViewState
 from ...translation import tr
-from ..verbs.shapes import NOTHING_SELECTED, delete, rows_in_hand, select_items
+from ..verbs.shapes import NOTHING_SELECTED, delete, rows_in_hand, select_items, told_of_locked
 from .keys import KeyClipboard, copied_keys
 
 
@@ -91,8 +91,8 @@ class ShapeClipboard:
         self._document.apply(tr("Paste"), project)
         select_items(self._document, self._view, ids)
         beside = "" if project.clip is None else keys_beside(copied.shapes(), project.clip)
-        if beside or outdated:
-            self._view.say(beside or outdated)
+        if told := f"{beside or outdated} {told_of_locked(project, ids)}".strip():
+            self._view.say(told)
 
     def _home(self, copied: set[str]) -> Layer:
         """The layer that takes what is pasted: no copy of a layer comes into its original, one of those `copied`."""

@@ -109,8 +109,8 @@ class ShapeVerbs:
             outdated = outdated_by(self._document.project, project)
             self._document.apply(tr("Duplicate"), project)
             select_items(self._document, self._view, copies)
-            if outdated:
-                self._view.say(outdated)
+            if told := f"{outdated} {told_of_locked(project, copies)}".strip():
+                self._view.say(told)
 
     def toggle_lock(self) -> None:
         toggle(self._document, "locked", self._rows())
@@ -169,6 +169,12 @@ class ShapeVerbs:
 def rows_in_hand(project: Project, view: ViewState) -> list[str]:
     """The selected layers, and the selected shapes that lie in none of them, bottom first."""
     return top_items(project, view.layers | view.selection.shapes)
+
+
+def told_of_locked(project: Project, copies: Iterable[str]) -> str:
+    """That copies are locked, as what they were made of; empty where none is."""
+    is_any = any(project.holds_locked(item_id) for item_id in copies)
+    return tr("What is locked gives locked copies; <shape.lock> unlocks them.") if is_any else ""
 
 
 def select_items(document: Document, view: ViewState, item_ids: Iterable[str]) -> None:

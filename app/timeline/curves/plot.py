@@ -26,6 +26,7 @@ from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...translation import number, tr
 from ..axis import TimeAxis
+from ..keys.walking import KeyWalk, is_key_press, is_of_walk
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
 from ..values.selection import ValueSelection
@@ -52,7 +53,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
     """Drag keys in time and value, and the ends of tangents; drag a box around keys; Ctrl+Alt+click sets a key.
 
     The wheel zooms time, with Ctrl values. A click takes the keyboard: then Delete means keys, Alt with arrows moves
-    them, Tab goes from key to key.
+    them, Tab goes from key to key, and Ctrl+Shift with an arrow takes the next one to them.
 
     Signals
     -------
@@ -72,6 +73,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         self.lines: list[CurveLine] = []
         self.menu = QMenu(self)
         """What a right click offers."""
+        self._walk = KeyWalk(axis.view_state, chosen, self._in_time, from_end_to_end=True)
         self._is_fitted, self._presses = True, 0
         self._build()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -287,15 +289,12 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
 
     def event(self, event: QEvent) -> bool:
         # Tab and Esc are keys of the window; here they mean the next key, and the drag under the hand.
-        if isinstance(event, QKeyEvent) and event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
-            step = {Qt.Key.Key_Tab: 1, Qt.Key.Key_Backtab: -1}.get(Qt.Key(event.key()), 0)
-            if event.type() == QEvent.Type.ShortcutOverride:
-                if step or (self.hand.is_busy and event.key() == Qt.Key.Key_Escape):
-                    event.accept()
-                    return True
-            elif step:
-                self._choose_next(step)
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+            if is_of_walk(event) or (self.hand.is_busy and event.key() == Qt.Key.Key_Escape):
+                event.accept()
                 return True
+        elif is_key_press(event) and not self.hand.is_busy and (self._walk.take(event) or is_of_walk(event)):
+            return True
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -327,15 +326,9 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         ]
         return "\n".join([tr("Frame {frame}, {kind}", frame=frame, kind=tr(KINDS[self.kind])), *told])
 
-    def _choose_next(self, step: int) -> None:
-        """Choose the key after the chosen one, or before it, in the order of time; from end to end."""
-        places = [line.place(key) for line, key in sorted(self._keys(), key=lambda each: each[1].frame)]
-        if not places:
-            return
-        held = [index for index, place in enumerate(places) if place in self._chosen.places]
-        index = (held[-1 if step > 0 else 0] + step) % len(places) if held else (0 if step > 0 else len(places) - 1)
-        self._chosen.select(frozenset({places[index]}))
-        self._axis.view_state.set_frame(places[index][2])
+    def _in_time(self) -> list[ValuePlace]:
+        """Where all keys lie, in the order of time."""
+        return [line.place(key) for line, key in sorted(self._keys(), key=lambda each: each[1].frame)]
 
 
 def _distance(a: QPointF, b: QPointF) -> float:

@@ -26,6 +26,7 @@ from roam_core.roto.timing import Place
 from ... import style
 from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
+from ...model.view_state import shapes_in_hand
 from ...translation import tr
 from ..axis import TimeAxis, paint_playhead
 from ..marks import KeyMarks, MarksOf
@@ -36,6 +37,7 @@ from .row_painter import ROW, RowPainter
 from .selection import KeySelection
 from .stretch import TIP, End, StretchEnds
 from .tips import key_tip
+from .walking import KeyWalk, is_key_press
 
 GRAB = 6
 """Pixels around a key's middle in which a click means the key."""
@@ -45,7 +47,8 @@ class KeyRows(QAbstractScrollArea):
     """Click a key to go there, drag it along time, drag a box around several; click a name to select its shape.
     Brackets beside several chosen keys stretch them.
 
-    The wheel zooms. A click takes the keyboard: then copy, paste and delete mean keys, and Alt with arrows moves them.
+    The wheel zooms. A click takes the keyboard: then copy, paste and delete mean keys, Alt with arrows moves them, Tab
+    goes from key to key, and Ctrl+Shift with an arrow takes the next one to them.
 
     Signals
     -------
@@ -68,6 +71,7 @@ class KeyRows(QAbstractScrollArea):
         self.menu = QMenu(self)
         """What a right click offers."""
         self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self._end_at, self.viewport().update)
+        self._walk = KeyWalk(axis.view_state, keys, self._in_time)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -155,6 +159,10 @@ class KeyRows(QAbstractScrollArea):
         if event.type() == QEvent.Type.ShortcutOverride and self.hand.is_busy and _is_escape(event):
             event.accept()
             return True
+        # Behind the last key Tab goes to the next control.
+        if is_key_press(event) and not self.hand.is_busy and self._walk.take(event):
+            self._bring_into_sight(self._walk.at)
+            return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -239,6 +247,18 @@ class KeyRows(QAbstractScrollArea):
         bar.setSingleStep(ROW)
         bar.setRange(0, max(len(self._document.project.shapes) * ROW - height, 0))
         self.viewport().update()
+
+    def _in_time(self) -> list[Place]:
+        """Where the artist's keys of the shapes in hand lie, in the order of time; of one frame from the top down."""
+        shapes = reversed(shapes_in_hand(self._document.project, self._axis.view_state.selection))
+        places = [(shape.id, frame) for shape in shapes for frame in shape.artist_frames]
+        return sorted(places, key=lambda place: place[1])
+
+    def _bring_into_sight(self, place: Place | None) -> None:
+        """Scroll by as little as shows the row of a key."""
+        index = next(i for i, shape in enumerate(self.rows()) if place is not None and shape.id == place[0])
+        low, high = (index + 1) * ROW - self.viewport().height(), index * ROW
+        self.verticalScrollBar().setValue(max(min(self._offset, high), low))
 
     def _show_selected(self) -> None:
         """Scroll by as little as brings a selected row into sight, if none is."""

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QPen,
     QPolygonF,
 )
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QScrollArea, QWidget
 
 from roam_core.roto import Animated, RotoShape
 from roam_core.roto.value_curves import ValuePlace
@@ -29,6 +29,7 @@ from ...translation import tr
 from ..axis import TimeAxis
 from ..keys.row_painter import BACKGROUND, ROW
 from ..keys.stretch import TIP, End, Stretch, StretchEnds
+from ..keys.walking import KeyWalk, is_key_press
 from ..row_band import RowBand
 from ..scale import LABEL_WIDTH, TimeScale, whole_frames
 from .drag import KeyDrag
@@ -50,7 +51,8 @@ ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 class ValueRows(RowBand[KeyedValue]):
     """Click a key to choose it and go there, drag it along time, with Alt a copy; a click beside goes to that frame.
 
-    A click takes the keyboard: then copy, paste and delete mean keys, and Alt with arrows moves them.
+    A click takes the keyboard: then copy, paste and delete mean keys, Alt with arrows moves them, Tab goes from key to
+    key, and Ctrl+Shift with an arrow takes the next one to them.
     """
 
     def __init__(
@@ -59,6 +61,7 @@ class ValueRows(RowBand[KeyedValue]):
         super().__init__(document, axis, parent)
         self._chosen = chosen
         self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
+        self._walk = KeyWalk(axis.view_state, chosen, self._in_time)
         self._drag: KeyDrag | None = None
         self._stretch: Stretch | None = None
         """The bracket that is held, where the drag is of one."""
@@ -68,7 +71,7 @@ class ValueRows(RowBand[KeyedValue]):
         self.menu = QMenu(self)
         """What a right click offers."""
         self.setAccessibleName(tr("Keys of opacity and feather"))
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         chosen.changed.connect(self.update)
         self.pull()
 
@@ -165,6 +168,10 @@ class ValueRows(RowBand[KeyedValue]):
         if event.type() == QEvent.Type.ShortcutOverride and self._drag is not None and is_escape:
             event.accept()
             return True
+        # Behind the last key Tab goes to the next control.
+        if is_key_press(event) and self._drag is None and self._walk.take(event):
+            self._bring_into_sight(self._walk.at)
+            return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -202,6 +209,19 @@ class ValueRows(RowBand[KeyedValue]):
 
     # ---- the rest is private
 
+    def _in_time(self) -> list[ValuePlace]:
+        """Where all keys of the rows lie, in the order of time; of one frame from the top down."""
+        places = [(row.item.id, row.kind.value, frame) for row in self.rows() for frame in row.value.frames]
+        return sorted(places, key=lambda place: place[2])
+
+    def _bring_into_sight(self, place: ValuePlace | None) -> None:
+        """Scroll by as little as shows the row of a key."""
+        port = self.parentWidget()
+        room = None if port is None else port.parentWidget()
+        if isinstance(room, QScrollArea) and place is not None:
+            index = next(i for i, row in enumerate(self.rows()) if (row.item.id, row.kind) == place[:2])
+            room.ensureVisible(0, index * ROW + ROW // 2, 0, ROW // 2)
+
     def _nearest_key(self, at: QPointF) -> tuple[float, ValuePlace | None]:
         """The key of a row that is nearest to a place, and how many pixels it lies away."""
         row = self.row_at(at.y())
@@ -234,7 +254,10 @@ class ValueRows(RowBand[KeyedValue]):
             view.select(frozenset(shape.id for shape in item.shapes()), layers=frozenset({item.id}))
 
     def name_of(self, row: KeyedValue) -> str:
-        return row.title
+        return row.item.name
+
+    def ending_of(self, row: KeyedValue) -> str:
+        return f": {row.name}"
 
     def paint_row(self, painter: QPainter, row: KeyedValue) -> None:
         scale, colour = self._axis.scale, QColor.fromRgbF(*colour_of(row.item))

@@ -43,8 +43,13 @@ class KeyedValue:
     value: Animated
 
     @property
+    def name(self) -> str:
+        """What is called so in the language of the window."""
+        return tr(KINDS[self.kind])
+
+    @property
     def title(self) -> str:
-        return f"{self.item.name}: {tr(KINDS[self.kind])}"
+        return f"{self.item.name}: {self.name}"
 
 
 def items_in_hand(project: Project, view: ViewState) -> list[Layer | RotoShape]:

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.shell.laying_out.timeline_height import LEAST, MOST_SHARE, SHARE
 from app.shell.main_window import MainWindow
 from app.style import ROW_HEIGHT
-from roam_core.roto import Project, edit
+from roam_core.roto import Animated, Project, ValueKey, edit
 from tests.gui.timeline.places import CLIP, SQUARE
 from tests.gui.windows import opened_window
 
@@ -58,6 +58,20 @@ def test_a_project_of_many_shapes_opens_with_more_rows_and_drawing_moves_nothing
     assert height(window) > few
     window.document.open(Project(CLIP), None)
     assert height(window) == few
+
+
+def test_rows_of_values_count_as_those_of_shapes_do(window: MainWindow) -> None:
+    window.resize(1400, 900)
+    few, rows = height(window), window.timeline.rows
+    fades = Animated((ValueKey(CLIP.first, 0.2), ValueKey(CLIP.first + 1, 0.8)))
+    project = Project(CLIP)
+    for _ in range(3):
+        project, shape = edit.new_shape(project, SQUARE, CLIP.first)
+        project = edit.set_properties(project, shape.id, opacity=fades)
+    window.document.open(project, None)
+    QApplication.processEvents()
+    assert height(window) >= few + 3 * ROW_HEIGHT
+    assert (rows.height(), window.timeline.band_rooms[1].height()) == (3 * ROW_HEIGHT, 3 * ROW_HEIGHT)
 
 
 def test_a_dragged_height_is_kept_in_every_size_of_the_window(window: MainWindow) -> None:

@@ -68,10 +68,10 @@ def test_the_least_line_is_there_for_several_shapes_and_doubt_is_filled(
     timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:
     lines = timeline.confidence.lines
-    assert len(lines._least.getData()[0]) == 18
+    assert len(lines._least.frames) == 18
     assert len(lines._doubt.opts["x0"]) == 18
     view_state.select(frozenset({"shape-2"}))
-    assert lines._least.getData()[0] is None or len(lines._least.getData()[0]) == 0
+    assert len(lines._least.frames) == 0
     assert lines._doubt.opts["x0"].tolist() == list(range(1011, 1020))
     view_state.select(frozenset())
     for shape in document.project.shapes:

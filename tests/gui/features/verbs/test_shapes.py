@@ -282,6 +282,21 @@ def test_a_layer_is_duplicated_cut_and_pasted_whole(document: Document, view_sta
     assert "What is locked stays" in view_state.message
 
 
+@pytest.mark.parametrize("how", ["duplicate", "paste"])
+def test_locked_copies_are_told(document: Document, view_state: ViewState, how: str) -> None:
+    (name,) = opened(document, 1)
+    document.open(edit.set_properties(document.project, name, locked=True), None)
+    view_state.select(frozenset({name}))
+    if how == "duplicate":
+        ShapeVerbs(document, view_state).duplicate()
+    else:
+        clipboard = ShapeClipboard(document, view_state)
+        clipboard.copy()
+        clipboard.paste()
+    assert [shape.locked for shape in document.project.shapes] == [True, True]
+    assert view_state.message == "What is locked gives locked copies; Ctrl+L unlocks them."
+
+
 @pytest.mark.parametrize("how", ["duplicate", "paste", "draw", "draw apart"])
 def test_what_lies_on_a_tracked_shape_and_makes_its_frames_stale_is_told(
     document: Document, view_state: ViewState, how: str

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QMouseEvent, QPainter
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -178,6 +178,19 @@ def test_keys_whose_row_goes_are_chosen_no_more(
     assert key.interpolation is Interpolation.HOLD
 
 
+def test_a_long_name_is_shortened_and_what_varies_is_not(
+    timeline: Timeline, document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    long = edit.set_properties(document.project, "shape-1", name="Upper arm of the man at the far left")
+    document.apply("Fade", edit.set_properties(long, "shape-1", opacity=FADES))
+    told: list[str] = []
+    monkeypatch.setattr(QPainter, "drawText", lambda _painter, *given: told.append(str(given[-1])))
+    timeline.value_rows.grab()
+    assert len(told) == 1
+    assert told[0].startswith("Up")
+    assert told[0].endswith(": opacity")
+
+
 def test_every_value_that_varies_has_a_row_and_what_has_no_room_scrolls(
     qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:
@@ -191,7 +204,10 @@ def test_every_value_that_varies_has_a_row_and_what_has_no_room_scrolls(
     assert len(band.rows()) == 2 * MOST
     assert len(band.places()) == 3 * 2 * MOST
     assert band.height() == 2 * MOST * ROW
+    assert 2 * ROW <= room.maximumHeight() <= timeline.rows.height()
+    timeline.resize(1100, 700)
     assert room.maximumHeight() == MOST * ROW
+    timeline.resize(1100, 220)
     room.verticalScrollBar().setValue(room.verticalScrollBar().maximum())
     last = QPoint(round(x_of(timeline, 1015)), band.height() - ROW // 2)
     qtbot.waitUntil(lambda: band.visibleRegion().contains(last))
