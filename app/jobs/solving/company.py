@@ -23,9 +23,15 @@ class Company:
     """
 
     def __init__(
-        self, project: Project, shape_ids: Sequence[str], gaps: Sequence[Gap] = (), *, frames: range = range(0),
-        config: str = DEFAULT_CONFIG, alone: bool = False,
-    ) -> None:  # fmt: skip
+        self,
+        project: Project,
+        shape_ids: Sequence[str],
+        gaps: Sequence[Gap] = (),
+        *,
+        frames: range = range(0),
+        config: str = DEFAULT_CONFIG,
+        alone: bool = False,
+    ) -> None:
         self._gaps, self._asked, self._forward = tuple(gaps), tuple(shape_ids), frames.step > 0
         self._begun: dict[str, tuple[int, ...]] = {}
         if alone:
