@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import codecs
 import re
-import stat
 from enum import StrEnum
 from pathlib import Path
+
+from roam_core.interchange.recognition import head_of
 
 SOFTWARE = "ROAM"
 """The `Software` tag of every picture that ROAM writes."""
@@ -44,27 +44,30 @@ class Kind(StrEnum):
 
 def written_by_us(path: Path) -> Kind | None:
     """What ROAM wrote to the file at `path`; None for what somebody else did, or for no plain, readable file."""
-    try:
-        if not stat.S_ISREG(path.stat().st_mode):
-            return None
-        with path.open("rb") as file:
-            head = file.read(HEAD_BYTES).removeprefix(codecs.BOM_UTF8)
-            file.seek(max(path.stat().st_size - len(MARK), 0))
-            tail = file.read(len(MARK))
-    except OSError:
+    head = head_of(path, HEAD_BYTES)
+    if head is None:
         return None
     if _PROJECT.match(head):
         return Kind.PROJECT
     if _SHAPES.match(head):
         return Kind.SHAPES
     if _MOVIE.match(head):
-        return Kind.MOVIE if tail == MARK.encode() else None
+        return Kind.MOVIE if _ends_in_mark(path) else None
     return Kind.PICTURE if _PICTURE.match(head) and _software(path) == SOFTWARE else None
 
 
 def is_project(path: Path) -> bool:
     """Whether the file at `path` is a project of ROAM's, whatever its name."""
     return written_by_us(path) is Kind.PROJECT
+
+
+def _ends_in_mark(movie: Path) -> bool:
+    try:
+        with movie.open("rb") as file:
+            file.seek(max(movie.stat().st_size - len(MARK), 0))
+            return file.read(len(MARK)) == MARK.encode()
+    except OSError:
+        return False
 
 
 def _software(picture: Path) -> str:

@@ -35,11 +35,16 @@ def name_of(text: str) -> str | None:
 
 def format_of(path: Path) -> str | None:
     """The name of the importer that reads the file at `path`; None where it begins as no file of shapes does."""
+    head = head_of(path, HEAD_BYTES)
+    return None if head is None else name_of(head.decode("utf-8", "replace"))
+
+
+def head_of(path: Path, count: int) -> bytes | None:
+    """The first bytes of the plain file at `path`, without a byte order mark; None where it cannot be read."""
     try:
         if not stat.S_ISREG(path.stat().st_mode):
             return None
         with path.open("rb") as file:
-            head = file.read(HEAD_BYTES).removeprefix(codecs.BOM_UTF8)
-    except (OSError, ValueError):
+            return file.read(count).removeprefix(codecs.BOM_UTF8)
+    except (OSError, ValueError):  # or a name that no file can have
         return None
-    return name_of(head.decode("utf-8", "replace"))

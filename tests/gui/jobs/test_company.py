@@ -29,6 +29,21 @@ def project() -> Project:
     return project.with_shape(edit.set_key(drawn, 4, SQUARE + 3.0))
 
 
+@pytest.fixture
+def under_way(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch,
+    project: Project,
+) -> tuple[Propagation, GlidingEngine]:  # fmt: skip
+    """A track of the square that has done one frame and waits."""
+    engine = put_in(monkeypatch, GlidingEngine())
+    document.open(project, None)
+    propagation = Propagation(document, view_state, runner, lambda frame: None)
+    engine.allow(1)
+    with qtbot.waitSignal(propagation.solved, timeout=WAIT):
+        propagation.start(["shape-1"], FRAMES)
+    return propagation, engine
+
+
 def names(company: Company, project: Project, reached: int | None = None) -> list[str]:
     return [shape.name for shape in company.joined(project, reached)]
 
@@ -66,15 +81,9 @@ def test_of_a_fill_joins_what_takes_part_between_its_keys(project: Project) -> N
 
 
 def test_a_track_over_which_a_part_is_drawn_ends_and_says_of_what(
-    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch,
-    project: Project,
-) -> None:  # fmt: skip
-    engine = put_in(monkeypatch, GlidingEngine())
-    document.open(project, None)
-    propagation = Propagation(document, view_state, runner, lambda frame: None)
-    engine.allow(1)
-    with qtbot.waitSignal(propagation.solved, timeout=WAIT):
-        propagation.start(["shape-1"], FRAMES)
+    qtbot: QtBot, document: Document, under_way: tuple[Propagation, GlidingEngine]
+) -> None:
+    propagation, _ = under_way
     document.apply("Draw", edit.new_shape(document.project, SQUARE + 5.0, 3)[0])
     assert propagation.is_running
     with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
@@ -86,15 +95,9 @@ def test_a_track_over_which_a_part_is_drawn_ends_and_says_of_what(
 
 
 def test_a_track_that_begins_anew_ends_where_a_part_was_drawn_meanwhile(
-    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch,
-    project: Project,
-) -> None:  # fmt: skip
-    engine = put_in(monkeypatch, GlidingEngine())
-    document.open(project, None)
-    propagation = Propagation(document, view_state, runner, lambda frame: None)
-    engine.allow(1)
-    with qtbot.waitSignal(propagation.solved, timeout=WAIT):
-        propagation.start(["shape-1"], FRAMES)
+    qtbot: QtBot, document: Document, under_way: tuple[Propagation, GlidingEngine]
+) -> None:
+    propagation, engine = under_way
     document.apply("Draw", edit.new_shape(document.project, SQUARE + 5.0, 3)[0])
     with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
         engine.allow(6)
