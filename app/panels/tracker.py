@@ -134,11 +134,8 @@ class TrackerPanel(QWidget):
             self._confidence.setText("–")
             self._confidence.setToolTip(tr("This frame is not tracked"))
             return
-        least, doubt, words = (
-            min(confidence for _, confidence in tracked),
-            "",
-            tr("The engine's trust in this frame, 0 to 1"),
-        )
+        least, doubt = min(confidence for _, confidence in tracked), ""
+        words = tr("The engine's trust in this frame, 0 to 1")
         if all(is_out_of_sight(shape, frame) for shape, _ in tracked):
             doubt = tr("  out of sight")
             words = tr("Nothing of it was found on this frame: it is hidden, has left the picture, or was lost")

@@ -13,6 +13,9 @@ IDENTITY.setflags(write=False)
 HORIZON = 1e-6
 """Least depth of a position in front of the viewer: what lies beyond the horizon is put far away, not turned over."""
 
+INFINITELY_FAR = 1e-9
+"""Depths that count as none: what a matrix of another program puts there lies nowhere."""
+
 LEAST_DETERMINANT = 1e-12
 
 
@@ -44,6 +47,22 @@ def usable(matrix: ArrayLike) -> Array | None:
 def depth(matrix: Array, positions: ArrayLike) -> Array:
     """How far in front of the viewer `positions (..., 2)` lie, `(...)`; 1 everywhere under an affine map."""
     return np.asarray(np.asarray(positions, dtype=np.float64) @ matrix[2, :2] + matrix[2, 2])
+
+
+def apply_each(matrices: Array, positions: Array) -> Array:
+    """`positions (T, ..., 2)` carried by `matrices (T, 3, 3)`, each by its own, also from behind the viewer.
+
+    Raises
+    ------
+    ValueError
+        where a matrix sends a position to infinity.
+    """
+    maps = matrices.reshape(len(matrices), *[1] * (positions.ndim - 2), 3, 3)
+    carried = (maps[..., :2, :2] @ positions[..., None])[..., 0] + maps[..., :2, 2]
+    depths = (maps[..., 2, :2] * positions).sum(axis=-1) + maps[..., 2, 2]
+    if (np.abs(depths) < INFINITELY_FAR).any():
+        raise ValueError("a matrix sends it to infinity")
+    return np.asarray(carried / depths[..., None])
 
 
 def apply(matrix: Array, positions: ArrayLike) -> Array:

@@ -131,7 +131,6 @@ class Attributes:
         if is_on.all() or not is_on.any():
             return bool(is_on[0]), opacity
         self._tell("its visibility is switched by keys; its opacity has them")
-
         on = {
             reader.frame(math.ceil(time)): float(shown)
             for time, shown in zip(keyed.times.tolist(), is_on.tolist(), strict=True)

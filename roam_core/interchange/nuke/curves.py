@@ -9,6 +9,7 @@ from itertools import product
 import numpy as np
 
 from roam_core.arrays import Array, Indices
+from roam_core.geometry import projective
 from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import MAX_NUMBER
 
@@ -18,17 +19,12 @@ STEP, STRAIGHT, CUBIC = range(3)
 PIVOT, TRANSLATE, ROTATE, SCALE, SKEW, EXTRA, LENGTH = 0, 3, 6, 9, 12, 19, 35
 """Where the parts of a transform begin in its list of numbers."""
 
-
 IN_PLANE = (0, 1, 3)
 """Rows and columns of the extra matrix that act on the plane: x, y, and the share of both."""
 
 
 class FollowsExpressionError(ValueError):
     """A number that an expression gives: it is not run. The message is the expression."""
-
-
-AT_INFINITY = 1e-9
-"""Depths that count as none: what a matrix puts there lies nowhere."""
 
 
 class FormError(ValueError):
@@ -283,12 +279,7 @@ class Transform:
 
         Raises `ValueError` where a perspective sends one to infinity.
         """
-        matrices = self.matrices(moments).reshape(-1, *[1] * (positions.ndim - 2), 3, 3)
-        moved = (matrices[..., :2, :2] @ positions[..., None])[..., 0] + matrices[..., :2, 2]
-        depth = (matrices[..., 2, :2] * positions).sum(axis=-1) + matrices[..., 2, 2]
-        if (np.abs(depth) < AT_INFINITY).any():
-            raise ValueError("the matrix of a transform sends it to infinity")
-        return np.asarray(moved / depth[..., None])
+        return projective.apply_each(self.matrices(moments), positions)
 
     def _extra(self, moments: Array) -> Array:
         """The plane's part of the extra 4 x 4 matrix, row by row, with the perspective that a corner pin gives it."""

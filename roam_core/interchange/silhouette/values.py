@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.arrays import Array
+from roam_core.geometry import projective
 from roam_core.interchange.reading import MAX_NUMBER
 from roam_core.interchange.xml import local_name
 
@@ -95,11 +96,7 @@ class LayerTransform:
 
         Raises `ValueError` where the matrix sends a position to infinity.
         """
-        homogeneous = np.concatenate([positions, np.ones((*positions.shape[:-1], 1))], axis=-1)
-        x, y, depth = np.moveaxis(homogeneous @ self.matrices(moments).transpose(0, 2, 1)[:, None], -1, 0)
-        if (np.abs(depth) < 1e-9).any():
-            raise ValueError("the matrix of a layer sends it to infinity")
-        return np.stack([x / depth, y / depth], axis=-1)
+        return projective.apply_each(self.matrices(moments), positions)
 
     def matrices(self, moments: Array) -> Array:
         """The same as maps of the plane `(T, 3, 3)`, in the file's units."""

@@ -119,4 +119,4 @@ def test_a_matrix_that_puts_a_point_at_infinity_loses_that_shape_alone(tmp_path:
     beyond = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.1, 0.0, 1.0]])
     imported = read(tmp_path, node(group(name="Far", form=form(beyond)), group(name="Near")))
     assert only(imported).name == "Near"
-    assert imported.notes == ("The shape 'Far' was left out: the matrix of a transform sends it to infinity.",)
+    assert imported.notes == ("The shape 'Far' was left out: a matrix sends it to infinity.",)

@@ -349,7 +349,7 @@ def test_a_tracked_matrix_with_perspective_moves_the_control_points(read: Read) 
     ("value", "note"),
     [
         ("(1,0,0,0)", "The matrix of the layer 'L' was left out: 'transform.matrix' has 4 numbers, not 16."),
-        ("(" + "0," * 15 + "0)", "The shape 'A' was left out: the matrix of a layer sends it to infinity."),
+        ("(" + "0," * 15 + "0)", "The shape 'A' was left out: a matrix sends it to infinity."),
     ],
 )
 def test_a_matrix_that_is_none_is_named(read: Read, value: str, note: str) -> None:
