@@ -13,9 +13,6 @@ IDENTITY.setflags(write=False)
 HORIZON = 1e-6
 """Least depth of a position in front of the viewer: what lies beyond the horizon is put far away, not turned over."""
 
-INFINITELY_FAR = 1e-9
-"""Depths that count as none: what a matrix of another program puts there lies nowhere."""
-
 LEAST_DETERMINANT = 1e-12
 
 
@@ -60,7 +57,7 @@ def apply_each(matrices: Array, positions: Array) -> Array:
     maps = matrices.reshape(len(matrices), *[1] * (positions.ndim - 2), 3, 3)
     carried = (maps[..., :2, :2] @ positions[..., None])[..., 0] + maps[..., :2, 2]
     depths = (maps[..., 2, :2] * positions).sum(axis=-1) + maps[..., 2, 2]
-    if (np.abs(depths) < INFINITELY_FAR).any():
+    if (np.abs(depths) < HORIZON).any():
         raise ValueError("a matrix sends it to infinity")
     return np.asarray(carried / depths[..., None])
 
