@@ -294,7 +294,10 @@ class AppearanceTemplate:
     def _looks(
         self, frame: PreparedFrame, turns: list[Array], near: Array, reach: float, behind: Behind | None = None
     ) -> list[Look]:
-        """What tells where the object lies within `reach` pixels of `near`, under `turns (2, 2)` of about one size."""
+        """What tells where the object lies within `reach` pixels of `near`, under `turns (2, 2)` from small to large.
+
+        The cells are as fine as the smallest asks for.
+        """
         extents = [self._extent_under(turn) for turn in turns]
         margin = self.params.ring + 2.0 / self.params.across
         rooms = [
@@ -305,7 +308,7 @@ class AppearanceTemplate:
         area = Region.around(np.stack([near - reach - room, near + reach + room]), 0.0, frame.size)
         if area.is_empty:
             return []
-        grid = Grid.over(area, min(self.params.across / float(np.sqrt(extents[0] * extents[-1])), 1.0))
+        grid = Grid.over(area, min(self.params.across / extents[0], 1.0))
         ratio = self._ratio(frame, grid)
         if behind is not None:
             ratio = ratio + behind(grid)
