@@ -25,7 +25,7 @@ from roam_core.kernels.distance_transform import distance_transform
 from roam_core.kernels.edge_sums import edge_means
 from roam_core.kernels.flattening import step_counts, vertices
 from roam_core.kernels.gmm_density import em_steps, log_densities, matches
-from roam_core.kernels.hypotheses import best_hypothesis
+from roam_core.kernels.hypotheses import agreed_similarity, best_motion
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, log_ratio, nearest_colours
 from roam_core.kernels.nearest_edges import nearest_edges
@@ -271,9 +271,17 @@ def _refined() -> Case:
 
 def _hypotheses() -> Case:
     rng = _rng()
-    source = rng.normal(0, 50, (400, 2)) @ [1, 1j]
-    alpha, beta = (rng.normal(0, 0.05, (2, 128, 2))) @ [1, 1j]
-    return _call(best_hypothesis, source, source + rng.normal(0, 1, 400), alpha + 1, beta, 2.0)
+    source = rng.normal(0, 50, (400, 2))
+    target = source + rng.normal(0, 1, (400, 2)) + np.where(np.arange(400) < 100, 30.0, 0.0)[:, None]
+    first = rng.integers(0, 400, 128)
+    return _call(agreed_similarity, source, target, first, (first + rng.integers(1, 400, 128)) % 400, 2.0)
+
+
+def _motions() -> Case:
+    rng = _rng()
+    spots = rng.normal(0, 1, (150, 2))
+    motions = np.eye(3) + rng.normal(0, 0.05, (256, 3, 3))
+    return _call(best_motion, motions, spots, spots + rng.normal(0, 0.02, spots.shape), 0.04, 1e-6)
 
 
 def _trees() -> tuple[Any, Any, Any]:
@@ -303,11 +311,12 @@ def _leaves() -> Case:
 
 CASES: dict[str, Callable[[], Case]] = {
     "affines": _affines,
+    "agreed_similarity": _hypotheses,
     "align": _alignment,
     "aligned": _patches,
     "anchored": _anchoring,
     "best_matches": _background,
-    "best_hypothesis": _hypotheses,
+    "best_motion": _motions,
     "bin_counts": lambda: _call(bin_counts, _picture(), np.ones(GRID, dtype=bool)),
     "coverage": lambda: _call(coverage, _outline(), SIZE),
     "crossing_edges": lambda: _call(crossing_edges, _outline(400), True),

@@ -51,6 +51,11 @@ class Region:
         x1, y1 = (min(high + -high % step, end) for high, end in ((self.x1, size[1]), (self.y1, size[0])))
         return Region(x0, y0, x1, y1)
 
+    def in_wholes(self, step: int, size: tuple[int, int]) -> Region:
+        """The box `aligned`, without what the edge of the picture leaves of its last `step`; maybe empty."""
+        box = self.aligned(step, size)
+        return Region(box.x0, box.y0, box.x1 - box.x1 % step, box.y1 - box.y1 % step)
+
     @property
     def origin(self) -> tuple[int, int]:
         """(x, y) of its top-left corner."""

@@ -55,6 +55,8 @@ def ransac(
     hypothesis of the least error, cut off at `threshold` pixels, is fitted to those that agree with it until they stay
     the same. None where no hypothesis is usable.
     """
+    from roam_core.kernels.hypotheses import best_motion  # numba: reading a project must not wait for it
+
     n, none = len(source), np.zeros(len(source), dtype=bool)
     if n < kind.pairs:
         return None, none
@@ -62,9 +64,9 @@ def ransac(
     s, t = projective.apply(before, source), projective.apply(after, target)
     drawn = np.random.default_rng(seed).random((trials, n)).argpartition(kind.pairs - 1, axis=1)[:, : kind.pairs]
     guesses = _solved(kind, s[drawn], t[drawn])
-    cost = _errors(guesses, s, t) / after[0, 0]  # back in pixels of the target
-    best = int(np.argmin(np.minimum(cost, threshold).sum(axis=1)))
-    agree = cost[best] <= threshold
+    scale = after[0, 0]  # of what `t` is measured in, to a pixel of the target
+    best = guesses[best_motion(guesses, s, t, threshold * scale, projective.HORIZON)]
+    agree = np.hypot(*(projective.apply(best, s) - t).T) <= threshold * scale
     matrix = None
     for _ in range(10):
         found = fit(kind, source[agree], target[agree])
@@ -131,11 +133,3 @@ def _solved(kind: PlaneMotion, source: Array, target: Array) -> Array:
     rows = np.where(solvable[:, None, None], rows, np.eye(rows.shape[1]))
     found = _matrix(kind, np.asarray(np.linalg.solve(rows, right[..., None])[..., 0], dtype=np.float64))
     return np.where(solvable[:, None, None], found, np.eye(3))
-
-
-def _errors(matrices: Array, source: Array, target: Array) -> Array:
-    """Distances `(T, K)` between `source (K, 2)` carried by each of `matrices (T, 3, 3)` and `target (K, 2)`."""
-    lifted = np.column_stack([source, np.ones(len(source))])
-    carried = lifted @ matrices.transpose(0, 2, 1)
-    deep = np.maximum(carried[..., 2], projective.HORIZON)
-    return np.asarray(np.hypot(carried[..., 0] / deep - target[:, 0], carried[..., 1] / deep - target[:, 1]))

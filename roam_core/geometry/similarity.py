@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from roam_core.arrays import Array, Bools
-from roam_core.kernels.hypotheses import best_hypothesis
+from roam_core.kernels.hypotheses import agreed_similarity
 
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 IDENTITY.setflags(write=False)
@@ -51,19 +51,4 @@ def ransac(
     rng = np.random.default_rng(seed)
     first = rng.integers(0, n, trials)
     second = (first + rng.integers(1, n, trials)) % n
-    # As complex numbers a similarity is z -> alpha z + beta.
-    z, w = source[:, 0] + 1j * source[:, 1], target[:, 0] + 1j * target[:, 1]
-    span = z[second] - z[first]
-    usable = np.abs(span) > 1e-9
-    alpha = np.where(usable, (w[second] - w[first]) / np.where(usable, span, 1.0), 1.0)
-    beta = w[first] - alpha * z[first]
-    best = best_hypothesis(z, w, alpha, beta, threshold)
-    inliers = np.abs(alpha[best] * z + beta[best] - w) <= threshold
-    transform = fit(source[inliers], target[inliers])
-    for _ in range(2):
-        again = np.hypot(*(apply(transform, source) - target).T) <= threshold
-        if again.sum() < 2:
-            break
-        inliers = again
-        transform = fit(source[inliers], target[inliers])
-    return transform, inliers
+    return agreed_similarity(source, target, first, second, threshold)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -84,11 +85,13 @@ def _planes(memory: NDArray[Any], labels: UInt8, radius: int) -> Int32:
     return planes
 
 
+@lru_cache(maxsize=8)
 def _away(radius: int, spread: float) -> Int32:
     """What each place of a window `(2 radius + 1, n)` adds to a distance; `FAR` in the columns that fill it up."""
     steps = np.arange(-radius, radius + 1)
     away = np.full((len(steps), _padded(radius)), FAR, dtype=np.int32)
     away[:, : len(steps)] = np.round(PARTS * spread * (steps[:, None] ** 2 + steps**2))
+    away.setflags(write=False)
     return away
 
 

@@ -202,12 +202,19 @@ def _price(residuals: Array, seen: Bools, how: Alignment) -> float:
 @njit(nogil=True, cache=True, error_model="numpy")
 def _like(residuals: Array, seen: Bools, how: Alignment) -> float:
     """T of the residuals at hand: twice the median of their size, within bounds."""
-    sizes, count = np.empty(len(seen)), 0
+    sizes, count, small, large = np.empty(len(seen)), 0, 0, 0
     for n in range(len(seen)):
         if seen[n]:
-            sizes[count] = (abs(residuals[n, 0]) + abs(residuals[n, 1]) + abs(residuals[n, 2])) / 3.0
+            size = 2.0 * (abs(residuals[n, 0]) + abs(residuals[n, 1]) + abs(residuals[n, 2])) / 3.0
+            small += size <= how.like_least
+            large += size >= how.like_most
+            sizes[count] = size
             count += 1
-    return min(max(2.0 * np.median(sizes[:count]), how.like_least), how.like_most) if count > 0 else how.like_most
+    if 2 * large > count or count == 0:
+        return how.like_most
+    if 2 * small > count:
+        return how.like_least
+    return min(max(np.median(sizes[:count]), how.like_least), how.like_most)
 
 
 @njit(nogil=True, cache=True, error_model="numpy")

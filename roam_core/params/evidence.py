@@ -172,7 +172,7 @@ class ExposureParams:
         deviation of a patch's luma under which a correlation counts for less.
     beside : share of the key's object in a cell up to which it is background.
     darkest, brightest : mean luma between which a patch tells anything.
-    least : cells that must be known again.
+    least : cells that must be known again. most : so many of them are asked at most.
     within : difference of the logarithm of brightness that two patches of one light may show, and of a channel's
         besides. agreed : share of the cells that must agree on a change within that.
     veiled : share of the cells by which a veil must explain more than a factor to come up.
@@ -186,6 +186,7 @@ class ExposureParams:
     darkest: float = 12.0
     brightest: float = 243.0
     least: int = 200
+    most: int = later(4000)
     within: float = 0.06
     agreed: float = 0.5
     veiled: float = later(0.2)

@@ -5,17 +5,36 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+Points = NDArray[np.float64]
 
-def ref_best_hypothesis(
-    source: NDArray[np.complex128],
-    target: NDArray[np.complex128],
-    alpha: NDArray[np.complex128],
-    beta: NDArray[np.complex128],
-    threshold: float,
-) -> int:
-    """Every hypothesis on every point."""
-    scores = [
-        sum(min(abs(a * z + b - w), threshold) for z, w in zip(source, target, strict=True))
-        for a, b in zip(alpha, beta, strict=True)
+
+def ref_agreed_similarity(
+    source: Points, target: Points, first: NDArray[np.intp], second: NDArray[np.intp], threshold: float
+) -> tuple[Points, NDArray[np.bool_]]:
+    """Every hypothesis on every point, then the normal equations of those that agree; as complex numbers."""
+    z, w = source @ [1, 1j], target @ [1, 1j]
+    hypotheses = [
+        (alpha, w[i] - alpha * z[i])
+        for i, j in zip(first, second, strict=True)
+        for alpha in [(w[j] - w[i]) / (z[j] - z[i]) if abs(z[j] - z[i]) > 1e-9 else 1.0]
     ]
-    return int(np.argmin(scores))
+    sums = [np.minimum(np.abs(alpha * z + beta - w), threshold).sum() for alpha, beta in hypotheses]
+    alpha, beta = hypotheses[int(np.argmin(np.round(sums, 9)))]
+    inliers = np.abs(alpha * z + beta - w) <= threshold
+    for turn in range(3):
+        again = np.abs(alpha * z + beta - w) <= threshold
+        if turn > 0 and again.sum() < 2:
+            break
+        inliers = again
+        spots = np.column_stack([z[inliers], np.ones(int(inliers.sum()))])
+        alpha, beta = np.linalg.lstsq(spots, w[inliers], rcond=None)[0] if np.ptp(z[inliers]) != 0 else (1, 0)
+        if np.ptp(z[inliers]) == 0:
+            beta = (w[inliers] - z[inliers]).mean()
+    return np.array([[alpha.real, -alpha.imag, beta.real], [alpha.imag, alpha.real, beta.imag]]), inliers
+
+
+def ref_best_motion(motions: Points, source: Points, target: Points, threshold: float, nearest: float) -> int:
+    """Every hypothesis on every point."""
+    carried = [(each @ np.column_stack([source, np.ones(len(source))]).T).T for each in motions]
+    errors = [np.hypot(*(at[:, :2] / np.maximum(at[:, 2:], nearest) - target).T) for at in carried]
+    return int(np.argmin([np.minimum(each, threshold).sum() for each in errors]))

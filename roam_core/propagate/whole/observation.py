@@ -172,10 +172,11 @@ def _relit(
 def _displacement(state: RegionState, frame: PreparedFrame, spots: Array, params: FastMotionParams) -> Array | None:
     """Pixels `(2,)` by which the object with these corners `(N, 2)` went to `frame`; None of one that is slow."""
     scale = scale_for(frame.size)
-    area = Region.around(spots, params.window * scale, frame.size)
+    cell = max(round(scale / params.factor), 1)  # of whole pixels: these are averaged several times as fast
+    area = Region.around(spots, params.window * scale, frame.size).in_wholes(cell, frame.size)
     if area.is_empty:
         return None
-    grid = Grid.over(area, params.factor / scale)
+    grid = Grid.over(area, 1.0 / cell)
     return fast_displacement(state.frame, frame, grid, state.region.on(grid) > 0.5, scale, params)
 
 

@@ -87,8 +87,10 @@ def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light,
     usable = _known_again((seen_luma, luma), (before, now), known, params.flat / contrast, params)
     usable &= _is_exposed(before, now, params)
     chosen = np.flatnonzero(usable)
-    channels = [cv2.split(_means(each, params.window)) for each in (seen, picture)]
-    colours_then, colours = (np.stack([channel.ravel()[chosen] for channel in each]) for each in channels)
+    chosen = chosen[:: len(chosen) // params.most + 1]  # those beside each other overlap, and tell the same
+    colours_then, colours = (
+        np.ascontiguousarray(_means(each, params.window).reshape(-1, 3)[chosen].T) for each in (seen, picture)
+    )
     patches = _Patches(before.ravel()[chosen], now.ravel()[chosen], colours_then, colours, contrast)
     light = _veiled(patches, last, params) or _multiplied(patches, last, params)
     shades = _shades(patches, light, params)

@@ -13,7 +13,7 @@ from roam_core.geometry.simple import crossing_segments
 from roam_core.params import KEY_FIT
 from roam_core.proposal.mask_keys.anchors import spread
 from roam_core.proposal.mask_keys.outline_match import matched
-from roam_core.proposal.outline.refine import beside, bounded, places_between, tangents
+from roam_core.proposal.outline.refine import beside, bounded, places_between, tangents, tree_of
 from roam_core.roto.edit import is_smooth
 
 
@@ -99,7 +99,7 @@ class _Fit:
 
     def __init__(self, points: Array, prior: Array, samples: Array) -> None:
         self.count = len(points)
-        self.samples = samples
+        self.samples, self.tree = samples, tree_of(samples)
         self.prior = prior
         self.smooth = np.array([is_smooth(point, degrees=KEY_FIT.straight) for point in points], dtype=bool)
         self.tie = _ties(points)
@@ -117,7 +117,7 @@ class _Fit:
         ]  # fmt: skip
         matrix = (vstack(rows) @ self.tie).tocsc()
         solution = spsolve(matrix.T @ matrix, matrix.T @ np.concatenate(wanted))
-        found = beside(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), self.samples, KEY_FIT.astray)
+        found = beside(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), self.samples, self.tree, KEY_FIT.astray)
         return bounded(found, places, self.samples)
 
     def _slide(self) -> csr_array:

@@ -21,7 +21,7 @@ def refined(points: Array, samples: Array, at: Int64, smooth: Bools, rounds: int
     """
     facing = polyline.outward_normals(samples)
     owner = _owners(points)
-    places, result = places_between(at, samples), points
+    places, result, tree = places_between(at, samples), points, tree_of(samples)
     for turn in range(rounds):
         if turn > 0:
             places = _nearest(result, places, samples, facing, params)
@@ -36,7 +36,7 @@ def refined(points: Array, samples: Array, at: Int64, smooth: Bools, rounds: int
             (params.stay * share, params.hold * share, params.line),
         )
         free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
-        result = bounded(beside(free[owner].reshape(-1, 3, 2), samples, params.astray), places, samples)
+        result = bounded(beside(free[owner].reshape(-1, 3, 2), samples, tree, params.astray), places, samples)
     return bezier.aligned(result, smooth)
 
 
@@ -94,12 +94,18 @@ def _nearest(points: Array, places: Array, samples: Array, normals: Array, param
     return result
 
 
-def beside(points: Array, samples: Array, most: float) -> Array:
+def tree_of(samples: Array) -> KDTree:
+    """The samples `(M, 2)` of an outline, to be asked for the nearest; balancing it would take longer than asking."""
+    return KDTree(samples, balanced_tree=False, compact_nodes=False)
+
+
+def beside(points: Array, samples: Array, tree: KDTree, most: float) -> Array:
     """The spline with no anchor farther off the outline than `most` steps of its samples; handles go with theirs.
 
-    Where an outline doubles back, as around a bridge, hardly anything else says where an anchor lies.
+    Where an outline doubles back, as around a bridge, hardly anything else says where an anchor lies. `tree` holds the
+    samples (`tree_of`).
     """
-    away, nearest = KDTree(samples).query(points[:, ANCHOR])
+    away, nearest = tree.query(points[:, ANCHOR])
     allowed = most * polyline.length(samples) / len(samples)
     back = 1.0 - np.minimum(1.0, allowed / np.maximum(away, 1e-9))
     return np.asarray(points + (back[:, None] * (samples[nearest] - points[:, ANCHOR]))[:, None])
