@@ -18,6 +18,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
 from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, brief, sensible
+from roam_core.interchange.telling import gathered
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import (
     Animated,
@@ -80,7 +81,7 @@ def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
         "last_frame": clip.last + options.frame_offset,
         "items": writer.items(root) if is_plain else [writer.layer(root)],
     }
-    return json.dumps(document, ensure_ascii=True, allow_nan=False, indent=1) + "\n", tuple(writer.notes)
+    return json.dumps(document, ensure_ascii=True, allow_nan=False, indent=1) + "\n", gathered(writer.notes)
 
 
 @dataclass
