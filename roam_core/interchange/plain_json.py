@@ -16,6 +16,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
+from roam_core.interchange.keys.reduction import Motion
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
 from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, brief, sensible
 from roam_core.interchange.telling import gathered
@@ -106,7 +107,7 @@ class _Writer(ShapeWriter):
         }
 
     def shape(self, shape: RotoShape) -> dict[str, Any]:
-        shape = self.begun(shape)
+        shape, _ = self.begun_for(shape, Motion.EASED)
         blur, offset = shape.motion_blur, self.options.frame_offset
         return {
             "kind": "shape",
