@@ -14,6 +14,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
+from roam_core.interchange.svg.abbreviations import written_out
 from roam_core.interchange.svg.compound import joined
 from roam_core.interchange.svg.crossings import taken_apart
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
@@ -104,7 +105,7 @@ class SvgReader(ShapeReader):
 
     def shapes(self) -> Imported:
         """All outlines of the file, bottom first, as shapes with one key on the clip's first frame."""
-        root = parsed(self, doctype="ignored", content=self.content(MAX_DRAWING))
+        root = parsed(self, doctype="ignored", content=written_out(self.content(MAX_DRAWING), MAX_DRAWING))
         if local_name(root) != "svg":
             raise RoamError(f"{self.path} is no SVG picture (its root element is {brief(local_name(root))}).")
         self.is_ours = root.get("data-roam-frame") is not None
