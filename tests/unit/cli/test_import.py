@@ -9,8 +9,10 @@ import cv2
 import numpy as np
 import pytest
 
+from roam_core.cli.export import condensed
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.project import PALETTE
+from roam_core.translatable import sentence
 from tests.unit.cli.conftest import Roam
 from tests.unit.cli.test_bad_input import require_refusal
 from tests.unit.interchange.conftest import points
@@ -67,6 +69,11 @@ def test_what_is_so_with_many_shapes_is_told_once(roam: Roam, tmp_path: Path) ->
         "Polygons of CVAT only add: the mode 'subtract' of 'Arm 0' is lost. So it is with 'Arm 1', 'Arm 2', 'Arm 3', "
         "'Arm 4', 'Arm 5', 'Arm 6' and 13 more."
     ]
+
+
+def test_many_notes_of_one_kind_do_not_bury_others() -> None:
+    alike = [sentence("{name!r} moves by {px} px.", name=f"Arm {k}", px=k) for k in range(20)]
+    assert list(condensed([*alike, "Else."]))[11:] == [alike[11], "(and 8 more like this; --json lists all)", "Else."]
 
 
 def test_an_earlier_version_of_a_project_is_one(roam: Roam, project: Path, tmp_path: Path) -> None:
