@@ -224,10 +224,9 @@ def is_file(path: Path) -> bool:
 
 
 def choose_shapes(parent: QWidget, start: Path, suffixes: Sequence[str]) -> Path | None:
-    kinds = " ".join(f"*{suffix}" for suffix in suffixes)
-    return _path(
-        QFileDialog.getOpenFileName(parent, tr("Import shapes"), str(start), tr("Shapes ({kinds})", kinds=kinds))[0]
-    )
+    """A file of shapes: of another suffix, or none, it may be one, too."""
+    kinds = tr("Shapes ({kinds});;All files (*)", kinds=" ".join(f"*{suffix}" for suffix in suffixes))
+    return _path(QFileDialog.getOpenFileName(parent, tr("Import shapes"), str(start), kinds)[0])
 
 
 def choose_mask(parent: QWidget, start: Path) -> Path | None:

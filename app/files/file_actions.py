@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from roam_core.errors import RoamError
-from roam_core.interchange.registry import SHAPE_SUFFIXES
+from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes
 from roam_core.roto import Clip
 from roam_core.roto.project_lock import Holder
 from roam_core.roto.shifting import frames_held
@@ -172,10 +172,9 @@ class FileActions(QObject):
         A clip is shown first, with what was found out about it, unless it is to be opened `at_once`.
         """
         path = paths[0]
-        if path.suffix.lower() in SHAPE_SUFFIXES:
-            for each in paths:
-                if each.suffix.lower() in SHAPE_SUFFIXES:
-                    self._import.start(each)
+        if holds_shapes(path):
+            for each in filter(holds_shapes, paths):
+                self._import.start(each)
         elif at_once:
             self._open(path)
         else:

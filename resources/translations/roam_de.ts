@@ -3833,8 +3833,8 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Formen</translation>
     </message>
     <message>
-        <source>Shapes ({kinds})</source>
-        <translation>Formen ({kinds})</translation>
+        <source>Shapes ({kinds});;All files (*)</source>
+        <translation>Formen ({kinds});;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Shapes for other programs, and mattes: every format, keys and frames</source>
@@ -6706,6 +6706,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name}: click to select, Shift adds</source>
         <translation>{name}: Klicken wählt aus, Umschalt fügt hinzu</translation>
+    </message>
+    <message>
+        <source>{note} So it is with {names}.</source>
+        <translation>{note} Ebenso: {names}.</translation>
     </message>
     <message>
         <source>{pace:.0f} ms a frame</source>

@@ -103,7 +103,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise RoamError(f"{refusal} To write it all the same, say --lossy.") from None
     if not project.shapes:
         notes = (f"{arguments.project} holds no shape: what was written is empty.", *notes)
-    notes = (*filter(None, [bare(exporter, arguments.out)]), *notes)
+    notes = (*filter(None, [bare(exporter, [path for path, _ in targets])]), *notes)
     if arguments.json:
         files = [str(path) for path, _ in targets]
         print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})
@@ -165,11 +165,12 @@ def require_one_drawing(exporter: Exporter, arguments: argparse.Namespace) -> No
         )
 
 
-def bare(exporter: Exporter, path: Path) -> str:
-    """That programs may not know a file for its name has no suffix, in a sentence; "" where it has one."""
-    if path.suffix or exporter.name == MatteExporter.name or path.is_dir():
+def bare(exporter: Exporter, written: Sequence[Path]) -> str:
+    """That programs may not know a file for its name has no suffix, in a sentence; "" where all have one."""
+    found = next((path for path in written if not path.suffix), None)
+    if found is None or exporter.name == MatteExporter.name:
         return ""
-    return f"{path} has no suffix: other programs know such files by names that end in {exporter.suffix}."
+    return f"{found} has no suffix: other programs know such files by names that end in {exporter.suffix}."
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:

@@ -16,8 +16,10 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
+from roam_core.interchange.keys.reduction import Motion
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
 from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, brief, sensible
+from roam_core.interchange.telling import gathered
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import (
     Animated,
@@ -80,7 +82,7 @@ def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
         "last_frame": clip.last + options.frame_offset,
         "items": writer.items(root) if is_plain else [writer.layer(root)],
     }
-    return json.dumps(document, ensure_ascii=True, allow_nan=False, indent=1) + "\n", tuple(writer.notes)
+    return json.dumps(document, ensure_ascii=True, allow_nan=False, indent=1) + "\n", gathered(writer.notes)
 
 
 @dataclass
@@ -105,7 +107,7 @@ class _Writer(ShapeWriter):
         }
 
     def shape(self, shape: RotoShape) -> dict[str, Any]:
-        shape = self.begun(shape)
+        shape, _ = self.begun_for(shape, Motion.EASED)
         blur, offset = shape.motion_blur, self.options.frame_offset
         return {
             "kind": "shape",

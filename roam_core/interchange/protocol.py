@@ -17,6 +17,7 @@ from roam_core.interchange.keys.reduction import Motion, Slopes, reduced
 from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.out_of_sight import without_points
+from roam_core.interchange.telling import gathered
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.roto.bounds import is_near
@@ -107,7 +108,7 @@ STANDARD = ExportOptions()
 class LossyExport(RoamError):
     """A format cannot hold what makes the matte; nothing was written.
 
-    `losses` has a sentence for each shape or layer that would look different.
+    `losses` has a sentence for each thing that would look different, with the shapes and layers.
     """
 
     def __init__(self, losses: Iterable[str]) -> None:
@@ -117,10 +118,10 @@ class LossyExport(RoamError):
 
 def settled(notes: Iterable[str], losses: Iterable[str], options: ExportOptions) -> tuple[str, ...]:
     """What an exporter tells: its losses and then its notes; a `LossyExport` for losses that nobody agreed to."""
-    losses = tuple(losses)
+    losses = gathered(losses)
     if losses and not options.lossy:
         raise LossyExport(losses)
-    return (*losses, *notes)
+    return (*losses, *gathered(notes))
 
 
 class Exporter(Protocol):

@@ -18,6 +18,8 @@ from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key
 from roam_core.interchange.protocol import MAX_FRAMES, KeyChoice
+from roam_core.interchange.recognition import text_of
+from roam_core.interchange.telling import Note, gathered
 from roam_core.params import scale_for
 from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
@@ -160,7 +162,7 @@ class ShapeReader:
     path : of the file, for sentences.
     clip : whose pixels and frames the shapes are to be in.
     points, keys, parts : control points, keys and other parts counted so far.
-    notes : a sentence for each loss, in the order of the file.
+    notes : a sentence for each loss, in the order of the file; `gathered` makes one of those that are alike.
     """
 
     path: Path
@@ -187,8 +189,8 @@ class ShapeReader:
         return given
 
     def text(self, most: int | None = None) -> str:
-        """The whole file as UTF-8 text, with bytes that are none replaced and a byte-order mark taken off."""
-        return self.content(most).decode("utf-8", "replace").removeprefix("\ufeff")
+        """The whole file as text (`text_of`)."""
+        return text_of(self.content(most)).removeprefix("\ufeff")
 
     def check_depth(self, depth: int) -> None:
         """Refuse a file whose parts lie deeper in one another than `MAX_DEPTH`."""
@@ -234,11 +236,11 @@ class ShapeReader:
             raise ValueError(f"{number} is no frame number")
         return round(number) - self.options.frame_offset
 
-    def note(self, sentence: str) -> None:
-        """Remember a loss, once: a hundred shapes with one trouble make one sentence each, not a hundred alike."""
+    def note(self, sentence: str, subject: str = "") -> None:
+        """Remember a loss, once; where it says of one shape or layer, `subject` is what that is called in it."""
         if sentence not in self._told:
             self._told.add(sentence)
-            self.notes.append(sentence)
+            self.notes.append(Note.of(sentence, subject) if subject else sentence)
 
     def fitted(self, layer: Layer, size: tuple[float, float] | None) -> Layer:
         """A layer of shapes of pictures of this size (width, height; None: the clip's) as it lies in the clip's.
@@ -262,7 +264,7 @@ class ShapeReader:
         layer = self.fitted(Layer("root", self.path.stem, children), size)
         self._tell_frames(layer)
         return Imported(
-            Layer(layer.id, layer.name, tuple(stamped(child) for child in layer.children)), tuple(self.notes)
+            Layer(layer.id, layer.name, tuple(stamped(child) for child in layer.children)), gathered(self.notes)
         )
 
     def _tell_frames(self, layer: Layer) -> None:

@@ -1,4 +1,4 @@
-"""Formats of shapes told by their text: of the clipboard, and of files whose names say nothing."""
+"""Formats of shapes told by their text, of the clipboard and of files whose names say nothing; and files as text."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SIGNS: Mapping[str, re.Pattern[str]] = {
     "svg": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<(?:\w+:)?svg[\s>]"),
     "silhouette": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<Silhouette[\s>]"),
     "cvat": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<annotations[\s>]"),
-    "fusion": re.compile(r"\A\s*\{\s*Tools\s*="),
+    "fusion": re.compile(r"\A\s*(?:Composition\s*\{|\{\s*Tools\s*=)"),
     "nuke": re.compile(
         r"(?m)\A#!.*[Nn]uke|\A# Written by ROAM$|^version \d+\.\d+ v\d"
         r"|^[ \t]{0,99}(?:set cut_paste_input\b|Roto(?:Paint)?\d*[ \t]{0,9}\{|curves[ \t]{0,9}\{)"
@@ -36,7 +36,22 @@ def name_of(text: str) -> str | None:
 def format_of(path: Path) -> str | None:
     """The name of the importer that reads the file at `path`; None where it begins as no file of shapes does."""
     head = head_of(path, HEAD_BYTES)
-    return None if head is None else name_of(head.decode("utf-8", "replace"))
+    return None if head is None else name_of(text_of(head))
+
+
+def text_of(content: bytes) -> str:
+    """A file as text: UTF-16 with the byte order mark that Windows writes, UTF-8, or what Windows wrote before that.
+
+    Bytes that are none are replaced, and a mark of UTF-8 is taken off.
+    """
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return content.decode("utf-16", "replace")
+    content = content.removeprefix(codecs.BOM_UTF8)
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        is_cut = error.end == len(content) and error.reason == "unexpected end of data"
+        return content.decode("utf-8" if is_cut else "cp1252", "replace")
 
 
 def head_of(path: Path, count: int) -> bytes | None:

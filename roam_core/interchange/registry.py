@@ -122,9 +122,9 @@ def holds_shapes(path: Path) -> bool:
 def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
     """Read the shapes of a file, or of a folder of masks, into pixels and frames of `clip`.
 
-    The suffix tells the format: `.nk`, `.fxs`, `.sfx`, `.setting`, `.svg`, `.json` or `.xml`, and of other files how
-    they begin; a picture or a folder is a sequence of masks. `roam_core.edit.add_items` puts what was
-    read into a project.
+    The suffix tells the format: `.nk`, `.fxs`, `.sfx`, `.setting`, `.comp`, `.svg`, `.json`, `.xml`, and of other files
+    how they begin; a picture or a folder is a sequence of masks. `roam_core.edit.add_items` puts what was read into a
+    project.
 
     Raises
     ------

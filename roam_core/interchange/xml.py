@@ -35,7 +35,8 @@ def parsed(
         when the file is no XML, too large or too deep, or when it declares a document type or an entity: files of
         shapes need neither, and they are the ways to make a reader fetch other files or grow without end.
     """
-    parser: Any = DefusedXMLParser(target=_ShallowTree(reader), forbid_dtd=doctype == "refused")
+    told = None if reader.options.content is None else "utf-8"  # a text that was copied; what it says was its file's
+    parser: Any = DefusedXMLParser(target=_ShallowTree(reader), encoding=told, forbid_dtd=doctype == "refused")
     try:
         content = reader.content() if content is None else content
         if content.count(b"=") > MAX_PARTS:  # attributes, of which one element may have as many as the file is long

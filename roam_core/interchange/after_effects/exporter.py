@@ -29,6 +29,7 @@ from roam_core.interchange.flatten import (
     parts_of,
     takes_part,
 )
+from roam_core.interchange.keys.reduction import Motion
 from roam_core.interchange.literals import javascript_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.interchange.text_exporter import TextExporter
@@ -155,7 +156,7 @@ class _Writer(ShapeWriter):
 
     def mask(self, shape: RotoShape) -> dict[str, Any]:
         """One mask."""
-        shape = self.begun(shape)
+        shape, _ = self.begun_for(shape, Motion.EASED)
         self._note_losses(shape)
         is_feathered, feather = has_feather_curve(shape), beside_zeros(shape.feather)
         return {

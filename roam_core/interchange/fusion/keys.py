@@ -79,14 +79,16 @@ def feather_of(reader: ShapeReader, title: str, inputs: Table, tools: Tools, wid
     edges, borders = values_of(edge), values_of(border)
     if not any(edges):
         if any(borders):
-            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.")
+            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.", brief(title))
         return 0.0
     if len(edges) != len(borders) or any(
         abs(abs(b) * 2.0 - e) > 1e-8 + 1e-6 * e for e, b in zip(edges, borders, strict=True)
     ):
-        reader.note(f"The soft edge of {brief(title)} lies on both sides of its outline; it was read as outside.")
+        reader.note(
+            f"The soft edge of {brief(title)} lies on both sides of its outline; it was read as outside.", brief(title)
+        )
         if any(borders):
-            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.")
+            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.", brief(title))
         return mapped(edge, lambda share: _sane(share * width))
     return mapped(border, lambda share: _sane(share * 2.0 * width))
 
@@ -102,7 +104,7 @@ def _value(reader: ShapeReader, title: str, inputs: Table, tools: Tools, name: s
         return made.number("Value", standard)
     stamps = _stamps(tools, str(source), None)
     if not stamps or not all(isinstance(stamp.value, float) for stamp in stamps):
-        reader.note(f"{name} of {brief(title)} comes from {brief(str(source))}, which is not read.")
+        reader.note(f"{name} of {brief(title)} comes from {brief(str(source))}, which is not read.", brief(title))
         return standard
     reader.check_points(0, title, len(stamps))
     held = _held(reader, title, stamps, lambda a, b: bool(a.value == b.value))
@@ -139,12 +141,12 @@ def _held(reader: ShapeReader, title: str, stamps: list[_Stamp], same: Any) -> l
         is_step = stamp.step_out or (following is not None and following.step_in)
         frame = reader.frame(stamp.time)
         if not math.isclose(stamp.time, round(stamp.time), abs_tol=1e-6):
-            reader.note(f"{brief(title)} has keys between frames; they were moved to the nearest ones.")
+            reader.note(f"{brief(title)} has keys between frames; they were moved to the nearest ones.", brief(title))
         if result and result[-1][0] == frame:
             result.pop()
         result.append((frame, stamp, Interpolation.HOLD if is_step else Interpolation.LINEAR))
         if stamp.eased:
-            reader.note(f"{brief(title)} has eased keys; they were read as straight ones.")
+            reader.note(f"{brief(title)} has eased keys; they were read as straight ones.", brief(title))
     return result
 
 

@@ -1,5 +1,5 @@
-"""Reads Fusion's masks from `.setting` files and from what its flow puts on the clipboard: polygons, and how they join.
-
+"""Reads Fusion's masks from `.setting` files, compositions (`.comp`) and what its flow puts on the clipboard: polygons,
+and how they join.
 A mask that is the effect mask of another lies under it. A bitmap mask of a Background that is cut out by masks is a
 layer of these. Expressions are not evaluated: what they drive is named, and the value in the file is taken.
 """
@@ -41,7 +41,7 @@ class FusionImporter:
 
     name = "fusion"
     title = N_("Fusion / DaVinci Resolve masks")
-    suffixes = (".setting",)
+    suffixes = (".setting", ".comp")
 
     @quietly
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
@@ -173,12 +173,12 @@ class _Flow:
         if tool.kind == "BitmapMask":
             return self._bitmap(name, tool, below)
         if tool.kind not in POLYGONS:
-            self.reader.note(f"The tool {brief(name)} is no polygon mask and was left out of its chain.")
+            self.reader.note(f"The tool {brief(name)} is no polygon mask and was left out of its chain.", brief(name))
             return None, below
         try:
             return self._shape(name, tool), below
         except (ValueError, KeyError, OverflowError, TypeError) as error:
-            self.reader.note(f"The mask {brief(name)} was left out: {error}.")
+            self.reader.note(f"The mask {brief(name)} was left out: {error}.", brief(name))
             return None, below
 
     def _bitmap(self, name: str, tool: Table, below: str | None) -> tuple[Layer | None, str | None]:
@@ -190,7 +190,9 @@ class _Flow:
         else:
             source, is_inverted = self._pictured(inputs) or "", _flag(inputs, "Invert")
         if source not in self.tools:
-            self.reader.note(f"The bitmap mask {brief(name)} was left out: its picture is not made of masks.")
+            self.reader.note(
+                f"The bitmap mask {brief(name)} was left out: its picture is not made of masks.", brief(name)
+            )
             return None, below
         self.depth += 1
         self.reader.check_depth(self.depth)
@@ -254,7 +256,7 @@ class _Flow:
             raise ValueError("it has a point that lies nowhere near the picture")
         is_line = closed == {True} and inputs.table("Solid").named.get("Value", 1.0) in (0, False)
         if is_line:
-            self.reader.note(f"{brief(title)} is a line, whose width is not read: it came in hidden.")
+            self.reader.note(f"{brief(title)} is a line, whose width is not read: it came in hidden.", brief(title))
         return RotoShape(
             self.reader.fresh_id("shape"),
             title,
@@ -295,7 +297,9 @@ class _Flow:
     def _blend(self, name: str, inputs: Table) -> BlendMode:
         mode = _mode(inputs)
         if mode not in MODES:
-            self.reader.note(f"The paint mode {brief(mode)} of {brief(name)} is not read; the mask is added.")
+            self.reader.note(
+                f"The paint mode {brief(mode)} of {brief(name)} is not read; the mask is added.", brief(name)
+            )
         return MODES.get(mode, BlendMode.ADD)
 
     def _colour(self, inputs: Table) -> tuple[float, float, float]:
@@ -311,13 +315,17 @@ class _Flow:
     def _name_what_moves(self, title: str, inputs: Table) -> None:
         for key, made in inputs.named.items():
             if isinstance(made, Table) and "Expression" in made.named:
-                self.reader.note(f"{brief(str(key))} of {brief(title)} has an expression, which is not evaluated.")
+                self.reader.note(
+                    f"{brief(str(key))} of {brief(title)} has an expression, which is not evaluated.", brief(title)
+                )
         for key, still in STILL.items():
             made = inputs.table(key)
             if "SourceOp" in made.named or made.named.get("Value", still) != still:
-                self.reader.note(f"{key} of {brief(title)} is not read: it stays where its points are.")
+                self.reader.note(f"{key} of {brief(title)} is not read: it stays where its points are.", brief(title))
         if "SourceOp" in inputs.table("Center").named:
-            self.reader.note(f"The moving centre of {brief(title)} is not read: it stays where its points are.")
+            self.reader.note(
+                f"The moving centre of {brief(title)} is not read: it stays where its points are.", brief(title)
+            )
 
 
 def _is_pair(value: Table) -> bool:

@@ -31,11 +31,13 @@ class Motion(StrEnum):
     """How a target moves points between two keys.
 
     LINEAR : evenly along the straight line.
+    EASED : so, and from an artist's smooth key to the next as ROAM does.
     CUBIC : by a cubic in time with a slope of our choice at either end, as Nuke does; the slopes are those that fit the
-        frames between by least squares.
+        frames between by least squares. It is ROAM's own way from a smooth key of the artist's.
     """
 
     LINEAR = "linear"
+    EASED = "eased"
     CUBIC = "cubic"
 
 
@@ -55,7 +57,7 @@ class Reduction:
 
     Attributes
     ----------
-    shape : its keys are some of the original outlines; between them it moves linearly or holds, or by `slopes`.
+    shape : its keys are some of the original outlines; between them it moves linearly, holds, eases, or by `slopes`.
     slopes : one entry for each span, None where it is straight or held; empty for `Motion.LINEAR`.
     before : number of frames from the first key to the last.
     max_error, mean_error : pixels between the original outlines and the reduced ones, over all places of all frames,
@@ -99,7 +101,8 @@ def reduced(
     after = before.copy()
     for start, stop in pairwise(_fixed_frames(shape)):
         begun = shape.key_at(start)
-        if begun is not None and begun.interpolation is Interpolation.HOLD:
+        is_eased = motion is not Motion.LINEAR and _is_eased(shape, start, stop)
+        if begun is not None and (begun.interpolation is Interpolation.HOLD or is_eased):
             keys.append(begun)
             slopes.append(None)
             continue
@@ -142,7 +145,7 @@ def fewest(
     """
     count = len(samples)
     cost: Callable[[Array, bool, int, float], Array]
-    cost = linear_span_errors if motion is Motion.LINEAR else cubic_span_errors
+    cost = cubic_span_errors if motion is Motion.CUBIC else linear_span_errors
     keys = np.full(count, count + 1)
     worst = np.full(count, np.inf)
     before = np.zeros(count, dtype=np.intp)
@@ -158,6 +161,14 @@ def fewest(
     while path[-1] > 0:
         path.append(int(before[path[-1]]))
     return path[::-1]
+
+
+def _is_eased(shape: RotoShape, start: int, stop: int) -> bool:
+    """True where the shape has a smooth key on the first frame, and the next one on the last."""
+    return any(
+        (key.frame, following.frame) == (start, stop) and key.interpolation is Interpolation.SMOOTH
+        for key, following in pairwise(shape.keys)
+    )
 
 
 def _fixed_frames(shape: RotoShape) -> list[int]:
@@ -227,14 +238,14 @@ def _bends(values: Array) -> Array:
 def _interpolated(values: Array, motion: Motion, parts: int) -> Array:
     """A span `(F, ...)` as the target will show it, in so many parts of a frame."""
     straight = _straight(values, parts)
-    if motion is Motion.LINEAR or len(values) == 2:
+    if motion is not Motion.CUBIC or len(values) == 2:
         return straight
     return np.asarray(straight + np.tensordot(_hermite(len(straight)), _bends(values), axes=1))
 
 
 def _slopes(stacked: Array, motion: Motion) -> Slopes | None:
     """The slopes of a span `stacked (F, C, P, 3, 2)`; None where it is straight."""
-    if motion is Motion.LINEAR or len(stacked) == 2:
+    if motion is not Motion.CUBIC or len(stacked) == 2:
         return None
     leaving, reaching = (stacked[-1] - stacked[0] + _bends(stacked)) / (len(stacked) - 1.0)
     if len(leaving) == 1:

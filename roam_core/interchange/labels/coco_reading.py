@@ -132,7 +132,7 @@ class CocoReader(ShapeReader):
 
     def _places(self, polygon: Any, name: str) -> Array | None:
         if not isinstance(polygon, list) or len(polygon) < 6 or len(polygon) % 2 or not are_numbers(polygon):
-            self.note(f"A polygon of {brief(name)} is damaged and was left out.")
+            self.note(f"A polygon of {brief(name)} is damaged and was left out.", brief(name))
             return None
         return np.array(polygon, dtype=np.float64).reshape(-1, 2)
 
@@ -153,9 +153,11 @@ class CocoReader(ShapeReader):
                 lifetime = None if len(run) == len(self._frames_told) else (run[0], follows.get(run[-1], run[-1] + 1))
                 made.append(RotoShape(self.fresh_id("shape"), name, keys, lifetime=lifetime))
             else:
-                self.note(f"{brief(name)} was left out: it lies nowhere near the image.")
+                self.note(f"{brief(name)} was left out: it lies nowhere near the image.", brief(name))
         if len(made) > 1:
-            self.note(f"{brief(name)} comes and goes, or changes its number of points: it became several shapes.")
+            self.note(
+                f"{brief(name)} comes and goes, or changes its number of points: it became several shapes.", brief(name)
+            )
         return made
 
     def _masked(self, name: str, masks: dict[int, Any]) -> list[RotoShape]:
@@ -175,7 +177,7 @@ class CocoReader(ShapeReader):
             try:
                 mask = self._mask(masks[frame])
             except (ValueError, TypeError, OverflowError) as error:
-                self.note(f"A mask of {brief(name)} is damaged and was left out ({error}).")
+                self.note(f"A mask of {brief(name)} is damaged and was left out ({error}).", brief(name))
                 continue
             if not mask.any():
                 continue

@@ -136,7 +136,7 @@ class _Reader(ShapeReader):
             self.check_points(sum(len(moment.points) for moment in run), name, len(run))
             keys = tuple({moment.frame: Keyframe(moment.frame, moment.points) for moment in run}.values())
             if not sensible(keys):
-                self.note(f"{brief(name)} was left out: it lies nowhere near the image.")
+                self.note(f"{brief(name)} was left out: it lies nowhere near the image.", brief(name))
                 continue
             begins = run[0].frame
             is_always = begins <= self.clip.first and end is None
@@ -144,7 +144,9 @@ class _Reader(ShapeReader):
             shape = RotoShape(self.fresh_id("shape"), name, keys, closed=closed, lifetime=lifetime, compound=compound)
             self._made.append((run[0].z_order, label, shape))
         if len(runs) > 1:
-            self.note(f"{brief(name)} comes and goes, or changes its number of points: it became several shapes.")
+            self.note(
+                f"{brief(name)} comes and goes, or changes its number of points: it became several shapes.", brief(name)
+            )
 
     def _image(self, image: Element) -> None:
         try:
@@ -178,7 +180,7 @@ class _Reader(ShapeReader):
         try:
             frame = self.frame(float(element.get("frame", ""))) + self.clip.first
         except (ValueError, OverflowError):
-            self.note(f"A keyframe of {brief(label)} has no frame number: it was left out.")
+            self.note(f"A keyframe of {brief(label)} has no frame number: it was left out.", brief(label))
             return None
         if points is None:
             return None
@@ -200,7 +202,7 @@ class _Reader(ShapeReader):
                 raise ValueError
             return polygon_key(0, places.reshape(-1, 2)).points
         except ValueError:
-            self.note(f"An outline of {brief(label)} is damaged and was left out.")
+            self.note(f"An outline of {brief(label)} is damaged and was left out.", brief(label))
             return None
 
     def _box(self, element: Element) -> Array:

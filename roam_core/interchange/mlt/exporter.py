@@ -44,7 +44,7 @@ class MltExporter:
     suffix = ".json"
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `path` where there is one shape, else a file for each beside it, its name before the suffix."""
+        """Write `path` where there is one shape, else a file for each beside it, its name before `.json`."""
         writer = _Writer(project.require_clip(), options, len(project.shapes))
         writer.add(readied(project, options).root)
         told = settled(writer.notes, writer.losses, options)
@@ -59,7 +59,10 @@ class MltExporter:
             raise RoamError("The project holds no closed shape, and MLT's splines are closed; nothing was written.")
         if len(names) == 1:
             return (path,)
-        return tuple(path.with_name(f"{path.stem}.{word}{path.suffix}") for word in file_words(names))
+        name, suffix = path.name, self.suffix
+        if path.suffix.lower() == suffix:
+            name, suffix = path.stem, path.suffix
+        return tuple(path.with_name(f"{name}.{word}{suffix}") for word in file_words(names))
 
 
 @dataclass

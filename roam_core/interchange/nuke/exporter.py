@@ -38,6 +38,7 @@ from roam_core.interchange.nuke.text import (
     numbers,
 )
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
+from roam_core.interchange.telling import gathered
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
@@ -76,7 +77,7 @@ def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
     writer = _Writer(clip, options, len(project.shapes), names=Names.of(project.root))
     writer.notes += (*told(project.root), *writer.names.notes())
     nodes = [writer.roto(project.root, 1)] if is_one_node(project.root) else list(writer.joined(project.root))
-    return HEAD + "".join(nodes), tuple(writer.notes)
+    return HEAD + "".join(nodes), gathered(writer.notes)
 
 
 @dataclass

@@ -25,6 +25,7 @@ from roam_core.interchange.nuke.keys import (
 )
 from roam_core.interchange.nuke.names import KNOB, LAYER_KNOB, Names, inert, layer_word
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
+from roam_core.interchange.telling import gathered
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import straight_keys, value_moments
 from roam_core.roto import Animated, BlendMode, Layer, Project, RotoShape
@@ -195,7 +196,7 @@ def python_document(project: Project, options: ExportOptions = STANDARD) -> tupl
     made = [writer.roto(root)] if is_one_node(root) else [node for step in steps(root) for node in writer.nodes(step)]
     document = json.dumps(made, ensure_ascii=True, allow_nan=False)
     pieces = (document[start : start + 100] for start in range(0, len(document), 100))
-    return SCRIPT % "\n".join(f"    {piece!r}" for piece in pieces), tuple(writer.notes)
+    return SCRIPT % "\n".join(f"    {piece!r}" for piece in pieces), gathered(writer.notes)
 
 
 @dataclass

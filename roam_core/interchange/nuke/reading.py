@@ -96,7 +96,10 @@ def _shown(layer: Layer, species: str, reader: ShapeReader) -> Layer:
     """The layer of a node; hidden where the curves of its species make no matte."""
     if not species.startswith(WARPS):
         return layer
-    reader.note(f"{species} {brief(layer.name)} warps by its curves, which make no matte: they came in hidden.")
+    reader.note(
+        f"{species} {brief(layer.name)} warps by its curves, which make no matte: they came in hidden.",
+        brief(layer.name),
+    )
     return replace(layer, visible=False)
 
 
@@ -190,7 +193,9 @@ class _NodeReader:
                 "later; save the script with such a version."
             )
         if not curves.is_whole:
-            self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
+            self.reader.note(
+                f"The file ends within the node {brief(self.node)}: what is whole was read.", brief(self.node)
+            )
         layer = self._layer(root, [], is_root=True)
         return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))
 
@@ -198,7 +203,9 @@ class _NodeReader:
         """Whether the node is disabled; where that varies it is taken to be on."""
         switch = "false" if disabled is None else _switch(disabled)
         if switch not in _SWITCHES:
-            self.reader.note(f"Whether the node {brief(self.node)} is disabled varies: it was read as on.")
+            self.reader.note(
+                f"Whether the node {brief(self.node)} is disabled varies: it was read as on.", brief(self.node)
+            )
         return _SWITCHES.get(switch) == 0
 
     def _layer(self, word: Word, outer: Sequence[Transform], *, is_root: bool = False) -> Layer:
@@ -271,10 +278,11 @@ class _NodeReader:
         except FollowsExpressionError as expression:
             self.reader.note(
                 f"The shape {brief(name)} follows the expression {brief(str(expression))}, which is not run: "
-                "it was left out."
+                "it was left out.",
+                brief(name),
             )
         except (ValueError, IndexError, OverflowError) as error:
-            self.reader.note(f"The shape {brief(name)} was left out: {error}.")
+            self.reader.note(f"The shape {brief(name)} was left out: {error}.", brief(name))
 
     def _whole_shape(self, name: str, parts: list[Word], outer: Sequence[Transform]) -> RotoShape:
         flags, species = _flags(parts[2:]), parts[3].raw
@@ -291,7 +299,7 @@ class _NodeReader:
             outline, feather = parts[4].words()
         else:
             outline, feather = parts[4], parts[4]
-            self.reader.note(f"The stroke {brief(name)} came as an open shape, without its brush.")
+            self.reader.note(f"The stroke {brief(name)} came as an open shape, without its brush.", brief(name))
         curve_flags, points = self._points(outline, name)
         own = None if outline is feather or not feather.is_braced else self._points(feather, name)[1]
         if own is not None and len(own.curves) != len(points.curves):
@@ -332,7 +340,7 @@ class _NodeReader:
         if isinstance(entry, str):
             raise FormError("a word stands where a point belongs")
         if entry and isinstance(entry[0], list) and entry[0][:1] == ["a"]:
-            self.reader.note(f"The width and feather of single points of {brief(name)} were left out.")
+            self.reader.note(f"The width and feather of single points of {brief(name)} were left out.", brief(name))
             entry = entry[1:]
         if not entry:
             return ["0", "0"]
@@ -372,7 +380,7 @@ class _NodeReader:
         return self.true_names.get(name, name)
 
     def _teller(self, kind: str, name: str) -> Callable[[str], None]:
-        return lambda sentence: self.reader.note(f"The {kind} {brief(name)}: {sentence}.")
+        return lambda sentence: self.reader.note(f"The {kind} {brief(name)}: {sentence}.", brief(name))
 
 
 @dataclass(frozen=True)

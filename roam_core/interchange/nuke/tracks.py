@@ -22,6 +22,7 @@ from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.nuke.keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke.text import HEAD, tcl_word
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, exported_keys
+from roam_core.interchange.telling import gathered
 from roam_core.roto import Clip, Layer, Project, RotoShape
 from roam_core.roto.bounds import is_near
 from roam_core.roto.placement import matrix_at
@@ -90,7 +91,7 @@ class NukeTracksExporter:
             nodes += _nodes(shape.name, frames, corners, corners[frames.index(reference)], reference, writer)
         options.advance(1.0, sentence("Writing {name}", name=path.name))
         write_atomically(path, (HEAD + "".join(nodes)).encode("utf-8"))
-        return tuple(writer.notes)
+        return gathered(writer.notes)
 
 
 def _nodes(

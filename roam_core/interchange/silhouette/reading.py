@@ -38,6 +38,7 @@ from roam_core.interchange.silhouette.values import (
     track,
     words_of,
 )
+from roam_core.interchange.telling import gathered
 from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import (
     BlendMode,
@@ -136,7 +137,7 @@ class _SessionReader:
                 children = layer.children
         imported = self.reader.finished(children, self.session.size)
         tell_strays(imported.layer, self.reader)
-        return replace(imported, notes=tuple(self.reader.notes))
+        return replace(imported, notes=gathered(self.reader.notes))
 
     def _items(self, parent: Element, outer: Sequence[LayerTransform]) -> Iterator[Layer | RotoShape]:
         for element in parent:
@@ -150,10 +151,10 @@ class _SessionReader:
             try:
                 yield self._shape(element, label, outer)
             except (ValueError, KeyError, OverflowError) as error:
-                self.reader.note(f"The shape {brief(label)} was left out: {error}.")
+                self.reader.note(f"The shape {brief(label)} was left out: {error}.", brief(label))
 
     def _layer(self, element: Element, label: str, outer: Sequence[LayerTransform]) -> Layer:
-        properties = self._properties(element, f"The layer {brief(label)}")
+        properties = self._properties(element, f"layer {brief(label)}")
         parts = {}
         for name, count in {**{name: len(default) for name, default in TRANSFORMS.items()}, MATRIX: 16}.items():
             found = properties.get(f"transform.{name}")
@@ -161,7 +162,7 @@ class _SessionReader:
                 try:
                     parts[name] = track(found, count)
                 except ValueError as error:
-                    self.reader.note(f"The {name} of the layer {brief(label)} was left out: {error}.")
+                    self.reader.note(f"The {name} of the layer {brief(label)} was left out: {error}.", brief(label))
         form, motion, inner = LayerTransform(parts), None, outer
         if form.times and not outer:  # the motion stays that of the layer
             motion = self._motion(form)
@@ -193,7 +194,7 @@ class _SessionReader:
         )
 
     def _shape(self, element: Element, label: str, outer: Sequence[LayerTransform]) -> RotoShape:
-        properties = self._properties(element, f"The shape {brief(label)}")
+        properties = self._properties(element, f"shape {brief(label)}")
         if "path" not in properties:
             raise ValueError("it has no path")
         keys, closed, spline = self._keys(properties["path"], label, outer)
@@ -203,7 +204,7 @@ class _SessionReader:
             colour = tuple(np.clip(track(properties["outlineColor"], 3).values[0], 0.0, 1.0).tolist())
         opacity, lifetime = self._percent(properties, f"shape {brief(label)}")
         if _truth(_text(properties, "motionBlur", "")):
-            self.reader.note(f"Silhouette's shutter is the session's: {brief(label)} has ROAM's own.")
+            self.reader.note(f"Silhouette's shutter is the session's: {brief(label)} has ROAM's own.", brief(label))
         return RotoShape(
             shape_id,
             label,
@@ -230,14 +231,17 @@ class _SessionReader:
         }
         for name, (meaning, default) in UNKNOWN_PROPERTIES.items():
             if name in found and says(found[name], default):
-                self.reader.note(f"{subject}: {meaning} was left out.")
+                self.reader.note(f"The {subject}: {meaning} was left out.", _label_of(subject))
         return found
 
     def _constant(self, properties: dict[str, Element], name: str, subject: str) -> str:
         """What a property says that cannot vary in ROAM; "" for nothing. Where its keys differ that is told."""
         words = _texts(properties, name)
         if len(set(words)) > 1:
-            self.reader.note(f"The {name} of the {subject} varies: it was read as {brief(words[0])}, its first key.")
+            self.reader.note(
+                f"The {name} of the {subject} varies: it was read as {brief(words[0])}, its first key.",
+                _label_of(subject),
+            )
         return words[0] if words else ""
 
     def _blend(self, mode: str, subject: str) -> BlendMode:
@@ -245,7 +249,7 @@ class _SessionReader:
         for blend, name in MODES.items():
             if name == mode:
                 return blend
-        self.reader.note(f"The mode {brief(mode)} of the {subject} is none of ROAM's; it adds.")
+        self.reader.note(f"The mode {brief(mode)} of the {subject} is none of ROAM's; it adds.", _label_of(subject))
         return BlendMode.ADD
 
     def _percent(
@@ -257,7 +261,7 @@ class _SessionReader:
         try:
             keyed = track(properties["opacity"], 1)
         except ValueError as error:
-            self.reader.note(f"The opacity of the {subject} was left out: {error}.")
+            self.reader.note(f"The opacity of the {subject} was left out: {error}.", _label_of(subject))
             return 1.0, None
         keyed = replace(keyed, values=np.clip(keyed.values / 100.0, 0.0, 1.0))
         lifetime = None
@@ -387,6 +391,11 @@ def _frame_of(entry: Element) -> float:
 def _text(properties: dict[str, Element], name: str, default: str) -> str:
     """The first value of a property as text."""
     return next(iter(_texts(properties, name)), default)
+
+
+def _label_of(subject: str) -> str:
+    """What a shape or layer is called in sentences, of `shape 'Arm'`."""
+    return subject.partition(" ")[2]
 
 
 def _truth(text: str | None) -> bool:

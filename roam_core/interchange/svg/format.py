@@ -20,6 +20,7 @@ from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietl
 from roam_core.interchange.svg.painting import Painter
 from roam_core.interchange.svg.reading import SvgReader
 from roam_core.interchange.svg.words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
+from roam_core.interchange.telling import gathered
 from roam_core.roto import Clip, Project
 from roam_core.translatable import N_, sentence
 
@@ -61,7 +62,7 @@ class SvgFormat:
             for shape_id in picture.absent:
                 absent.setdefault(shape_id, []).append(frame)
         names = {shape.id: shape.name for shape in project.shapes}
-        return (*told, *(_absence(names[shape_id], on) for shape_id, on in absent.items()))
+        return gathered([*told, *(_absence(names[shape_id], on) for shape_id, on in absent.items())])
 
     def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
         """The pictures that `export` writes."""
@@ -79,7 +80,8 @@ class SvgFormat:
 def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The picture of all shapes of `project` on one frame, and a sentence for each thing that it cannot hold."""
     picture, names = _picture(project, frame, options), {shape.id: shape.name for shape in project.shapes}
-    return picture.text, (*picture.notes, *(_absence(names[shape_id], [frame]) for shape_id in picture.absent))
+    absent = (_absence(names[shape_id], [frame]) for shape_id in picture.absent)
+    return picture.text, gathered([*picture.notes, *absent])
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
+from roam_core.interchange.svg.abbreviations import written_out
 from roam_core.interchange.svg.compound import joined
 from roam_core.interchange.svg.crossings import taken_apart
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
@@ -104,7 +105,7 @@ class SvgReader(ShapeReader):
 
     def shapes(self) -> Imported:
         """All outlines of the file, bottom first, as shapes with one key on the clip's first frame."""
-        root = parsed(self, doctype="ignored", content=self.content(MAX_DRAWING))
+        root = parsed(self, doctype="ignored", content=written_out(self.content(MAX_DRAWING), MAX_DRAWING))
         if local_name(root) != "svg":
             raise RoamError(f"{self.path} is no SVG picture (its root element is {brief(local_name(root))}).")
         self.is_ours = root.get("data-roam-frame") is not None
@@ -191,7 +192,7 @@ class SvgReader(ShapeReader):
             placed = about(style.get("transform-origin"), transform(written), scope.box)
             into = composed(scope.to_pixels, placed)
         except ValueError as error:
-            self.note(f"{brief(name)} was left out ({error}).")
+            self.note(f"{brief(name)} was left out ({error}).", brief(name))
             return ()
         inner = replace(scope, to_pixels=into, style=style, depth=scope.depth + 1)
         if kind in DRAWN:
@@ -206,7 +207,7 @@ class SvgReader(ShapeReader):
         inner = self._within(element, scope, element) if kind == "svg" else scope
         children = self._inside(element, inner)
         if kind == "svg" and cuts_off(element, element, children, scope.box, scope.to_pixels):
-            self.note(UNCUT.format(name=brief(name)))
+            self.note(UNCUT.format(name=brief(name)), brief(name))
         if scope.paints and share_of(scope.style, "opacity") == 1.0:
             return children
         layer = self._layer(name, children, scope.style, element)
@@ -243,7 +244,7 @@ class SvgReader(ShapeReader):
         if local_name(target) in ("symbol", "svg"):
             made = self._inside(target, self._within(target, scope, element))
             if cuts_off(target, element, made, scope.box, scope.to_pixels):
-                self.note(UNCUT.format(name=brief(name)))
+                self.note(UNCUT.format(name=brief(name)), brief(name))
         else:
             x, y = (length(element.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
             moves = composed(scope.to_pixels, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
@@ -259,11 +260,13 @@ class SvgReader(ShapeReader):
         """The element of a `#id`, and the ids in progress with it; None, and a sentence, where it cannot be read."""
         key = address.strip().removeprefix("#")
         if not address.strip().startswith("#"):
-            self.note(f"What {brief(name)} refers to lies in another file, which is not opened: it was left out.")
+            self.note(f"What {brief(name)} refers to lies in another file, not opened: it was left out.", brief(name))
         elif key not in self._by_id:
-            self.note(f"What {brief(name)} refers to ({brief(key)}) is not in the drawing: it was left out.")
+            self.note(
+                f"What {brief(name)} refers to ({brief(key)}) is not in the drawing: it was left out.", brief(name)
+            )
         elif key in scope.used:
-            self.note(f"{brief(name)} refers to itself: it was left out.")
+            self.note(f"{brief(name)} refers to itself: it was left out.", brief(name))
         else:
             return self._by_id[key], scope.used | {key}
         return None
@@ -276,7 +279,7 @@ class SvgReader(ShapeReader):
         try:
             splines, is_whole = outlines(element, kind, scope.box, self.check_parts)
             if not is_whole:
-                self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.")
+                self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.", brief(name))
             rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
             is_filled = self._is_filled(scope)
             for spline in splines:
@@ -286,7 +289,7 @@ class SvgReader(ShapeReader):
                 splines = taken_apart(splines, rule == "evenodd", scope.to_pixels, self.check_parts)
             made = [self._shape(element, spline, name, scope) for spline in splines]
         except (ValueError, OverflowError) as error:
-            self.note(f"{brief(name)} was left out ({error}).")
+            self.note(f"{brief(name)} was left out ({error}).", brief(name))
             return ()
         if not made:
             return ()
@@ -323,12 +326,12 @@ class SvgReader(ShapeReader):
             return ()
         share = 1.0 if scope.paints == "alpha" else lightness(fill)
         if share is None:
-            self.note(f"The paint of {brief(name)} in a mask is no plain colour: it was read as white.")
+            self.note(f"The paint of {brief(name)} in a mask is no plain colour: it was read as white.", brief(name))
             share = 1.0
         if share <= 0.005:
             return (replace(item, blend=BlendMode.SUBTRACT),)
         if share < 0.995:
-            self.note(f"The grey of {brief(name)} in a mask was read as its opacity.")
+            self.note(f"The grey of {brief(name)} in a mask was read as its opacity.", brief(name))
             assert isinstance(item.opacity, float)
             return (replace(item, opacity=item.opacity * share),)
         return (item,)
@@ -372,7 +375,7 @@ class SvgReader(ShapeReader):
     def _cut(self, made: tuple[Item, ...], name: str, scope: Scope) -> tuple[Item, ...]:
         """The items of an element, cut by its clip path and its mask: a layer with what cuts on top of them."""
         if scope.style.get("filter", "none") != "none":
-            self.note(f"The filter of {brief(name)} was left out.")
+            self.note(f"The filter of {brief(name)} was left out.", brief(name))
         for word, kind in (("clip-path", "clipPath"), ("mask", "mask")):
             address = scope.style.get(word, "none")
             if address == "none" or scope.paints == "clip":
@@ -396,12 +399,12 @@ class SvgReader(ShapeReader):
         found = None if link is None else self._target(link.group(1), f"the {what} of {name}", scope)
         if found is None:
             if link is None:
-                self.note(f"The {what} of {brief(name)} is no outline of the drawing: it was left out.")
+                self.note(f"The {what} of {brief(name)} is no outline of the drawing: it was left out.", brief(name))
             return None
         target, used = found
         units = target.get("clipPathUnits" if kind == "clipPath" else "maskContentUnits", "userSpaceOnUse")
         if local_name(target) != kind or units != "userSpaceOnUse":
-            self.note(f"The {what} of {brief(name)} is given in shares of its box: it was left out.")
+            self.note(f"The {what} of {brief(name)} is given in shares of its box: it was left out.", brief(name))
             return None
         assert self._sheet is not None
         style = computed(self._line(target), self._sheet, {})
@@ -409,15 +412,17 @@ class SvgReader(ShapeReader):
         try:
             into = composed(scope.to_pixels, transform(style.get("transform")))
         except ValueError as error:
-            self.note(f"The {what} of {brief(name)} was left out ({error}).")
+            self.note(f"The {what} of {brief(name)} was left out ({error}).", brief(name))
             return None
         inner = replace(scope, to_pixels=into, style=style, used=used, paints=paints, depth=scope.depth + 1)
         parts = self._inside(target, inner)
         frame = mask_frame(target, scope.box) if kind == "mask" else None
         if frame is not None and reach_beyond(parts, frame, into):
-            self.note(f"The frame of the {what} of {brief(name)} was left out: what lies beyond it masks, too.")
+            self.note(
+                f"The frame of the {what} of {brief(name)} was left out: what lies beyond it masks, too.", brief(name)
+            )
         if "clip-path" in style or "mask" in style:
-            self.note(f"What cuts the {what} of {brief(name)} itself was left out.")
+            self.note(f"What cuts the {what} of {brief(name)} itself was left out.", brief(name))
         blend = BlendMode.INTERSECT
         if parts and self._covers(parts[0]):
             if len(parts) == 1:

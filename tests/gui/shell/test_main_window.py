@@ -284,6 +284,20 @@ def test_shapes_dropped_on_the_window_join_the_project_as_one_step(
     assert len(window.document.project.shapes) == 1
 
 
+def test_a_file_of_shapes_whose_name_says_nothing_is_known_when_it_is_dropped(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    """As on the command line, by how it begins; what else is dropped with it is left alone."""
+    draw(window)
+    with qtbot.waitSignal(window.export.finished, timeout=WAIT):
+        window.export.start("nuke", tmp_path / "a.nk")
+    (tmp_path / "a.nk").rename(tmp_path / "shapes.bak")
+    (tmp_path / "notes.txt").write_text("nothing")
+    with qtbot.waitSignal(window.importing.finished, timeout=WAIT):
+        window.file_actions.open_dropped([tmp_path / "shapes.bak", tmp_path / "notes.txt"])
+    assert len(window.document.project.shapes) == 2
+
+
 def test_the_menu_imports_files_and_folders_of_masks(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -314,6 +314,14 @@ def test_mlt_writes_a_file_a_shape_and_says_what_its_filter_needs(tmp_path: Path
     assert any("'Cut': alpha operation 'sub', a feather of about 4" in note for note in notes)
 
 
+@pytest.mark.parametrize(
+    ("named", "written"), [("hero", "hero.Car.json"), ("hero.v2", "hero.v2.Car.json"), ("p.JSON", "p.Car.JSON")]
+)
+def test_files_of_mlt_always_bear_the_suffix_by_which_programs_know_them(named: str, written: str) -> None:
+    two = project(car(), blob("Cut", 120.0, 120.0, 20.0, 20.0))
+    assert EXPORTERS["mlt"].files(two, Path(named))[0] == Path(written)  # type: ignore[attr-defined]
+
+
 @pytest.mark.parametrize("text", ["[]", "{}", "3", '{"a": 1}', '{"images": 3, "annotations": []}', '{"format": "x"}'])
 def test_json_of_no_kind_is_refused_in_a_sentence(tmp_path: Path, text: str) -> None:
     path = tmp_path / "a.json"

@@ -114,6 +114,33 @@ def test_a_smooth_span_becomes_straight_ones() -> None:
     assert [key.origin for key in reduction.shape.keys[1:-1]] == [Origin.ENGINE] * (len(reduction.shape.keys) - 2)
 
 
+@pytest.mark.parametrize("motion", [Motion.CUBIC, Motion.EASED])
+def test_a_smooth_span_stays_one_where_the_target_moves_so(motion: Motion) -> None:
+    """Fast motion strays from straight steps between frames: it got keys on frames where the artist had none."""
+    keys = (
+        Keyframe(1, ROUND, interpolation=Interpolation.SMOOTH),
+        Keyframe(9, ROUND + 200.0, interpolation=Interpolation.SMOOTH),
+        Keyframe(12, ROUND),
+    )
+    shape = RotoShape("shape-1", "Eased", keys)
+    reduction = reduced(shape, 0.05, motion)
+    assert reduction.shape.frames == shape.frames
+    assert reduction.max_error == 0.0
+    for frame in np.arange(1.0, 12.01, 0.25):
+        np.testing.assert_array_equal(reduction.shape.at(frame).points, shape.at(frame).points)
+
+
+def test_nuke_gets_a_smooth_span_as_it_is() -> None:
+    keys = (Keyframe(1001, ROUND, interpolation=Interpolation.SMOOTH), Keyframe(1009, ROUND + 200.0))
+    shape = RotoShape("shape-1", "Eased", keys)
+    text, _ = roto_document(
+        Project(CLIP, Layer("root", "Root", (shape,))), ExportOptions(keys=KeyChoice.REDUCED, tolerance=0.05)
+    )
+    (written,) = nuke_judge.judge(text).root.shapes()
+    assert len(written.times) == 2
+    assert farthest(written.points(1003.5), shape.at(1003.5).points) < 0.01
+
+
 def test_one_key_stays_one_key() -> None:
     shape = RotoShape("shape-1", "Still", (Keyframe(7, ROUND),))
     for motion in Motion:

@@ -11,9 +11,10 @@ import pytest
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
+from roam_core.interchange.clipboard import read_text
 from roam_core.interchange.recognition import format_of
 from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes, importer_for, read_shapes
-from roam_core.roto import Layer, MotionBlur, Project, Spline, control_points
+from roam_core.roto import Clip, Layer, MotionBlur, Project, Spline, control_points
 from tests.unit.interchange.conftest import CLIP, animated
 
 
@@ -155,3 +156,51 @@ def test_a_pictures_suffix_is_a_pictures(tmp_path: Path) -> None:
 def test_a_name_that_is_too_long_for_any_file_is_told_in_a_sentence() -> None:
     with pytest.raises(RoamError, match="does not exist; give a file of shapes"):
         importer_for(Path("x" * 400 + ".obj"))
+
+
+FUSION_COMPOSITION = """Composition {
+\tCurrentTime = 12,
+\tRenderRange = { 0, 40, },
+\tVersion = "Fusion 9.0.2 build 15",
+\tTools = {
+\t\tPolygon1 = PolylineMask {
+\t\t\tInputs = { Polyline = Input { Value = Polyline { Closed = true, Points = {
+\t\t\t\t{ Linear = true, X = -0.2, Y = -0.2 }, { X = 0.2, Y = -0.2 }, { X = 0.2, Y = 0.2 } } }, } },
+\t\t\tCtrlWZoom = false,
+\t\t}
+\t},
+\tViews = { { FrameTypeID = "ChildFrame" } }
+}
+"""
+
+
+@pytest.mark.parametrize("called", ["shot.comp", "shot"])
+def test_a_whole_composition_of_fusions_is_read(tmp_path: Path, called: str) -> None:
+    path = tmp_path / called
+    path.write_text(FUSION_COMPOSITION)
+    assert holds_shapes(path)
+    (shape,) = read_shapes(path, Clip(tmp_path, 1, 9, (100, 100))).layer.shapes()
+    assert (shape.name, shape.point_count) == ("Polygon1", 3)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+@pytest.mark.parametrize("called", ["a.nk", "a"])
+def test_text_is_read_as_windows_writes_it(tmp_path: Path, encoding: str, called: str) -> None:
+    path = tmp_path / called
+    curves = (
+        "{{{v x3f99999a} {f 0} {n {layer Root {curvegroup Größe 512 bezier {{cc {f 8192} {p %s}} idem} {t} {a}}}}}}"
+    )
+    points = "{0 0} {9 9} {0 0} {0 0} {50 9} {0 0} {0 0} {9 50} {0 0}"
+    path.write_bytes(f"version 9.0 v1\r\nRoto {{\r\n curves {curves % points}\r\n}}\r\n".encode(encoding))
+    (shape,) = read_shapes(path, Clip(tmp_path, 1, 9, (100, 100))).layer.shapes()
+    assert shape.name == "Größe"
+
+
+@pytest.mark.parametrize("encoding", ["UTF-16", "ISO-8859-1"])
+def test_what_a_copied_drawing_says_of_its_files_encoding_is_nothing_of_the_clipboards(encoding: str) -> None:
+    text = (
+        f'<?xml version="1.0" encoding="{encoding}"?><svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">'
+        '<rect id="Füße" width="30" height="30"/></svg>'
+    )
+    (shape,) = read_text(text, Clip(Path("/x"), 1, 9, (100, 100))).layer.shapes()
+    assert shape.name == "Füße"

@@ -10,6 +10,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
+from roam_core.interchange.svg.abbreviations import written_out
 from roam_core.interchange.svg.format import svg_document
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Layer, Project, RotoShape
@@ -263,6 +264,41 @@ def test_a_document_type_is_not_followed_and_entities_are_refused(tmp_path: Path
     bomb = '<!DOCTYPE svg [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]>'
     with pytest.raises(RoamError, match="declares a document type or an entity"):
         read(bomb + drawing("<title>&b;</title>"), tmp_path)
+
+
+ILLUSTRATOR = """<?xml version="1.0" encoding="utf-8"?>
+<!-- Generator: Adobe Illustrator 19.0.0, SVG Export Plug-In . SVG Version: 6.00 Build 0)  -->
+<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" [
+\t<!ENTITY ns_extend "http://ns.adobe.com/Extensibility/1.0/">
+\t<!ENTITY ns_svg 'http://www.w3.org/2000/svg'>
+]>
+<svg xmlns:x="&ns_extend;" xmlns="&ns_svg;" viewBox="0 0 100 100"><path id="Arm" d="M10,10h20v20h-20z"/></svg>
+"""
+
+
+def test_illustrators_abbreviated_addresses_are_written_out(tmp_path: Path) -> None:
+    """It declares its namespaces by entities where a drawing is saved to be edited again."""
+    for text in (ILLUSTRATOR, ILLUSTRATOR.replace("\n", "\r\n")):
+        (shape,) = read(text, tmp_path).layer.shapes()
+        assert shape.name == "Arm"
+
+
+@pytest.mark.parametrize(
+    "declared",
+    [
+        '<!ENTITY a "&b;">', '<!ENTITY a SYSTEM "file:///etc/hostname">', '<!ENTITY a "x&#34;y">', '<!ENTITY % a "b">',
+        "<!ENTITY a '\"'>", '<!ENTITY a "<g/>">', f'<!ENTITY a "{"x" * 201}">', '<!ENTITY a "b"> <!ELEMENT svg ANY>',
+    ],
+)  # fmt: skip
+def test_other_entities_stay_refused(declared: str, tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match="declares a document type or an entity"):
+        read(f"<!DOCTYPE svg [{declared}]>" + drawing("<title>&a;</title>"), tmp_path)
+
+
+def test_addresses_that_would_make_a_drawing_too_large_stay_refused() -> None:
+    text = f'<!DOCTYPE svg [<!ENTITY a "{"x" * 200}">]><svg>'.encode() + b"&a;" * 1000
+    assert written_out(text, len(text) + 199_999) == text
+    assert written_out(text, len(text) + 200_000) == b"<!DOCTYPE svg ><svg>" + b"x" * 200_000
 
 
 @pytest.mark.parametrize(
