@@ -300,7 +300,7 @@ class _Open:
         return written
 
     def _require_name(self) -> None:
-        """Raise `OSError` where the file was deleted: what is written to it is gone with the program, without an error."""
+        """Raise `OSError` where the file was deleted: what goes into it is gone with the program, without an error."""
         if os.fstat(self._stream.fileno()).st_nlink == 0:
             self.is_broken = True
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
