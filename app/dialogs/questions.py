@@ -17,6 +17,7 @@ MOST_LOSSES = 6
 KEYMAPS = N_("Keymaps (*.json)")
 MASKS = N_("Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)")
 PROJECTS = N_("ROAM projects (*.roam)")
+EARLIER = N_("Backups of ROAM projects (*.roam.*)")
 
 
 class Unsaved(Enum):
@@ -186,7 +187,9 @@ def choose_plate(parent: QWidget, start: Path) -> Path | None:
 
 
 def choose_project(parent: QWidget, start: Path) -> Path | None:
-    return _path(QFileDialog.getOpenFileName(parent, tr("Open project"), str(start), tr(PROJECTS))[0])
+    return _path(
+        QFileDialog.getOpenFileName(parent, tr("Open project"), str(start), f"{tr(PROJECTS)};;{tr(EARLIER)}")[0]
+    )
 
 
 def choose_save(parent: QWidget, start: Path) -> Path | None:

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QWidget
 from roam_core.errors import RoamError
 from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes
 from roam_core.roto import Clip
+from roam_core.roto.backups import is_named_as_backup
 from roam_core.roto.project_lock import Holder
 from roam_core.roto.shifting import frames_held
 
@@ -261,8 +262,12 @@ class FileActions(QObject):
 
     def _open_asking(self, path: Path | None) -> None:
         """Open what was chosen; a new clip only after the artist saw what was found."""
-        is_project = path is not None and path.suffix.lower() == PROJECT_SUFFIX
-        if path is None or is_project or self._files.lacks_plate or not self._personal.preferences.asks_about_clips:
+        if (
+            path is None
+            or _holds_project(path)
+            or self._files.lacks_plate
+            or not self._personal.preferences.asks_about_clips
+        ):
             self._open(path)
         else:
             self._files.look_at(path)
@@ -297,7 +302,7 @@ class FileActions(QObject):
         """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""
         if path is None:
             return
-        if self._files.lacks_plate and path.suffix.lower() != PROJECT_SUFFIX:
+        if self._files.lacks_plate and not _holds_project(path):
             self._files.open_plate(path)
         else:
             self.leave_project(lambda: self._files.open(path))
@@ -400,3 +405,8 @@ class FileActions(QObject):
         known = [*([clip.path] if clip else []), *(recent.path for recent in self._personal.recent)]
         kept = (path.parent for path in known if not path.is_relative_to(cache_folder()))
         return next(kept, Path.home())
+
+
+def _holds_project(path: Path) -> bool:
+    """By its name: a project file, or an earlier version of one."""
+    return path.suffix.lower() == PROJECT_SUFFIX or is_named_as_backup(path)

@@ -97,6 +97,8 @@ class Files(QObject):
         self.backups = Preferences().backups
         """How many older versions of a project are kept beside it."""
         self._written: Fingerprint | None = None
+        self._last: Project | None = None
+        """What was written last; the document may not know yet."""
 
     def new(self) -> None:
         """Begin an empty project; what was being opened is wanted no more."""
@@ -106,9 +108,11 @@ class Files(QObject):
         self._view.say("")  # what was said is of the project before, as that its track was stopped
 
     def open(self, path: Path) -> None:
-        """Open a project file, or a clip as a new project."""
+        """Open a project file, an earlier version of one as a copy, or a clip as a new project."""
         if path.suffix.lower() == PROJECT_SUFFIX:
             self.open_project(path)
+        elif backups.is_named_as_backup(path):
+            self.open_copy(path)
         else:
             self.open_clip(path)
 
@@ -256,6 +260,7 @@ class Files(QObject):
         """
         document, kept, sitting = self._document, self.backups, self._document.sitting
         project, known = document.project, document.fingerprint if path == document.path else None
+        is_modified = document.is_modified
         told: list[str | Fingerprint | None] = []
 
         def work(report: Report) -> str:
@@ -264,8 +269,11 @@ class Files(QObject):
                 report.partial(doubt)
                 return ""
             # What is written over against a warning is kept in any case.
-            warning = _rotated(path, max(kept, 1) if anyway else kept)
+            # Saved again as it is, it takes no backup away.
+            is_there = (project is self._last or not is_modified) and file.is_saved(project, path)
+            warning = "" if is_there else _rotated(path, max(kept, 1) if anyway else kept)
             file.save(project, path)
+            self._last = project
             self._written = Fingerprint.of(path)
             report.partial(self._written)
             return tr("Saved {name}. {warning}", name=path.name, warning=warning).rstrip()

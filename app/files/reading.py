@@ -60,13 +60,16 @@ def clip_project(
 
 
 def version_of(clip: Clip, before: PlateSource | None, path: Path) -> PlateSource:
-    """The plate at `path`, read as the project's `clip` is; what was declared of the plate `before` holds."""
+    """The plate at `path`, read as the project's `clip` is; what was declared of the plate `before` holds.
+
+    Of several sequences in a folder it is the one that the project was made on.
+    """
     from roam_core.media import declared, open_clip
     from roam_core.media.declared import DeclaredPlate
 
-    source = open_clip(path)
+    source = open_clip(path, content=clip.content)
     if clip.layer in source.layers:
-        source = open_clip(path, clip.layer)
+        source = open_clip(path, clip.layer, clip.content)
     if isinstance(before, DeclaredPlate):
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     return source

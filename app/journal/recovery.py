@@ -6,6 +6,7 @@ kept for ever; of what was settled, the newest sessions.
 
 from __future__ import annotations
 
+import os
 import shutil
 import time
 from collections.abc import Mapping
@@ -276,7 +277,7 @@ def _base(recovery: Recovery, found: list[Entry]) -> tuple[Project, int]:
 
 def _as_it_was(original: Path, digest: str) -> Path | None:
     """The artist's file, or the backup of it, that holds what a journal builds on: a save may have come between."""
-    for place in (original, *(backup_path(original.resolve(), number) for number in range(1, MOST_BACKUPS + 1))):
+    for place in (original, *(backup_path(original, number) for number in range(1, MOST_BACKUPS + 1))):
         if (now := Fingerprint.of(place)) is not None and now.digest == digest:
             return place
     return None
@@ -293,4 +294,4 @@ def _after(project: Project, entry: Entry) -> Project:
 
 
 def _is_same(original: Path | None, path: Path) -> bool:
-    return original is not None and original.resolve() == path.resolve()
+    return original is not None and os.path.realpath(original) == os.path.realpath(path)

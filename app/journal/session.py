@@ -22,8 +22,11 @@ class Session:
         self._lock: QLockFile | None = None
 
     def new_path(self) -> Path:
-        """Where the next journal is to lie. Raises `OSError` when the folder cannot be made."""
-        if self.folder is None:
+        """Where the next journal is to lie; where the folder was deleted it is another one.
+
+        Raises `OSError` when the folder cannot be made.
+        """
+        if self.folder is None or not self.folder.is_dir():
             self.folder = _new_folder(self._root)
             self.hold()
         return self.folder / f"{1 + len(journals(self.folder)):04d}{SUFFIX}"

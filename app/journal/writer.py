@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import queue
@@ -291,11 +292,18 @@ class _Open:
         try:
             written = append(self._stream, entry)
             os.fsync(self._stream.fileno())
+            self._require_name()
         except OSError:
             self._take_back()
             raise
         self._length += written
         return written
+
+    def _require_name(self) -> None:
+        """Raise `OSError` where the file was deleted: what goes into it is gone with the program, without an error."""
+        if os.fstat(self._stream.fileno()).st_nlink == 0:
+            self.is_broken = True
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
 
     def _take_back(self) -> None:
         """Let the file end where it ended before a write that failed."""

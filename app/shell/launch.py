@@ -55,11 +55,12 @@ def open_window(path: str | None) -> int:
 def _require_readable(path: str) -> None:
     """Raise `RoamError` when a clip or project cannot be opened: a wrong name is told before any window opens."""
     from roam_core.roto import file
+    from roam_core.roto.backups import is_named_as_backup
 
     from ..files.reading import clip_project
     from ..model.document import PROJECT_SUFFIX
 
-    if path.lower().endswith(PROJECT_SUFFIX):
+    if path.lower().endswith(PROJECT_SUFFIX) or is_named_as_backup(Path(path)):
         file.load(Path(path))
     else:
         clip_project(Path(path))

@@ -564,6 +564,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Sicherungen</translation>
     </message>
     <message>
+        <source>Backups of ROAM projects (*.roam.*)</source>
+        <translation>Sicherungen von ROAM-Projekten (*.roam.*)</translation>
+    </message>
+    <message>
         <source>Before</source>
         <translation>Davor</translation>
     </message>

@@ -23,7 +23,7 @@ from roam_core.propagate.shapes.provenance import Stamp, Stamps, known_params
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
 from roam_core.roto import Clip, Layer, Origin, RotoShape, file
 from roam_core.roto.imported import is_import
-from roam_core.roto.relinking import missing_now, other_content_now, relinked
+from roam_core.roto.relinking import missing_now, numbers_now, other_content_now, relinked
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -85,7 +85,8 @@ def _project_values(path: Path) -> dict[str, object]:
     there = (
         None
         if clip is None
-        else _clip_values(clip) | {"is_there": is_there(clip.path), "note": other_content_now(clip)}
+        else _clip_values(clip)
+        | {"is_there": is_there(clip.path), "note": other_content_now(clip) or numbers_now(clip)}
     )
     missing = frozenset[int]() if clip is None else missing_now(clip)
     shapes = [_shape_values(shape, stamps, missing, clip) for shape in project.shapes]
@@ -151,6 +152,8 @@ def _project_lines(path: Path) -> list[str]:
     missing = frozenset[int]() if project.clip is None else missing_now(project.clip)
     if project.clip is not None and len(missing) == len(project.clip.frame_range):
         lines.append("note     The plate has none of these frames; where it was numbered anew, roam shift follows it.")
+    elif project.clip is not None and (numbers := numbers_now(project.clip)):
+        lines.append(f"note     {numbers}")
     lines.extend(_layer_line(item) for item in project.root.items() if isinstance(item, Layer))
     lines.extend(_shape_line(shape, stamps, missing, project.clip) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):

@@ -9,8 +9,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from roam_core.errors import RoamError
-from roam_core.interchange.targets import kept_aside
+from roam_core.interchange.authorship import is_project
+from roam_core.interchange.targets import BACKUPS, kept_aside
 from roam_core.roto import Project, file
+from roam_core.roto.backups import rotate
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.project_lock import holder, release, take
 
@@ -57,7 +59,7 @@ def project_writer(target: Path, read: Path | None = None) -> Callable[[Project]
 def _keep_read(target: Path) -> None:
     """Keep what was read as the newest backup. Where that cannot be it is told, and stands in the way of nothing."""
     try:
-        kept_aside(target)
+        rotate(target, BACKUPS, is_project)  # it was read as a project, in whatever order its fields stand
     except RoamError as error:
         print(f"roam: {error}", file=sys.stderr)
 

@@ -20,7 +20,7 @@ from roam_core.media.finding import is_there
 from roam_core.media.partial import PartialFrames, PartialPicture
 from roam_core.media.unseen import unseen
 from roam_core.roto import Clip, Project, file
-from roam_core.roto.relinking import other_content, other_size, relinked
+from roam_core.roto.relinking import numbers_now, other_content, other_size, relinked
 
 AHEAD = 4
 """Frames decoded ahead of the solver."""
@@ -112,7 +112,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so, and that a studio's colour
     configuration, which would tell the space, cannot be read; without a project, what of it is not shown (`unseen`);
-    of a project's plate, that it has none of the project's frames.
+    of a project's plate, that it has none of the project's frames, or its pictures under other numbers.
     """
     if clip is not None and path == str(clip.path):
         require_plate(clip)
@@ -120,7 +120,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
-        tell(other_frames(clip, source.frames))
+        tell(other_frames(clip, source.frames) or numbers_now(clip))
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     if clip is None:
         tell(unseen(source))

@@ -27,7 +27,7 @@ from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
 from roam_core.roto import BlendMode, Project
-from roam_core.roto.relinking import other_content_now
+from roam_core.roto.relinking import numbers_now, other_content_now
 
 TAKING = (BlendMode.SUBTRACT, BlendMode.INTERSECT)
 MOST_NAMED = 12
@@ -72,6 +72,7 @@ def run(arguments: argparse.Namespace) -> int:
     frames = [frame for frame in asked if frame in names]
     if told := other_frames(clip, sorted(names)):
         raise RoamError(told)
+    tell(numbers_now(clip))
     tell(left_out([frame for frame in asked if frame not in names]))
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     name_for = numbering(pattern) if pattern else named.__getitem__

@@ -14,7 +14,8 @@ MARK = "Written by ROAM"
 """The comment by which exports are known whose format says nothing of where a file comes from."""
 HEAD_BYTES = 1024
 
-_PROJECT = re.compile(rb'\s*\{\s*"type":\s*"roam\.Project"')
+_PROJECT = re.compile(rb'\s*\{(?:[^{\0]*?"type"\s*:\s*"roam\.Project"|\s*"clip"\s*:\s*\{[^\0]*?"type"\s*:\s*"Clip")')
+"""A script that writes the fields in another order, as sorted, begins with the clip."""
 _SHAPES = re.compile(
     rb"# Written by ROAM\n"  # Nuke
     rb"|# (?:Shapes|Masks) from ROAM\b"  # scripts for Nuke, Blender and Natron

@@ -17,10 +17,13 @@ MOST_ENTRIES = 1000
 
 
 def is_there(path: Path) -> bool:
-    """Whether a folder, a file, or a file that follows the pattern lies at `path`."""
+    """Whether a folder that holds anything, a file, or a file that follows the pattern lies at `path`.
+
+    An empty folder is what a move of its files leaves behind, or where a disk is mounted that is away.
+    """
     try:
         if path.exists():
-            return True
+            return not path.is_dir() or _holds_anything(path)
         pattern = parse_pattern(path.name)
         return pattern is not None and _has_frame(path.parent, pattern)
     except (OSError, ValueError):
@@ -46,6 +49,14 @@ def places_near(folder: Path, lost: Path) -> Iterator[Path]:
 def _has_frame(folder: Path, pattern: NamePattern) -> bool:
     with os.scandir(folder) as entries:
         return any(pattern.number_of(entry.name) is not None for entry in entries)
+
+
+def _holds_anything(folder: Path) -> bool:
+    try:
+        with os.scandir(folder) as entries:
+            return any(not entry.name.startswith(".") for entry in entries)
+    except PermissionError:  # it is there, and why it is not opened is told elsewhere
+        return True
 
 
 def _folders_in(folder: Path) -> list[Path]:

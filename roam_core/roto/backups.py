@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import filecmp
 import os
+import re
 import shutil
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -14,9 +16,20 @@ from roam_core.errors import RoamError
 LONGEST_NAME = 255
 """Bytes that a file name may have."""
 
+_BACKUP = re.compile(r".+\.roam\.[1-9][0-9]?", re.IGNORECASE | re.DOTALL)
+
+
+def is_named_as_backup(path: Path) -> bool:
+    """Whether `path` is named as a backup of a project is, such as `shot.roam.1`."""
+    return _BACKUP.fullmatch(path.name) is not None
+
 
 def backup_path(path: Path, number: int) -> Path:
-    """Where backup `number` of the file at `path` lies; of a name that is too long the end is left out."""
+    """Where backup `number` of the file at `path` lies; of a name that is too long the end is left out.
+
+    Of a symbolic link it lies beside what that leads to.
+    """
+    path = Path(os.path.realpath(path)) if path.is_symlink() else path
     suffix = f".{number}"
     name = os.fsencode(path.name)[: LONGEST_NAME - len(suffix)]
     while True:
@@ -32,7 +45,7 @@ def rotate(path: Path, count: int, is_ours: Callable[[Path], bool] = lambda _: T
     Call it before the file is replaced. `path` itself is never moved: at every moment it is there, whole. Of a symbolic
     link the file behind it is kept, beside that file. What has the name of a backup and is not ours is passed over.
     Returns where the file is kept; None, and nothing happens, where there is no file, where `count` is below 1, or
-    where the newest backup is the very same file already.
+    where the newest backup holds the same already: a save that failed had it kept.
 
     Raises
     ------
@@ -69,8 +82,9 @@ def _is_odd(path: Path) -> bool:
 
 
 def _is_same(target: Path, place: Path) -> bool:
+    """Whether the newest backup is the file itself, or, on a disk without links, a copy of it."""
     try:
-        return target.samefile(place)
+        return target.samefile(place) or filecmp.cmp(target, place, shallow=False)
     except OSError:
         return False
 

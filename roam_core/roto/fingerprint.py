@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import stat
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,12 +18,14 @@ class Fingerprint:
 
     @classmethod
     def of(cls, path: Path) -> Fingerprint | None:
-        """Of the file at `path`; None where it cannot be read."""
+        """Of the regular file at `path`; None where it is none, as a pipe that never ends, or cannot be read."""
         try:
             found = path.stat()
+            if not stat.S_ISREG(found.st_mode):
+                return None
             with path.open("rb") as file:
                 digest = hashlib.file_digest(file, "sha256").hexdigest()
-        except OSError:
+        except (OSError, ValueError):  # or a name that no file can have
             return None
         return cls(found.st_size, found.st_mtime_ns, digest)
 

@@ -83,7 +83,7 @@ def _read_path(document: Document, folder: Path) -> Path:
     path, absolute = (Path(PurePosixPath(word)) for word in words)
     if path.is_absolute():
         return path
-    path = Path(os.path.normpath(folder.resolve() / path))
+    path = Path(os.path.normpath(Path(os.path.realpath(folder)) / path))
     return absolute if words[1] and absolute.is_absolute() and not is_there(path) and is_there(absolute) else path
 
 

@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import getpass
+import hashlib
 import json
 import os
 import platform
 import time
 import uuid
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from roam_core.atomic_write import is_alive, write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
+from roam_core.roto.backups import LONGEST_NAME
 from roam_core.translatable import sentence
 
 TYPE = "roam.Lock"
 MAX_BYTES = 1 << 16
 """Larger files are no lock."""
+LATEST = 4e9
+"""A time beyond this year 2096 is none."""
 _made: set[str] = set()
 """The marks of the locks that this process holds: an older process may have had its number."""
 
@@ -46,9 +51,15 @@ class Holder:
 
 
 def lock_path(path: Path) -> Path:
-    """Where the lock of a project lies; of a symbolic link beside what it leads to."""
-    path = path.resolve()
-    return path.with_name(f".{path.name}.lock")
+    """Where the lock of a project lies; of a symbolic link beside what it leads to.
+
+    Where the project's name leaves no room for more, a hash of it stands for it.
+    """
+    target = Path(os.path.realpath(path))  # of links that lead nowhere, too
+    name = os.fsencode(f".{target.name}.lock")
+    if len(name) > LONGEST_NAME:
+        name = b".%b.lock" % hashlib.sha256(os.fsencode(target.name)).hexdigest().encode()
+    return target.with_name(os.fsdecode(name))
 
 
 def holder(path: Path) -> Holder | None:
@@ -74,7 +85,8 @@ def release(path: Path, mine: Holder) -> None:
     """Take the lock away, if it is still this one."""
     now = _written(path)
     if now is not None and now.mark == mine.mark:
-        lock_path(path).unlink(missing_ok=True)
+        with suppress(OSError):  # the folder went, or may not be written to any more: the lock ends with the process
+            lock_path(path).unlink(missing_ok=True)
     _made.discard(mine.mark)
 
 
@@ -83,7 +95,8 @@ def _written(path: Path) -> Holder | None:
     try:
         document = json.loads(bounded_bytes(lock_path(path), MAX_BYTES))
         host, user, process = str(document["host"]), str(document["user"]), int(document["process"])
-        return Holder(host, user, process, float(document["since"]), str(document["mark"]))
+        since = float(document["since"])
+        return Holder(host, user, process, since, str(document["mark"])) if 0.0 <= since <= LATEST else None
     except (RoamError, OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
         return None
 

@@ -89,6 +89,24 @@ def is_renumbered(before: Clip, after: Clip) -> bool:
     return bool(before.content) and before.first != after.first and told(before) == told(after)
 
 
+def numbers_now(clip: Clip) -> str:
+    """A sentence where the pictures at the clip's path bear other numbers now, by the same signs; else "".
+
+    None of a movie. Nothing is opened.
+    """
+    try:
+        sequence = files_of(clip.path, clip.content)
+    except RoamError:
+        return ""
+    if sequence is None or not clip.content:
+        return ""
+    first, last = min(sequence.names), max(sequence.names)
+    is_other = first != clip.first and last - first == clip.last - clip.first
+    if not is_other or content_hash(sequence.first_file) != clip.content:
+        return ""
+    return f"The plate {clip.path} is numbered from {first} now, not from {clip.first}; roam shift follows it."
+
+
 def missing_now(clip: Clip) -> frozenset[int]:
     """The clip's frames of which no file lies at its path; none of a movie, nor where the files cannot be told."""
     try:

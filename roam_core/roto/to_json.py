@@ -80,7 +80,7 @@ def _relative(path: Path, folder: Path) -> str:
     if not path.is_absolute():
         return path.as_posix()
     try:
-        return Path(os.path.relpath(path, folder.resolve())).as_posix()
+        return Path(os.path.relpath(path, os.path.realpath(folder))).as_posix()
     except ValueError:  # another drive
         return path.as_posix()
 

@@ -82,6 +82,24 @@ def test_another_sequence_in_the_folder_is_not_taken_for_the_plate(
     assert window.reader.source.frame_name(FIRST) == f"plate.{FIRST}"
 
 
+@pytest.mark.parametrize("mattes", [2, 3])
+def test_a_lost_plate_is_known_in_a_folder_with_another_sequence(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, mattes: int
+) -> None:
+    """The longer sequence was taken for it, and of two alike none."""
+    new, mine = tmp_path / "renamed", tmp_path / "so" / "deep" / "that" / "nothing" / "is" / "near" / "a.roam"
+    mine.parent.mkdir(parents=True)
+    window.document.save(mine)
+    (tmp_path / "plate").rename(new)
+    for frame in range(FIRST, FIRST + mattes):
+        shutil.copyfile(new / f"plate.{FIRST + 1}.png", new / f"matte.{frame}.png")
+    assert "could not be opened" in said_on_opening(qtbot, window, mine)
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.file_actions.open_dropped([new])
+    assert window.reader.source is not None
+    assert window.reader.source.frame_name(FIRST) == f"plate.{FIRST}"
+
+
 def test_a_clip_is_relinked_to_another_version_below_the_same_shapes(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

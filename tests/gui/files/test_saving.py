@@ -132,6 +132,30 @@ def test_older_versions_stay_beside_the_file(qtbot: QtBot, window: MainWindow, m
     assert not mine.with_name("mine.roam.3").exists()
 
 
+def test_saving_again_takes_no_older_version_away(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
+    """Ctrl+S, pressed five times, pushed all versions out that had another content."""
+    window.files.backups = 2
+    states = []
+    for _ in range(3):
+        states.append(draw(window))
+        saved(qtbot, window, mine)
+    for _ in range(3):
+        saved(qtbot, window, mine)
+    assert [file.load(mine.with_name(f"mine.roam.{number}")) for number in (1, 2)] == [states[1], states[0]]
+
+
+def test_an_earlier_version_opens_as_a_copy(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
+    """A damaged project names its newest backup, and the window took that for a clip."""
+    before = draw(window)
+    saved(qtbot, window, mine)
+    draw(window)
+    saved(qtbot, window, mine)
+    window.file_actions.open_dropped([mine.with_name("mine.roam.1")])
+    qtbot.waitUntil(lambda: window.document.project == before, timeout=WAIT)
+    assert window.document.path is None
+    assert window.document.is_modified
+
+
 def test_a_backup_that_cannot_be_kept_stands_in_no_ones_way(
     qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

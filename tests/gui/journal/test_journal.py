@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 import re
+import shutil
 import zlib
 from collections.abc import Iterator
 from contextlib import suppress
@@ -486,3 +487,21 @@ def test_a_full_disk_is_told_once_and_nothing_is_lost_when_there_is_room_again(
     (found,) = crashed(journal, root)
     assert recovery.load(found) == (document.project, "")
     assert found.edits == 4
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a file that is open cannot be deleted here")
+@pytest.mark.parametrize("is_saved", [False, True])
+def test_a_journal_that_is_deleted_is_begun_again(
+    qtbot: QtBot, document: Document, journal: Journal, root: Path, tmp_path: Path, is_saved: bool
+) -> None:
+    """What tidies temporary folders up took it away, and edits went on into nothing."""
+    if is_saved:
+        draw(document)
+        document.save(tmp_path / "a.roam")
+    draw(document)
+    assert journal.flush()
+    shutil.rmtree(root)
+    with qtbot.waitSignal(journal.restored, timeout=5000):
+        draw(document)
+    (found,) = recovery.offered(crashed(journal, root))
+    assert recovery.load(found) == (document.project, "")

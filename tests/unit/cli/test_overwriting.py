@@ -163,6 +163,16 @@ def test_a_project_that_is_rewritten_stays_beside_it_as_it_was(
     assert project.with_name("p.roam.1").read_bytes() == before
 
 
+def test_a_project_that_a_script_wrote_in_another_order_is_kept_too(roam: Roam, project: Path) -> None:
+    """By its beginning it was no project, and nothing of it was kept."""
+    for number, by in enumerate((3, -3), 1):
+        content = json.dumps(json.loads(project.read_bytes()), sort_keys=True).encode()
+        project.write_bytes(content)
+        assert roam("shift", project, "--by", by).status == 0
+        assert len(list(project.parent.glob("p.roam.*"))) == number
+        assert project.with_name("p.roam.1").read_bytes() == content
+
+
 def test_what_is_written_as_it_was_takes_no_backup_away(roam: Roam, project: Path) -> None:
     assert roam("fill", project, *CONFIG).status == 0
     filled = project.read_bytes()

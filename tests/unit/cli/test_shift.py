@@ -47,6 +47,25 @@ def test_commands_on_a_plate_that_was_numbered_anew_lead_here(
     assert told not in roam("render", tracked, "--out", tracked.parent / "out").err
 
 
+@pytest.mark.parametrize(
+    "words", ["info {project}", "render {project} --out {out}", "review {project} {out} --start 1003",
+     "track {plate} --init {project} --start 1003 --save {out}.roam"],
+)  # fmt: skip
+def test_a_plate_that_was_numbered_anew_by_a_few_frames_is_told_too(
+    roam: Roam, tracked: Path, plate: Plate, words: str
+) -> None:
+    """Where old and new numbers overlap, tracked frames passed for up to date below other pictures without a word."""
+    for path in sorted(plate.folder.iterdir(), reverse=True):
+        number = int(path.stem.rpartition(".")[2])
+        path.rename(path.with_name(f"plate.{number + 2}{path.suffix}"))
+    told = f"The plate {plate.folder} is numbered from 1003 now, not from 1001; roam shift follows it."
+    done = roam(*words.format(project=tracked, plate=plate.folder, out=tracked.parent / "out").split())
+    assert done.status == 0, done.err
+    assert told in done.err + done.out
+    assert roam("shift", tracked).status == 0
+    assert told not in roam("info", tracked).out
+
+
 def frames(path: Path) -> list[tuple[int, ...]]:
     project = file.load(path)
     return [*(shape.frames for shape in project.shapes), tuple(mark.frame for mark in project.marks)]

@@ -9,7 +9,7 @@ import pytest
 
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
-from roam_core.roto.backups import backup_path, rotate
+from roam_core.roto.backups import backup_path, is_named_as_backup, rotate
 from tests.unit.roto.faults import each_crash, each_fault
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs links and processes of POSIX")
@@ -84,6 +84,32 @@ def test_a_disk_without_links_gets_copies(tmp_path: Path, monkeypatch: pytest.Mo
     (tmp_path / "a.roam").write_bytes(b"1")
     saved(tmp_path / "a.roam", b"2", 2)
     assert held(tmp_path) == {"a.roam": b"2", "a.roam.1": b"1"}
+
+
+def test_saves_that_fail_on_a_disk_without_links_push_no_backup_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refused(*_: object) -> None:
+        raise OSError(95, "Operation not supported")
+
+    monkeypatch.setattr(os, "link", refused)
+    for content in (b"1", b"2", b"3"):
+        saved(tmp_path / "a.roam", content, 2)
+    for _ in range(3):
+        rotate(tmp_path / "a.roam", 2)
+    assert held(tmp_path) == {"a.roam": b"3", "a.roam.1": b"3", "a.roam.2": b"2"}
+
+
+def test_backups_are_known_by_their_names() -> None:
+    assert all(is_named_as_backup(Path(name)) for name in ("a.roam.1", "a b.ROAM.12", "v.1.roam.9"))
+    assert not any(is_named_as_backup(Path(name)) for name in ("a.roam", "a.1", ".roam.1", "a.roam.0", "a.roam.1.exr"))
+
+
+@posix
+def test_of_a_link_the_backup_lies_beside_what_it_leads_to(tmp_path: Path) -> None:
+    (tmp_path / "disk").mkdir()
+    (tmp_path / "a.roam").symlink_to("disk/real.roam")
+    assert backup_path(tmp_path / "a.roam", 2) == tmp_path / "disk" / "real.roam.2"
 
 
 @pytest.mark.parametrize("name", ["a" * 250 + ".roam", "ä" * 125 + ".roam", "aä" * 83 + "a.roam"])

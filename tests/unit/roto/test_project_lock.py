@@ -93,3 +93,36 @@ def test_where_no_lock_can_be_written_there_is_none(tmp_path: Path) -> None:
 def test_a_holder_is_told_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(project_lock.time, "localtime", lambda since: project_lock.time.gmtime(since))
     assert ELSEWHERE.sentence == "open on another machine by ann since 09 Sep, 01:46 (process 4711)"
+
+
+@pytest.mark.parametrize("since", [1e300, float("inf"), float("nan"), -1.0, 1e12])
+def test_a_lock_of_no_time_is_none(project: Path, since: float) -> None:
+    """Telling since when somebody has it open ended in an error."""
+    write(project, replace(ELSEWHERE, since=since))
+    assert holder(project) is None
+
+
+def test_a_name_that_leaves_no_room_for_more_has_a_lock_of_its_own(tmp_path: Path) -> None:
+    long, other = (tmp_path / f"{'n' * 245}{end}.roam" for end in ("a-one", "a-two"))
+    mine = take(long)
+    assert mine is not None
+    write(long, ELSEWHERE)
+    assert holder(long) == ELSEWHERE
+    assert holder(other) is None
+
+
+def test_a_link_that_leads_to_itself_is_held_by_nobody(project: Path) -> None:
+    project.symlink_to(project.name)
+    assert holder(project) is None
+
+
+def test_a_lock_that_cannot_be_taken_away_is_no_error(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the folder became read-only during a run, the run ended in a traceback."""
+    mine = take(project)
+    assert mine is not None
+
+    def refused(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "unlink", refused)
+    release(project, mine)

@@ -64,6 +64,21 @@ def test_a_plate_that_moved_is_found_near_the_project(project: Project, shows: P
     assert again == replace(project.require_clip(), path=shows / "work" / "media" / "plates" / "sh010" / "a.%04d.png")
 
 
+@pytest.mark.parametrize("left", [[], [".DS_Store"]])
+def test_an_empty_folder_that_a_move_leaves_is_no_plate(shows: Path, left: list[str]) -> None:
+    """A move of the files, and a disk that is away, leave a folder where the plate was: it was looked for no more."""
+    place = plate(shows / "plates" / "sh010").parent
+    work = shows / "work" / "a.roam"
+    work.parent.mkdir()
+    file.save(Project(Clip.of(open_clip(place))), work)
+    moved = (shows / "work" / "sh010").absolute()
+    place.rename(moved)
+    place.mkdir()
+    for name in left:
+        (place / name).touch()
+    assert relinked(file.load(work), work.parent).require_clip().path == moved
+
+
 def gone(shows: Path) -> Path:
     """A place that is too deep for a search."""
     folder = shows / "gone" / "for"
