@@ -136,6 +136,26 @@ def pixels_of(image: Any) -> NDArray[Any]:
     return array if array.dtype.isnative else array.astype(array.dtype.newbyteorder("="))
 
 
+def picture_of(image: Any) -> NDArray[Any]:
+    """The array of an image as a picture (h, w, 3); greys, (h, w) or (h, w, 1), are three times the same.
+
+    Raises
+    ------
+    ValueError
+        when it holds no numbers, or has another shape.
+    """
+    pixels = pixels_of(image)
+    if pixels.ndim == 2:
+        pixels = pixels[:, :, None]
+    if pixels.ndim == 3 and pixels.shape[2] == 1:
+        pixels = np.repeat(pixels, 3, axis=2)
+    if pixels.ndim == 3 and pixels.shape[2] == 4:
+        raise ValueError(f"an image has shape {pixels.shape}, not (h, w, 3); leave out its alpha: image[..., :3]")
+    if pixels.ndim != 3 or pixels.shape[2] != 3:
+        raise ValueError(f"an image has shape {pixels.shape}, not (h, w, 3)")
+    return pixels
+
+
 def names_of(only: Iterable[str] | None, known: Iterable[str]) -> frozenset[str] | None:
     """The ids that are wanted of those that are `known`, None for all; one alone may be given as it is.
 

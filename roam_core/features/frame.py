@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.arguments import pixels_of
+from roam_core.arguments import picture_of, pixels_of
 from roam_core.arrays import Array, Float32, UInt8
 from roam_core.media.partial import PartialPicture
 
@@ -288,10 +288,9 @@ def _may_change(image: NDArray[Any]) -> bool:
 
 def as_uint8(image: NDArray[Any]) -> UInt8:
     """The engine's form of an image (h, w, 3): uint8 passes through, float in [0, 1] is rounded to 256 levels."""
-    if image.ndim == 2:
-        image = np.repeat(image[:, :, None], 3, axis=2)
-    if image.ndim != 3 or image.shape[2] != 3 or image.size == 0:
-        raise ValueError(f"an image has shape {image.shape}, not (h, w, 3)")
+    image = picture_of(image)
+    if image.size == 0:
+        raise ValueError(f"an image of shape {image.shape} has no pixels")
     if image.dtype == np.uint8:
         return np.ascontiguousarray(image)
     if not np.issubdtype(image.dtype, np.floating):

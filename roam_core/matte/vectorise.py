@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator
 from itertools import pairwise
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -67,7 +68,7 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None
         when the mask is no image.
     """
     mask, frame = pixels_of(mask), frame_number(frame)
-    if tolerance is not None and not tolerance >= 0.0:
+    if tolerance is not None and not (isinstance(tolerance, Real) and float(tolerance) >= 0.0):
         raise ValueError(f"a tolerance is a number of pixels, 0 or more, not {shown(tolerance)}")
     if mask.size == 0:
         return []

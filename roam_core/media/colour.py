@@ -15,7 +15,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.arguments import pixels_of, shown
+from roam_core.arguments import picture_of, shown
 from roam_core.arrays import Float32, Image, UInt8
 from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear
 
@@ -57,7 +57,7 @@ def to_engine(image: Image, colour_space: str) -> Image:
 
     Parameters
     ----------
-    image : (h, w, 3) RGB, or (h, w) of greys: bool, uint8, uint16, or floating point.
+    image : (h, w, 3) RGB, or (h, w) or (h, w, 1) of greys: bool, uint8, uint16, or floating point.
     colour_space : the name of what its values mean, such as `PlateSource.colour_space`.
 
     Raises
@@ -79,11 +79,7 @@ def to_engine(image: Image, colour_space: str) -> Image:
 
 def _as_picture(image: Any) -> Image:
     """An image that was given as a picture `(h, w, 3)`; greys are three times the same."""
-    pixels = pixels_of(image)
-    if pixels.ndim == 2:
-        pixels = np.repeat(pixels[:, :, None], 3, axis=2)
-    if pixels.ndim != 3 or pixels.shape[2] != 3:
-        raise ValueError(f"an image has shape {pixels.shape}, not (h, w, 3)")
+    pixels = picture_of(image)
     if pixels.dtype.kind in "iu" and pixels.dtype not in (np.uint8, np.uint16):
         raise ValueError(
             f"an image of whole numbers is uint8 or uint16, not {pixels.dtype}; make it the one whose white it has"

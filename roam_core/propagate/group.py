@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.arrays import Array
@@ -24,7 +25,7 @@ from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.roto import Origin, RotoShape
 from roam_core.roto.bounds import require_near
-from roam_core.roto.edit import set_engine_keys
+from roam_core.roto.edit import set_engine_keys, set_key
 from roam_core.translatable import sentence
 
 
@@ -212,8 +213,15 @@ class GroupTracker:
         return tuple(TrackResult(frame, s, 0.0, {}, Termination.MISSING_FRAME) for s in self.standing.shapes)
 
     def correct(self, shapes: Sequence[RotoShape]) -> None:
-        """Take over the artist's edits on the current frame; the next step starts from them."""
-        self.start(self.standing.picture, shapes, self.standing.frame)
+        """Take over the artist's edits on the current frame; the next step starts from them.
+
+        What lies otherwise there than before was moved by the artist: it has an artist's key there.
+        """
+        standing = self.standing
+        corrected = [
+            _as_corrected(shape, known, standing.frame) for shape, known in zip(shapes, standing.shapes, strict=True)
+        ]
+        self.start(standing.picture, corrected, standing.frame)
 
     def _landmarks(self) -> tuple[Landmarks | None, ...]:
         """The landmarks of each shape where the group stands."""
@@ -248,6 +256,16 @@ def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:
     return image if isinstance(image, PreparedFrame) else PreparedFrame(image)
+
+
+def _as_corrected(shape: RotoShape, known: RotoShape, frame: int) -> RotoShape:
+    """A shape that the artist gave for `known` on a frame, with a key of the artist's where it lies otherwise."""
+    key, given = shape.key_at(frame), shape.at(frame)
+    if not shape.exists_at(frame) or (key is not None and key.origin is Origin.ARTIST):
+        return shape
+    if np.array_equal(given.points, known.at(frame).points):
+        return shape
+    return set_key(shape, frame, given.points, given.feather)
 
 
 def _artist_key(shape: RotoShape, frame: int) -> bool:

@@ -106,7 +106,18 @@ class Tracker:
         return self._group.skip(frame_number(frame))[0]
 
     def correct(self, shape: RotoShape) -> None:
-        """Take over the artist's edit on the current frame (an ARTIST key there); the next step starts from it."""
+        """Take over the artist's edit on the current frame; the next step starts from it.
+
+        Where the shape lies otherwise there than the tracker had it, its key there is an ARTIST key from now on,
+        whoever made it before, and no later run replaces it.
+
+        Raises
+        ------
+        ValueError
+            when the shape is no `RotoShape`.
+        RoamError
+            as by `start`; the tracker then still has the shape that it had.
+        """
         self._group.correct([_one(shape)])
 
 

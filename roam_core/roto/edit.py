@@ -18,6 +18,7 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import control_points as controls
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.linking import fresh_compounds
+from roam_core.roto.plain_fields import plain
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import NO_COLOUR, Keyframe, Origin, Outline, RotoShape, Spline
 from roam_core.translatable import sentence
@@ -140,7 +141,11 @@ def set_properties(project: Project, item_id: str, **values: Any) -> Project:
     if wrong := [name for name in values if name not in known]:
         kind = "layer" if isinstance(item, Layer) else "shape"
         raise ValueError(f"a {kind} has no {wrong[0]!r}; it has: {', '.join(known)}")
-    return project.map_item(item_id, lambda item: replace(item, **values))
+    held = {name: plain(name, value, item.name) for name, value in values.items()}
+    renamed = held.get("id", item_id)
+    if renamed != item_id and (renamed == project.root.id or project.has(renamed)):
+        raise ValueError(f"the id {renamed!r} is taken")
+    return project.map_item(item_id, lambda item: replace(item, **held))
 
 
 # ---- keys of a shape -------------------------------------------------------------------------------------------------

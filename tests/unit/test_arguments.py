@@ -175,7 +175,7 @@ def test_pictures_of_other_types_and_shapes_are_converted_or_refused(space: str)
     for kind in (np.int8, np.int16, np.uint32, np.int64):
         with pytest.raises(ValueError, match=f"uint8 or uint16, not {np.dtype(kind)}"):
             to_engine(picture.astype(kind), space)
-    for shape in (picture[None], picture[..., :1], picture[..., [0, 1, 2, 0]], picture[0, 0]):
+    for shape in (picture[None], picture[..., :2], picture[..., [0, 1, 2, 0]], picture[0, 0]):
         with pytest.raises(ValueError, match=r"not \(h, w, 3\)"):
             to_engine(shape, space)
     words = picture.astype(np.uint16) * 257
@@ -198,6 +198,25 @@ def test_a_shape_alone_is_a_list_of_one() -> None:
     assert filled(shapes=KEYED[0]) == filled() == filled(shapes=iter(KEYED))
     assert keys_from_mask(SHAPE, MASK, FIRST) == keys_from_mask([SHAPE], MASK, FIRST)  # type: ignore[arg-type]
     np.testing.assert_array_equal(render_matte(SHAPE, FIRST, SIZE), render_matte([SHAPE], FIRST, SIZE))
+
+
+def test_greys_may_have_one_channel_and_an_alpha_is_to_be_left_out() -> None:
+    grey = IMAGES[0].mean(axis=2) / 255.0
+    assert tracked(grey[:, :, None]) == tracked(grey)
+    np.testing.assert_array_equal(to_engine(grey[:, :, None], "sRGB"), to_engine(grey, "sRGB"))
+    for call in (tracked, lambda image: to_engine(image, "sRGB")):
+        with pytest.raises(
+            ValueError, match=r"\(72, 96, 4\), not \(h, w, 3\); leave out its alpha: image\[\.\.\., :3\]$"
+        ):
+            call(np.zeros((*SIZE, 4), np.uint8))
+        with pytest.raises(ValueError, match=r"\(72, 96, 2\), not \(h, w, 3\)$"):
+            call(np.zeros((*SIZE, 2), np.uint8))
+
+
+@pytest.mark.parametrize("tolerance", ["1", [1.0], np.nan, -0.5])
+def test_what_is_no_tolerance_is_refused(tolerance: Any) -> None:
+    with pytest.raises(ValueError, match="a tolerance is a number of pixels, 0 or more, not"):
+        shapes_from_mask(MASK, FIRST, tolerance)
 
 
 @pytest.mark.parametrize("shape", [None, "a.roam", [None], SHAPE.keys[0].points, Project()])

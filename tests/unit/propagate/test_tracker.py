@@ -17,7 +17,7 @@ from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import CONFIGS, params_for, scale_for
-from roam_core.propagate import Termination, Tracker
+from roam_core.propagate import Termination, Tracker, track
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.golden.shots import Shot, gliding, outline_distance, square
 
@@ -178,6 +178,34 @@ def test_a_correction_is_led_on_from(config: str, blob_shot: Shot) -> None:
     fresh.start(blob_shot.read(1002), blob_shot.shape(1002), 1002)
     fresh.step(blob_shot.read(1003), 1003)
     assert tracker.shape.at(1003).points.tobytes() == fresh.shape.at(1003).points.tobytes()
+
+
+def test_what_a_correction_moved_is_the_artists_whoever_made_its_key(config: str, blob_shot: Shot) -> None:
+    tracker = Tracker(config)
+    tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
+    tracker.step(blob_shot.read(1002), 1002)
+    tracker.correct(tracker.shape)
+    assert tracker.shape.artist_frames == (1001,)  # the engine's own outline, as it was
+    key = tracker.shape.key_at(1002)
+    assert key is not None
+    tracker.correct(tracker.shape.with_key(replace(key, points=blob_shot.truth(1002))))
+    assert tracker.shape.artist_frames == (1001, 1002)
+    assert tracker.shape.key_at(1002) == Keyframe(1002, blob_shot.truth(1002))
+    tracker.step(blob_shot.read(1003), 1003)
+    before = tracker.shape
+    again = [*track(blob_shot.read, [before], range(1001, 1004), config)][-1].results[0].shape
+    assert again.key_at(1002) == before.key_at(1002)
+
+
+def test_a_correction_without_a_key_on_the_frame_sets_one(config: str, blob_shot: Shot) -> None:
+    tracker = Tracker(config)
+    tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
+    tracker.step(blob_shot.read(1002), 1002)
+    tracker.correct(blob_shot.shape())  # as on the frame before
+    assert tracker.shape.artist_frames == (1001, 1002)
+    ended = replace(blob_shot.shape(), lifetime=(1001, 1002))
+    tracker.correct(ended)
+    assert tracker.shape == ended
 
 
 def test_the_feather_curve_rides_along(config: str, blob_shot: Shot) -> None:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +13,8 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.roto import Interpolation, Keyframe, Layer, Origin, Project, RotoShape, edit
+from roam_core.roto import Animated, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, ValueKey, edit
+from roam_core.roto.file import load, save
 from roam_core.roto.project import PALETTE
 from tests.golden.shots import blob, outline_distance
 
@@ -105,6 +109,40 @@ def test_properties_of_shapes_and_layers() -> None:
         True,
         False,
     )
+
+
+@pytest.mark.parametrize(
+    ("values", "sentence"),
+    [
+        ({"opacity": 7}, "the opacity of 'Shape 1' lies from 0 to 1; it cannot be 7"),
+        ({"opacity": Animated((ValueKey(1, 0.5), ValueKey(2, -0.1)))}, "lies from 0 to 1; it cannot be -0.1"),
+        ({"visible": "no"}, "the visible of 'Shape 1' is True or False, not 'no'"),
+        ({"locked": 2}, "the locked of 'Shape 1' is True or False, not 2"),
+        ({"name": None}, "the name of 'Shape 1' is a text, not None"),
+        ({"colour": "red"}, "the colour of 'Shape 1' is red, green and blue, each from 0 to 1, not 'red'"),
+        ({"colour": (1, 0)}, "is red, green and blue"),
+        ({"motion_blur": True}, "is a MotionBlur, or None for none, not True"),
+        ({"depth": [3]}, r"is pairs of a frame and a level, such as ((1001, 1),), not [3]"),
+        ({"link": 3}, "the link of 'Shape 1' is a text, not 3"),
+        ({"id": "root"}, "the id 'root' is taken"),
+    ],
+)
+def test_a_property_that_no_shape_can_have_is_refused(values: dict[str, Any], sentence: str) -> None:
+    project = edit.add_shape(Project(), shape())
+    with pytest.raises(ValueError, match=re.escape(sentence)):
+        edit.set_properties(project, "shape-1", **values)
+
+
+def test_properties_are_held_as_plain_values(tmp_path: Path) -> None:
+    project = edit.add_shape(Project(), shape())
+    given = {"visible": np.False_, "locked": 1, "opacity": np.float32(0.5), "colour": np.array([1, 0, 0]), "link": None}
+    steep = Animated((ValueKey(1, 0.0, slopes=(5.0, 5.0)), ValueKey(9, 1.0)))
+    project = edit.set_properties(project, "shape-1", **given, depth=[[np.int64(3), 1]], id="arm")
+    project = edit.set_properties(project, "arm", opacity=steep, id="arm")
+    save(project, tmp_path / "p.roam")
+    assert load(tmp_path / "p.roam") == project
+    held = project.shape("arm")
+    assert (held.visible, held.locked, held.colour, held.link, held.depth) == (False, True, (1, 0, 0), "", ((3, 1),))
 
 
 # ---- keys ------------------------------------------------------------------------------------------------------------
