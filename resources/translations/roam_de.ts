@@ -4260,7 +4260,7 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     </message>
     <message>
         <source>Stretch keys…</source>
-        <translation>Keyframes strecken …</translation>
+        <translation>Keyframes strecken…</translation>
     </message>
     <message>
         <source>Stretch {keys}: they go from frame {first} to {last}.</source>
