@@ -105,9 +105,7 @@ def test_what_is_refused_of_an_export_and_of_a_box_is_translated(german: None) -
     assert sentence_of(raised.value).startswith("Der letzte Frame zum Exportieren liegt vor dem ersten")
     with pytest.raises(RoamError, match="at least 6 pixels") as raised:
         cut_box(np.zeros((48, 64, 3), np.uint8), (9.0, 9.0), (11.0, 11.0), 1)
-    assert sentence_of(raised.value) == (
-        "Der Rahmen ist zu klein; einen von mindestens 6 Pixeln um das Objekt ziehen."
-    )
+    assert sentence_of(raised.value) == ("Der Rahmen ist zu klein; einen von mindestens 6 Pixeln um das Objekt ziehen.")
 
 
 def test_what_is_listed_in_a_sentence_is_translated_too(german: None) -> None:

@@ -67,7 +67,7 @@ class KeyClipboard:
         self._paste(tr("Paste key to range"), lambda shape, key: paste_through(shape, key, frames, every), frames)
 
     def _paste(self, text: str, verb: Callable[[RotoShape, Keyframe], RotoShape], frames: range) -> None:
-        """Put the copied keys on `frames` into those shapes that may be edited there; says of the first why it stays."""
+        """Put the copied keys on `frames` into the shapes that may be edited there; says what keeps the first other."""
         copied, project = copied_keys(), self._document.project
         if copied is None:
             self._view.say(tr(NOTHING_COPIED))

@@ -63,9 +63,10 @@ class MaskShapes:
                 )
             return shapes, translated(unseen_of_mask(path))
 
-        self._pictures.find("mask", look, lambda found: self._take(*found, tool), ended=self._end)
+        self._pictures.find("mask", look, lambda found: self._take(found, tool), ended=self._end)
 
-    def _take(self, shapes: list[RotoShape], further_pages: str, tool: str) -> None:
+    def _take(self, found: tuple[list[RotoShape], str], tool: str) -> None:
+        shapes, further_pages = found
         put_in(self._document, self._view, tool, shapes, tr("Shape from mask"))
         if further_pages:
             self._view.say(further_pages)
