@@ -197,22 +197,24 @@ class Tracking:
             self._view.say(tr(CLIP_ENDS if step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
             begin = seen_from(self._view.frame, step, self._clip(), self._without_picture())
-            lived = _as_long_as_any_exists(range(begin, stop, step), shapes)
-            if not any(shape.exists_at(frame) for frame in frames[1:] for shape in shapes):
-                self._view.say(does_not_exist(shapes[0], frames[1]))
-                return
-            if begun := self._begun(shapes, lived):
+            begun = [shape for shape in shapes if _has_begun(shape, begin, step)]
+            left_out = [shape for shape in shapes if shape not in begun]
+            if any(shape.exists_at(frame) for frame in frames[1:] for shape in begun):
+                lived = _as_long_as_any_exists(range(begin, stop, step), begun)
                 ids, alone = [shape.id for shape in begun], self.scope is Scope.ALONE
+                self._tell_of_left_out(left_out, step)
                 self._propagation.start(ids, lived, self.configuration, alone=alone)
+            elif any(shape.exists_at(frame) for frame in frames[1:] for shape in left_out):
+                self._tell_of_left_out(left_out, step)
+            else:
+                self._view.say(does_not_exist(shapes[0], frames[1]))
 
-    def _begun(self, shapes: Sequence[RotoShape], frames: range) -> list[RotoShape]:
-        """The shapes that a run can begin with: their outline on its first frame is no mere copy of a key ahead.
+    def _tell_of_left_out(self, left_out: Sequence[RotoShape], step: int) -> None:
+        """Say which shapes a run cannot begin with: their outline on its first frame is a mere copy of a key ahead.
 
-        What is left out is said: there the shape stands still, wherever the object is.
+        There the shape stands still, wherever the object is.
         """
-        frame, is_forward = frames[0], frames.step > 0
-        begun = [shape for shape in shapes if _has_begun(shape, frame, frames.step)]
-        left_out = [shape for shape in shapes if shape not in begun]
+        is_forward = step > 0
         if len(left_out) > 1:
             count = len(left_out)
             later = tr(
@@ -230,9 +232,8 @@ class Tracking:
             key = left_out[0].frames[0 if is_forward else -1]
             if key in self._without_picture():
                 self._view.say(tr(NO_PICTURE, name=left_out[0].name, key=key))
-                return begun
+                return
             self._view.say(tr(FIRST_KEY if is_forward else LAST_KEY, name=left_out[0].name, key=key))
-        return begun
 
     def _gaps_meant(self, gaps: list[Gap]) -> list[Gap]:
         """In and out mean the gaps between them, where they are set around the playhead; otherwise it lies in a gap.

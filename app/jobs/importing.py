@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.roto import Clip, edit
 
 from ..model.document import Document
+from ..model.reasons import outdated_by
 from ..translation import tr, translated
 from .runner import Ending, Job, Report, Runner
 
@@ -81,15 +82,18 @@ class Import(QObject):
                 ]
             )
 
+        outdated: list[str] = []
+
         def end(ending: Ending, sentence: str) -> None:
             self._jobs.remove(job)
-            self.finished.emit(ending, tr("Import stopped.") if ending is Ending.CANCELLED else sentence)
+            told = " ".join(filter(None, [sentence, *outdated]))
+            self.finished.emit(ending, tr("Import stopped.") if ending is Ending.CANCELLED else told)
 
         # A kind of its own: what is being read comes in, and this one waits for it.
         job = self._runner.start(f"import {next(_numbers)}", work)
         self._jobs.append(job)
         job.progress.connect(self.progress)
-        job.partial.connect(lambda imported: self._put_in(step, imported))
+        job.partial.connect(lambda imported: outdated.append(self._put_in(step, imported)))
         job.ended.connect(end)
 
     def stop(self) -> None:
@@ -97,8 +101,10 @@ class Import(QObject):
         for job in list(self._jobs):
             job.drop()
 
-    def _put_in(self, step: str, imported: Imported) -> None:
-        """Put what was read on top of the project."""
-        project, ids = edit.add_items(self._document.project, imported.layer.children)
+    def _put_in(self, step: str, imported: Imported) -> str:
+        """Put what was read on top of the project; gives the sentence of what it made out of date."""
+        before = self._document.project
+        project, ids = edit.add_items(before, imported.layer.children)
         self._document.apply(step, project)
         self.came_in.emit(frozenset(ids))
+        return outdated_by(before, project)

@@ -8,7 +8,7 @@ from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Clip, Origin, Project, RotoShape
 
 from ..translation import N_, tr
-from .shown import editable_shapes
+from .shown import editable_in
 from .view_state import ViewState, selected_shapes
 
 MOST_NAMES = 3
@@ -18,12 +18,18 @@ NOTHING_SELECTED = N_("Select a shape or some of its points first.")
 
 def why_not(project: Project, view: ViewState) -> str:
     """What keeps the first of the selected shapes that may not be edited here, or that none is selected."""
-    free = {shape.id for shape in editable_shapes(project, view.frame)}
-    kept = next((shape for shape in selected_shapes(project, view.selection) if shape.id not in free), None)
+    here = range(view.frame, view.frame + 1)
+    return why_kept(project, selected_shapes(project, view.selection), here) or tr(NOTHING_SELECTED)
+
+
+def why_kept(project: Project, shapes: Iterable[RotoShape], frames: range) -> str:
+    """What keeps the first of these shapes that may not be edited on any of these frames; empty where all may."""
+    free = {shape.id for shape in editable_in(project, frames)}
+    kept = next((shape for shape in shapes if shape.id not in free), None)
     if kept is None:
-        return tr(NOTHING_SELECTED)
-    if not kept.exists_at(view.frame):
-        return does_not_exist(kept, view.frame)
+        return ""
+    if not any(kept.exists_at(frame) for frame in frames):
+        return does_not_exist(kept, frames[0])
     return tr("{name!r} is locked or hidden; unlock and show it to edit it.", name=kept.name)
 
 

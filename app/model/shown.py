@@ -28,7 +28,13 @@ def shown_shapes(project: Project, frame: int) -> list[Shown]:
 
 def editable_shapes(project: Project, frame: int) -> list[RotoShape]:
     """The shapes that may be grabbed at `frame`, bottom first."""
-    return [shown.shape for shown in shown_shapes(project, frame) if not shown.locked]
+    return editable_in(project, range(frame, frame + 1))
+
+
+def editable_in(project: Project, frames: range) -> list[RotoShape]:
+    """The shapes that may be grabbed on any of these frames, bottom first."""
+    free = [shown.shape for shown in _below(project.plate_root, project.root.locked) if not shown.locked]
+    return [shape for shape in free if any(shape.exists_at(frame) for frame in frames)]
 
 
 def bounds(arrays: list[Array]) -> tuple[float, float, float, float] | None:

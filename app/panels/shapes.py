@@ -176,9 +176,9 @@ class ShapeTree(QTreeWidget):
         self._view.select(shapes, layers=frozenset(row.data(NAME, ID) for row in rows if row.data(NAME, IS_LAYER)))
 
     def _push_name(self, row: QTreeWidgetItem, column: int) -> None:
-        name = row.text(NAME).strip()
-        if column == NAME and name:
-            project = edit.set_properties(self._document.project, row.data(NAME, ID), name=name)
+        name, item_id = row.text(NAME).strip(), row.data(NAME, ID)
+        if column == NAME and name and self._document.project.has(item_id):  # a run may take a part away meanwhile
+            project = edit.set_properties(self._document.project, item_id, name=name)
             self._document.apply(tr("Rename"), project)
         self._shown = None
         self._pull()

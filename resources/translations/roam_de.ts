@@ -324,8 +324,16 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ein Film oder Bilder der Umrisse oder des Freistellers, zum Zeigen</translation>
     </message>
     <message>
+        <source>A movie runs at {least:g} to {most:g} frames a second, not at {fps:g}; choose another speed.</source>
+        <translation>Ein Film läuft mit {least:g} bis {most:g} Frames pro Sekunde, nicht mit {fps:g}; eine andere Geschwindigkeit wählen.</translation>
+    </message>
+    <message>
         <source>A part hangs by joints on the parts that it overlaps</source>
         <translation>Ein Teil hängt über Gelenke an den Teilen, die er überlappt</translation>
+    </message>
+    <message>
+        <source>A point lies outside of the picture, or under what is left out: put it elsewhere.</source>
+        <translation>Ein Punkt liegt außerhalb des Bildes oder unter dem, was ausgelassen wird: anderswohin setzen.</translation>
     </message>
     <message>
         <source>A short shot to try everything on</source>
@@ -790,6 +798,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Click here, then press the new key</source>
         <translation>Hier klicken, dann die neue Taste drücken</translation>
+    </message>
+    <message>
+        <source>Click on the object, inside of the picture.</source>
+        <translation>Auf das Objekt klicken, innerhalb des Bildes.</translation>
     </message>
     <message>
         <source>Click one, two or four marks, then &lt;planar.forward&gt;; Ctrl and the wheel size their areas.</source>
@@ -1609,6 +1621,14 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Frame {frame} is missing from the plate, or damaged</source>
         <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Frame {frame} is {size}, frame {first} is {other}; all frames of a span must have one size.</source>
+        <translation>Frame {frame} ist {size}, Frame {first} ist {other}; alle Frames einer Strecke müssen gleich groß sein.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} is {size}, the one before {other}; all frames of a shot need one size.</source>
+        <translation>Frame {frame} ist {size}, der davor {other}; alle Frames eines Shots müssen gleich groß sein.</translation>
     </message>
     <message>
         <source>Frame {frame} of {path} cannot be decoded; the movie is damaged or cut short.</source>
@@ -2704,6 +2724,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keine Kante dieser Formen ließ sich in der Plate messen; nichts wurde geändert.</translation>
     </message>
     <message>
+        <source>No encoder for {suffix} movies works here; name a folder, and each frame is written as a picture.</source>
+        <translation>Hier läuft kein Encoder für Filme mit {suffix}; einen Ordner nennen, dann wird jeder Frame als Bild geschrieben.</translation>
+    </message>
+    <message>
         <source>No font of this machine has {named}: {unknown} stands for each; install a font that has them.</source>
         <translation>Keine Schrift dieses Rechners hat {named}: Für jedes steht {unknown}; bitte eine passende Schrift installieren.</translation>
     </message>
@@ -2730,6 +2754,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>No motion blur.</source>
         <translation>Keine Bewegungsunschärfe.</translation>
+    </message>
+    <message>
+        <source>No object ends around that place; drag a box around it instead.</source>
+        <translation>Um diese Stelle endet kein Objekt; stattdessen einen Rahmen darum ziehen.</translation>
     </message>
     <message>
         <source>No point lies under the brush; Ctrl and the wheel make it wider.</source>
@@ -2814,6 +2842,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing of it was found on this frame: it is hidden, has left the picture, or was lost</source>
         <translation>Nichts davon wurde auf diesem Bild gefunden: Es ist verdeckt, hat das Bild verlassen oder ging verloren</translation>
+    </message>
+    <message>
+        <source>Nothing stands out there; drag a closer box around the object.</source>
+        <translation>Dort hebt sich nichts ab; den Rahmen enger um das Objekt ziehen.</translation>
     </message>
     <message>
         <source>Nothing to list: no notes, no doubtful frames and none that boil, of the shapes in hand.</source>
@@ -3415,6 +3447,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Put into</source>
         <translation>Ablegen in</translation>
+    </message>
+    <message>
+        <source>Put one, two, three or four points on the picture to track them.</source>
+        <translation>Zum Tracken einen, zwei, drei oder vier Punkte auf das Bild setzen.</translation>
     </message>
     <message>
         <source>Put points that a track follows, with the shapes</source>
@@ -4264,7 +4300,7 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     </message>
     <message>
         <source>Stretch keys…</source>
-        <translation>Keyframes strecken …</translation>
+        <translation>Keyframes strecken…</translation>
     </message>
     <message>
         <source>Stretch {keys}: they go from frame {first} to {last}.</source>
@@ -4321,6 +4357,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>The blue channel alone, and back</source>
         <translation>Nur der blaue Kanal, und zurück</translation>
+    </message>
+    <message>
+        <source>The box is too small; drag one of at least {least:.0f} pixels around the object.</source>
+        <translation>Der Rahmen ist zu klein; einen von mindestens {least:.0f} Pixeln um das Objekt ziehen.</translation>
+    </message>
+    <message>
+        <source>The box leaves no background around the object; drag one that does not fill the picture.</source>
+        <translation>Der Rahmen lässt keinen Hintergrund um das Objekt; einen ziehen, der das Bild nicht ausfüllt.</translation>
     </message>
     <message>
         <source>The clip begins here: there is no frame to track to.</source>
@@ -4449,6 +4493,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Frames, auf denen ein Track die Ebene bewegt</translation>
     </message>
     <message>
+        <source>The frames to export must lie between {first} and {last}, the clip&apos;s own.</source>
+        <translation>Die Frames zum Exportieren müssen zwischen {first} und {last} liegen, denen des Clips.</translation>
+    </message>
+    <message>
         <source>The greater of both</source>
         <translation>Das größere von beiden</translation>
     </message>
@@ -4503,6 +4551,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The last frame to export</source>
         <translation>Der letzte zu exportierende Frame</translation>
+    </message>
+    <message>
+        <source>The last frame to export lies before the first; name the earlier one first.</source>
+        <translation>Der letzte Frame zum Exportieren liegt vor dem ersten; den früheren zuerst nennen.</translation>
     </message>
     <message>
         <source>The layer {name!r} cannot be moved into itself.</source>
@@ -4621,6 +4673,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Punkte liegen auf einer Linie oder aufeinander: bitte auseinanderziehen.</translation>
     </message>
     <message>
+        <source>The project has no clip yet; open a folder of images or a movie first.</source>
+        <translation>Das Projekt hat noch keinen Clip; zuerst einen Ordner mit Bildern oder einen Film öffnen.</translation>
+    </message>
+    <message>
         <source>The project is being saved …</source>
         <translation>Das Projekt wird gespeichert …</translation>
     </message>
@@ -4673,6 +4729,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Dort steht die Form still: Andere Keyframes im Bereich weichen.</translation>
     </message>
     <message>
+        <source>The shape {name!r} has a point on frame {frame} that lies nowhere near the image; correct or delete it first.</source>
+        <translation>Die Form {name!r} hat auf Frame {frame} einen Punkt, der weitab vom Bild liegt; ihn zuerst korrigieren oder löschen.</translation>
+    </message>
+    <message>
+        <source>The shape {name!r} has a point on frame {frame} that lies nowhere near the image; correct or delete it, then export again.</source>
+        <translation>Die Form {name!r} hat auf Frame {frame} einen Punkt, der weitab vom Bild liegt; ihn korrigieren oder löschen, dann noch einmal exportieren.</translation>
+    </message>
+    <message>
         <source>The shapes are hidden; show them (overlay view) to draw and edit.</source>
         <translation>Die Formen sind ausgeblendet; zum Zeichnen und Bearbeiten bitte einblenden (Ansicht Overlay).</translation>
     </message>
@@ -4713,6 +4777,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt noch keinen Clip; einen öffnen.</translation>
     </message>
     <message>
+        <source>There is no closed shape to track; draw one, or select one, first.</source>
+        <translation>Es gibt keine geschlossene Form zum Tracken; zuerst eine zeichnen oder auswählen.</translation>
+    </message>
+    <message>
         <source>There is no closed shape yet</source>
         <translation>Noch gibt es keine geschlossene Form</translation>
     </message>
@@ -4735,6 +4803,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is no frame to track to.</source>
         <translation>Es gibt keinen Frame, zu dem getrackt werden könnte.</translation>
+    </message>
+    <message>
+        <source>There is no frame to track; name the one to begin on, and those to go to.</source>
+        <translation>Es gibt keinen Frame zum Tracken; den ersten nennen und die, zu denen es geht.</translation>
+    </message>
+    <message>
+        <source>There is no frame to write.</source>
+        <translation>Es gibt keinen Frame zu schreiben.</translation>
     </message>
     <message>
         <source>There is no gap to fill here: set a key (&lt;key.set&gt;) on two frames, with others between them.</source>
@@ -4793,12 +4869,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt keine Form, die sich für {programs} kopieren ließe; zuerst eine zeichnen.</translation>
     </message>
     <message>
+        <source>There is no shape to fill; draw one, or select one, first.</source>
+        <translation>Es gibt keine Form zum Füllen; zuerst eine zeichnen oder auswählen.</translation>
+    </message>
+    <message>
         <source>There is no shape to paste; copy one first, here or in another program.</source>
         <translation>Es gibt keine Form zum Einfügen; zuerst eine kopieren, hier oder in einem anderen Programm.</translation>
     </message>
     <message>
         <source>There is no shape to track yet</source>
         <translation>Noch gibt es keine Form zum Tracken</translation>
+    </message>
+    <message>
+        <source>There is no shape to track; draw one, or select one, first.</source>
+        <translation>Es gibt keine Form zum Tracken; zuerst eine zeichnen oder auswählen.</translation>
     </message>
     <message>
         <source>There is nothing to compare yet; open a clip first.</source>
@@ -4823,6 +4907,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is nothing to show yet; open a clip first.</source>
         <translation>Es gibt noch nichts zu zeigen; zuerst einen Clip öffnen.</translation>
+    </message>
+    <message>
+        <source>There is too little of the picture there; drag a box around the object.</source>
+        <translation>Dort ist zu wenig vom Bild; einen Rahmen um das Objekt ziehen.</translation>
     </message>
     <message>
         <source>They are lost if you do not.</source>
@@ -4860,6 +4948,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Too little motion to tell the shutter.</source>
         <translation>Zu wenig Bewegung, um den Verschluss zu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Too little of the picture lies inside the shapes to track a plane by it.</source>
+        <translation>In den Formen liegt zu wenig vom Bild, um daran eine Fläche zu tracken.</translation>
     </message>
     <message>
         <source>Track</source>

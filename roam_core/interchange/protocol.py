@@ -82,9 +82,15 @@ class ExportOptions:
         if self.frames is None:
             return clip.frame_range
         if not self.frames:
-            raise RoamError("The last frame to export lies before the first; name the earlier one first.")
+            raise RoamError(sentence("The last frame to export lies before the first; name the earlier one first."))
         if self.frames[0] < clip.first or self.frames[-1] > clip.last:
-            raise RoamError(f"The frames to export must lie between {clip.first} and {clip.last}, the clip's own.")
+            raise RoamError(
+                sentence(
+                    "The frames to export must lie between {first} and {last}, the clip's own.",
+                    first=clip.first,
+                    last=clip.last,
+                )
+            )
         return self.frames
 
     def frame_of(self, clip: Clip) -> int:
@@ -300,8 +306,12 @@ def chosen_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> R
         for array in (key.points, key.feather):
             if array is not None and not is_near(array):
                 raise RoamError(
-                    f"The shape {shape.name!r} has a point on frame {key.frame} that lies nowhere near the image; "
-                    "correct or delete it, then export again."
+                    sentence(
+                        "The shape {name!r} has a point on frame {frame} that lies nowhere near the image; "
+                        "correct or delete it, then export again.",
+                        name=shape.name,
+                        frame=key.frame,
+                    )
                 )
     if options.smoothing == 0.0:
         return shape

@@ -29,6 +29,7 @@ from roam_core.motion.planar import corners_in, followed, inside
 from roam_core.motion.registration import Expected, Fit, Texture, confidence_of
 from roam_core.params import PLANAR, PlanarParams, scale_for
 from roam_core.params.tracks import PLANE_TRACK, PlaneTrackParams
+from roam_core.translatable import sentence
 
 Covers = Callable[[int], Sequence[Array]]
 """The closed splines `(P, 3, 2)` of what lies before the plane on a frame."""
@@ -144,7 +145,7 @@ class PlaneTracker:
         self._mask = inside(outlines, [*holes, *covers], picture.size)
         texture = Texture.of(picture.grey, self._mask, params.registration)
         if texture is None:
-            raise RoamError("Too little of the picture lies inside the shapes to track a plane by it.")
+            raise RoamError(sentence("Too little of the picture lies inside the shapes to track a plane by it."))
         self._key = _Reference(texture, projective.IDENTITY)
         self._second: _Reference | None = None
         self._before, self._matrix, self._seen = picture, projective.IDENTITY, self._mask
@@ -331,7 +332,7 @@ def track_plane(
         when nothing is outlined, or too little.
     """
     if not outlines:
-        raise RoamError("There is no closed shape to track; draw one, or select one, first.")
+        raise RoamError(sentence("There is no closed shape to track; draw one, or select one, first."))
     start = frames[0]
     tracker = PlaneTracker(kind, PreparedFrame(read(start)), outlines, holes, covers(start), params)
     around = np.concatenate([outline.reshape(-1, 2) for outline in outlines])

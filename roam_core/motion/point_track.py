@@ -25,6 +25,7 @@ from roam_core.media.partial import ReadFrame
 from roam_core.motion.bridging import Lost, bridged
 from roam_core.motion.plane_track import Covers, Guess, Look, LostPlane, PlaneTracker, no_covers
 from roam_core.params.tracks import POINT_TRACK, PointTrackParams
+from roam_core.translatable import sentence
 
 KINDS = {kind.pairs: kind for kind in PlaneMotion}
 """What so many points tell of a motion."""
@@ -82,7 +83,7 @@ class PatternTracker(PlaneTracker):
             super().__init__(PlaneMotion(params.motion), picture, [polygon_points(corners)], (), covers, params.plane)
         except RoamError:
             raise RoamError(
-                "A point lies outside of the picture, or under what is left out: put it elsewhere."
+                sentence("A point lies outside of the picture, or under what is left out: put it elsewhere.")
             ) from None
         self.place, self.corners = np.asarray(place, dtype=np.float64), corners
         self._pattern, self._search = pattern, search
@@ -248,7 +249,7 @@ def track_points(
     """
     start = np.asarray(places, dtype=np.float64).reshape(-1, 2)
     if not 0 < len(start) <= max(KINDS):
-        raise RoamError("Put one, two, three or four points on the picture to track them.")
+        raise RoamError(sentence("Put one, two, three or four points on the picture to track them."))
     tracker = PointTracker(PreparedFrame(read(frames[0])), start, pattern, search, params, covers(frames[0]))
 
     def look(frame: int) -> PointStep:

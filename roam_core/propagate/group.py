@@ -147,8 +147,12 @@ class GroupTracker:
         picture = _prepared(image)
         if picture.size != standing.picture.size:
             raise RoamError(
-                f"Frame {frame} is {picture.size[1]}x{picture.size[0]}, the one before "
-                f"{standing.picture.size[1]}x{standing.picture.size[0]}; all frames of a shot need one size."
+                sentence(
+                    "Frame {frame} is {size}, the one before {other}; all frames of a shot need one size.",
+                    frame=frame,
+                    size=f"{picture.size[1]}x{picture.size[0]}",
+                    other=f"{standing.picture.size[1]}x{standing.picture.size[0]}",
+                )
             )
         given = [_artist_key(shape, frame) for shape in standing.shapes]
         set_in_part = [_is_set_in_part(shape, frame) for shape in standing.shapes]

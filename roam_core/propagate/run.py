@@ -74,9 +74,9 @@ def track(
     only = names_of(only, (shape.id for shape in shapes))
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:
-        raise RoamError("There is no shape to track; draw one, or select one, first.")
+        raise RoamError(sentence("There is no shape to track; draw one, or select one, first."))
     if len(frames) == 0:
-        raise RoamError("There is no frame to track; name the one to begin on, and those to go to.")
+        raise RoamError(sentence("There is no frame to track; name the one to begin on, and those to go to."))
     first = PreparedFrame(read(frames[0]))
     begun_with = [shapes[k].at(frames[0]).points for k in asked]
     if not any(shapes[k].key_at(frames[0]) for k in asked) and is_blank(first, begun_with, params_for(config).blank):

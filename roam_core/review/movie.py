@@ -18,6 +18,7 @@ from roam_core.arrays import UInt8
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import MARK
+from roam_core.translatable import sentence
 
 ENCODERS: dict[str, tuple[str, ...]] = {".mp4": ("mp4v",), ".mov": ("mp4v", "jpeg"), ".avi": ("MJPG", "XVID")}
 """By the suffix of a movie the codecs that are tried, best first."""
@@ -45,7 +46,12 @@ def write_movie(path: Path, pictures: Iterable[UInt8], size: tuple[int, int], fp
     """
     if not SPEEDS[0] <= fps <= SPEEDS[1]:
         raise RoamError(
-            f"A movie runs at {SPEEDS[0]:g} to {SPEEDS[1]:g} frames a second, not at {fps:g}; choose another speed."
+            sentence(
+                "A movie runs at {least:g} to {most:g} frames a second, not at {fps:g}; choose another speed.",
+                least=SPEEDS[0],
+                most=SPEEDS[1],
+                fps=fps,
+            )
         )
     with tempfile.TemporaryDirectory(prefix="roam-") as folder:
         whole = Path(folder) / f"movie{path.suffix.lower()}"
@@ -89,7 +95,10 @@ def _encoder(path: Path, size: tuple[int, int], fps: float) -> Any:
                 return writer
             writer.release()
     raise RoamError(
-        f"No encoder for {path.suffix} movies works here; name a folder, and each frame is written as a picture."
+        sentence(
+            "No encoder for {suffix} movies works here; name a folder, and each frame is written as a picture.",
+            suffix=path.suffix,
+        )
     )
 
 

@@ -119,7 +119,7 @@ def write_review(
     """
     require_font(request.look.font)
     if not request.frames:
-        raise RoamError("There is no frame to write.")
+        raise RoamError(sentence("There is no frame to write."))
     shown = _Frames(request, read, token or CancelToken(), progress or (lambda fraction, words: None))
     write = {Output.MOVIE: _write_movie, Output.PICTURES: _write_pictures, Output.SHEET: _write_sheet}
     made, unwritten = write[request.output](request, shown), _unwritten(request)

@@ -9,6 +9,7 @@ from roam_core.errors import RoamError
 from roam_core.roto.animated import frames_of
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import RotoShape
+from roam_core.translatable import sentence
 
 MAX_DEPTH = 210
 """Layers in layers: what other programs nest 200 deep comes in, with the layer that it is put in."""
@@ -88,8 +89,12 @@ def require_near(shape: RotoShape, frame: int, points: Array) -> None:
     """
     if not is_near(points):
         raise RoamError(
-            f"The shape {shape.name!r} has a point on frame {frame} that lies nowhere near the image; "
-            "correct or delete it first."
+            sentence(
+                "The shape {name!r} has a point on frame {frame} that lies nowhere near the image; "
+                "correct or delete it first.",
+                name=shape.name,
+                frame=frame,
+            )
         )
 
 

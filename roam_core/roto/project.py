@@ -16,6 +16,7 @@ from roam_core.roto.animated import Animatable, checked, share_at
 from roam_core.roto.free_names import counted_on, next_id
 from roam_core.roto.placement import LayerTransform, Placement
 from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, placed, unplaced
+from roam_core.translatable import sentence
 
 if TYPE_CHECKING:
     from roam_core.media.source import PlateSource
@@ -280,7 +281,7 @@ class Project:
     def require_clip(self) -> Clip:
         """The clip, or a sentence that there is none."""
         if self.clip is None:
-            raise RoamError("The project has no clip yet; open a folder of images or a movie first.")
+            raise RoamError(sentence("The project has no clip yet; open a folder of images or a movie first."))
         return self.clip
 
 

@@ -35,8 +35,10 @@ from app.translation import (
 )
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
+from roam_core.interchange import ExportOptions
 from roam_core.interchange.nuke.names import Names
-from roam_core.roto import Keyframe, RotoShape, edit
+from roam_core.proposal.assist.cut_out import cut_box
+from roam_core.roto import Clip, Keyframe, RotoShape, edit
 from roam_core.translatable import listed, sentence
 from tests.gui.windows import dialogs_of, opened_window, write_clip
 from tests.house.test_translations import of
@@ -94,6 +96,16 @@ def test_what_an_error_of_the_engine_says_is_translated(german: None) -> None:
         edit.delete_keys(shape, [1])
     assert sentence_of(raised.value) == "'Arm' braucht mindestens einen Keyframe; stattdessen die Form löschen."
     assert sentence_of(RoamError("Only in English.")) == "Only in English."
+
+
+def test_what_is_refused_of_an_export_and_of_a_box_is_translated(german: None) -> None:
+    """It came in English, in the window of another language."""
+    with pytest.raises(RoamError) as raised:
+        ExportOptions(frames=range(5, 3)).frames_of(Clip(Path("plate"), 1, 9, (64, 48)))
+    assert sentence_of(raised.value).startswith("Der letzte Frame zum Exportieren liegt vor dem ersten")
+    with pytest.raises(RoamError, match="at least 6 pixels") as raised:
+        cut_box(np.zeros((48, 64, 3), np.uint8), (9.0, 9.0), (11.0, 11.0), 1)
+    assert sentence_of(raised.value) == ("Der Rahmen ist zu klein; einen von mindestens 6 Pixeln um das Objekt ziehen.")
 
 
 def test_what_is_listed_in_a_sentence_is_translated_too(german: None) -> None:

@@ -39,6 +39,13 @@ NAMES = {
 """Names, the same in all languages: programs, libraries, what stands in files under a name."""
 
 
+TOLD_BY_THE_ENGINE = (
+    "proposal/assist/cut_out.py", "motion/plane_track.py", "motion/point_track.py", "propagate/run.py",
+    "propagate/group.py",
+)  # fmt: skip
+"""Modules of the engine that tell the artist what is wrong with a box, a click, a shape or a frame."""
+
+
 @cache
 def trees() -> dict[str, ast.Module]:
     """The syntax trees of the window, each node knowing its parent."""
@@ -173,3 +180,12 @@ def test_what_the_engine_tells_of_its_progress_can_be_translated() -> None:
         if isinstance(words, ast.JoinedStr | ast.Constant)
     ]
     assert not plain, "write these by roam_core.translatable.sentence"
+
+
+@pytest.mark.parametrize("module", TOLD_BY_THE_ENGINE)
+def test_what_the_engine_refuses_of_a_gesture_can_be_said_in_other_languages(module: str) -> None:
+    """Only what is wrong with a file stays English."""
+    tree = ast.parse((ROOT / "roam_core" / module).read_text(encoding="utf-8"))
+    errors = [node for node in ast.walk(tree) if name_of(node) == "RoamError" and isinstance(node, ast.Call)]
+    assert errors
+    assert [error.lineno for error in errors if not (error.args and name_of(error.args[0]) == "sentence")] == []

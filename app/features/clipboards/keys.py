@@ -13,8 +13,8 @@ from roam_core.roto import Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.pasting import copied_key, paste_key, paste_through, targets
 
 from ...model.document import Document
-from ...model.reasons import why_not
-from ...model.shown import editable_shapes
+from ...model.reasons import NOTHING_SELECTED, why_kept
+from ...model.shown import editable_in
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, sentence_of, tr
 from ...widgets.asking import ask
@@ -51,7 +51,7 @@ class KeyClipboard:
     def paste(self) -> None:
         """Put the copied key on this frame."""
         frame = self._view.frame
-        self._paste(tr("Paste key"), lambda shape, key: paste_key(shape, key, [frame]))
+        self._paste(tr("Paste key"), lambda shape, key: paste_key(shape, key, [frame]), range(frame, frame + 1))
 
     def ask_range(self) -> None:
         """Ask for the range through which to paste, unless there is nothing to paste."""
@@ -64,16 +64,18 @@ class KeyClipboard:
 
     def paste_through(self, frames: range, every: int) -> None:
         """Hold the copied key through `frames`, with a key on each so many of them (0: on both ends alone)."""
-        self._paste(tr("Paste key to range"), lambda shape, key: paste_through(shape, key, frames, every))
+        self._paste(tr("Paste key to range"), lambda shape, key: paste_through(shape, key, frames, every), frames)
 
-    def _paste(self, text: str, verb: Callable[[RotoShape, Keyframe], RotoShape]) -> None:
+    def _paste(self, text: str, verb: Callable[[RotoShape, Keyframe], RotoShape], frames: range) -> None:
+        """Put the copied keys on `frames` into the shapes that may be edited there; says what keeps the first other."""
         copied, project = copied_keys(), self._document.project
         if copied is None:
             self._view.say(tr(NOTHING_COPIED))
             return
-        editable = {shape.id: shape for shape in editable_shapes(project, self._view.frame)}
+        editable = {shape.id for shape in editable_in(project, frames)}
         chosen = selected_shapes(project, self._view.selection)
         wanted = targets(project, copied, chosen)
+        kept = why_kept(project, map(project.shape, wanted), frames)
         refused = ""
         for shape_id, key in wanted.items():
             try:
@@ -81,13 +83,11 @@ class KeyClipboard:
                     project = project.with_shape(verb(project.shape(shape_id), key))
             except RoamError as error:  # it fits the others
                 refused = refused or sentence_of(error)
-        if chosen and not wanted:
-            self._view.say(tr(OF_OTHERS))
-        elif not wanted.keys() & editable.keys():
-            self._view.say(why_not(self._document.project, self._view))
         self._document.apply(text, project)
-        if refused:
-            self._view.say(refused)
+        if not wanted:
+            self._view.say(tr(OF_OTHERS) if chosen else tr(NOTHING_SELECTED))
+        elif refused or kept:
+            self._view.say(refused or kept)
 
 
 def copied_keys() -> list[RotoShape] | None:

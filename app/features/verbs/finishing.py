@@ -53,12 +53,16 @@ def finish_shape(
 
 
 def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequence[RotoShape], text: str) -> None:
-    """Make `shapes` that were found in a picture or a mask part of the project, as one undo step `text`."""
+    """Make `shapes` that were found in a picture or a mask part of the project, as one undo step `text`.
+
+    What the artist draws or drags by now goes on: then they are not selected, and the tool stays in the hand.
+    """
     home = home_in_hand(document.project, view_state)
     project, ids = add_found(document.project, shapes, home_id=home.id)
     outdated = outdated_by(document.project, project)
     document.apply(text, project)
-    hand_over(view_state, tool, frozenset(ids))
+    if not view_state.is_in_use:
+        hand_over(view_state, tool, frozenset(ids))
     name = _named(project.shape(ids[0]).name, home)
     one = tr("{name} is fitted: drag the points to adjust, <track.forward> tracks forward.", name=name)
     all_ = tr("{count} shapes are fitted: drag the points to adjust, <track.forward> tracks forward.", count=len(ids))

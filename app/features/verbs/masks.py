@@ -41,7 +41,7 @@ class MaskShapes:
     def read(self, path: Path) -> None:
         """Fit shapes to the mask in `path`, keyed on the present frame; what is wrong with it is said."""
         width, height = self._document.project.require_clip().size
-        frame = self._view.frame
+        frame, tool = self._view.frame, self._view.tool
 
         def look(report: Report) -> tuple[list[RotoShape], str]:
             from roam_core.matte.vectorise import is_in_colour, read_mask, shapes_from_mask
@@ -63,11 +63,11 @@ class MaskShapes:
                 )
             return shapes, translated(unseen_of_mask(path))
 
-        self._pictures.find("mask", look, self._take, ended=self._end)
+        self._pictures.find("mask", look, lambda found: self._take(found, tool), ended=self._end)
 
-    def _take(self, found: tuple[list[RotoShape], str]) -> None:
+    def _take(self, found: tuple[list[RotoShape], str], tool: str) -> None:
         shapes, further_pages = found
-        put_in(self._document, self._view, self._view.tool, shapes, tr("Shape from mask"))
+        put_in(self._document, self._view, tool, shapes, tr("Shape from mask"))
         if further_pages:
             self._view.say(further_pages)
 

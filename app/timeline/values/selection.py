@@ -18,10 +18,14 @@ from .shown import OUTLINES
 
 @dataclass(frozen=True)
 class CopiedKeys:
-    """Keys that were copied: of values by (id of the shape or layer, name), of outlines by the id of the shape."""
+    """Keys that were copied: of values by (id of the shape or layer, name), of outlines by the id of the shape.
+
+    `curves` are the kinds of the outlines' curves by which they were chosen.
+    """
 
     values: Mapping[tuple[str, str], Sequence[ValueKey]]
     outlines: Mapping[str, Sequence[Keyframe]]
+    curves: frozenset[str] = frozenset()
 
     @property
     def frames(self) -> list[int]:

@@ -20,14 +20,13 @@ from roam_core.roto.value_curves import (
     move_values,
     paste_values,
     retime_values,
-    value_places,
 )
 
 from ...model.document import Document
 from ...model.view_state import ViewState
 from ...translation import N_, sentence_of, tr
 from ..keys.nudging import Nudges
-from ..keys.verbs import count_of, without_keys
+from ..keys.verbs import FITS_SOME, count_of, without_keys
 from .selection import CopiedKeys, ValueSelection
 from .shown import OUTLINES, Kind
 
@@ -138,7 +137,7 @@ class ValueVerbs:
         for shape_id, frame in sorted({(item_id, frame) for item_id, _, frame in outlines}):
             if (key := project.shape(shape_id).key_at(frame)) is not None:
                 keys.setdefault(shape_id, []).append(key)
-        self._chosen.copied = CopiedKeys(keys_at(project, values), keys)
+        self._chosen.copied = CopiedKeys(keys_at(project, values), keys, frozenset(kind for _, kind, _ in outlines))
         self._view.say(tr("Copied {keys}: paste puts the first one on the playhead's frame.", keys=count_of(places)))
 
     def cut(self) -> None:
@@ -171,7 +170,16 @@ class ValueVerbs:
             return
         self._document.apply(tr("Paste keys"), pasted)
         put = {(item_id, name, key.frame + offset) for (item_id, name), keys in values.items() for key in keys}
-        self._chosen.select(value_places(pasted) & put)
+        put |= {
+            (item_id, kind, key.frame + offset)
+            for item_id, keys in outlines.items()
+            for kind in copied.curves
+            for key in keys
+        }
+        self._chosen.select(self._chosen.places_in(pasted) & put)
+        taking = {item_id for item_id, _, _ in self._chosen.places}
+        if left_out := [project.find(item_id).name for _, item_id in self._wanted(copied) if item_id not in taking]:
+            self._view.say(tr(FITS_SOME, names=", ".join(left_out)))
 
     def delete(self) -> None:
         """Delete the chosen keys."""
@@ -232,14 +240,18 @@ class ValueVerbs:
             self._view.say(sentence_of(error))
 
     def _targets(self, copied: CopiedKeys) -> list[tuple[str, str]]:
-        """Where copied keys go, after what they came from; without what is gone or locked."""
-        project, view = self._document.project, self._view
-        owners, chosen = copied.owners, view.layers or view.selection.shapes
+        """Where copied keys go, after what they came from; without what is locked."""
+        project, wanted = self._document.project, self._wanted(copied)
+        return [(owner, item_id) for owner, item_id in wanted if not project.is_locked(item_id)]
+
+    def _wanted(self, copied: CopiedKeys) -> list[tuple[str, str]]:
+        """Where copied keys are to go, after what they came from; without what is gone."""
+        view, owners = self._view, copied.owners
+        chosen = view.layers or view.selection.shapes
         goes_to = [(owner, owner) for owner in sorted(owners)]
         if len(owners) == 1 and chosen and not chosen & owners:
             goes_to = [(owner, item_id) for owner in owners for item_id in sorted(chosen)]
-        free = {item_id for item_id, _, _ in unlocked(project, [(item_id, "", 0) for _, item_id in goes_to])}
-        return [pair for pair in goes_to if pair[1] in free]
+        return [pair for pair in goes_to if self._document.project.has(pair[1])]
 
     def _free(self) -> frozenset[ValuePlace]:
         """The chosen keys that may be changed; says why when there is none."""

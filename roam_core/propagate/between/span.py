@@ -95,7 +95,7 @@ def fill_span(
     only = names_of(only, (shape.id for shape in shapes))
     asked = [only is None or shape.id in only for shape in shapes]
     if not any(asked):
-        raise RoamError("There is no shape to fill; draw one, or select one, first.")
+        raise RoamError(sentence("There is no shape to fill; draw one, or select one, first."))
     gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
     if not gaps and any(
         _is_keyed_twice(shape, start, stop) for shape, wanted in zip(shapes, asked, strict=True) if wanted
@@ -166,8 +166,13 @@ class Reader:
         first, (height, width) = self._first
         if picture.size != (height, width):
             raise RoamError(
-                f"Frame {frame} is {picture.size[1]}x{picture.size[0]}, frame {first} is {width}x{height}; "
-                "all frames of a span must have one size."
+                sentence(
+                    "Frame {frame} is {size}, frame {first} is {other}; all frames of a span must have one size.",
+                    frame=frame,
+                    size=f"{picture.size[1]}x{picture.size[0]}",
+                    first=first,
+                    other=f"{width}x{height}",
+                )
             )
         return picture
 

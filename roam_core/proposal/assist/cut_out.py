@@ -39,7 +39,7 @@ class _Piece:
         left, top = (max(math.floor(v), 0) for v in low)
         right, bottom = min(math.ceil(high[0]), width), min(math.ceil(high[1]), height)
         if right - left < CUT_OUT.least_box or bottom - top < CUT_OUT.least_box:
-            raise RoamError("There is too little of the picture there; drag a box around the object.")
+            raise RoamError(sentence("There is too little of the picture there; drag a box around the object."))
         shrink = max(1.0, max(right - left, bottom - top) / CUT_OUT.most_cells)
         cells = max(4, round((right - left) / shrink)), max(4, round((bottom - top) / shrink))
         pixels = cv2.resize(image[top:bottom, left:right], cells, interpolation=cv2.INTER_AREA)
@@ -88,7 +88,12 @@ def cut_box(
     size = np.array(image.shape[1::-1], dtype=np.float64)
     a, b = np.clip(np.array(low), 0.0, size), np.clip(np.array(high), 0.0, size)
     if (b - a).min() < CUT_OUT.least_box:
-        raise RoamError(f"The box is too small; drag one of at least {CUT_OUT.least_box:.0f} pixels around the object.")
+        raise RoamError(
+            sentence(
+                "The box is too small; drag one of at least {least:.0f} pixels around the object.",
+                least=CUT_OUT.least_box,
+            )
+        )
     margin = np.maximum((b - a) * CUT_OUT.margin, 4.0)
     piece = _Piece.of(image, a - margin, b + margin)
     labels = np.full(piece.pixels.shape[:2], cv2.GC_BGD, dtype=np.uint8)
@@ -110,7 +115,7 @@ def cut_click(
     """
     height, width = image.shape[:2]
     if not marks.inside or not all(0.0 <= x < width and 0.0 <= y < height for x, y in marks.inside):
-        raise RoamError("Click on the object, inside of the picture.")
+        raise RoamError(sentence("Click on the object, inside of the picture."))
     whole = _Piece.of(image, np.zeros(2), np.array([width, height], dtype=np.float64))
     region = _marked_region(whole, marks)
     for attempt in range(CUT_OUT.growths):
@@ -137,7 +142,7 @@ def _marked_region(whole: _Piece, marks: Marks) -> Bools:
         found = grown(whole.pixels, cell)
         if region is None:
             if found is None:
-                raise RoamError("No object ends around that place; drag a box around it instead.")
+                raise RoamError(sentence("No object ends around that place; drag a box around it instead."))
             region = found
         elif found is not None and not (
             found.sum() > CUT_OUT.swell * region.sum() and _along_border(found) > CUT_OUT.along
@@ -194,7 +199,7 @@ def _fitted(piece: _Piece, cut: Bools, frame: int) -> list[RotoShape]:
     soft = cv2.GaussianBlur(_covered(piece.pixels, cut), (0, 0), CUT_OUT.softness, borderType=cv2.BORDER_REPLICATE)
     found = shapes_from_mask(soft, frame, CUT_OUT.tolerance)
     if not found:
-        raise RoamError("Nothing stands out there; drag a closer box around the object.")
+        raise RoamError(sentence("Nothing stands out there; drag a closer box around the object."))
     parts = cv2.connectedComponents(cut.astype(np.uint8), connectivity=4)[0] - 1
     # Largest first; what the border's mixed cells split off is no part.
     starts = [k for k, shape in enumerate(found) if shape.blend is not BlendMode.SUBTRACT]
@@ -235,7 +240,9 @@ def _cut(pixels: UInt8, labels: UInt8, told: _Told) -> Bools:
     """GrabCut from the first `labels`, round after round; True inside."""
     colours = cv2.GaussianBlur(pixels, (0, 0), CUT_OUT.smoothing)
     if not ((labels == cv2.GC_BGD) | (labels == cv2.GC_PR_BGD)).any():
-        raise RoamError("The box leaves no background around the object; drag one that does not fill the picture.")
+        raise RoamError(
+            sentence("The box leaves no background around the object; drag one that does not fill the picture.")
+        )
     behind, before, least = np.zeros((1, 65)), np.zeros((1, 65)), CUT_OUT.least_share * _inside(labels).sum()
     cv2.setRNGSeed(0)  # The colours' first guess is drawn at random: the same box gives the same shape.
     for number in range(CUT_OUT.rounds):

@@ -12,7 +12,9 @@ from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange.nuke.exporter import roto_script
-from roam_core.roto import Clip, Project, edit
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import clip_stamp, stamp
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit
 
 WAIT = 30_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1003, (64, 48))
@@ -36,6 +38,20 @@ def test_shapes_arrive_as_one_undo_step(qtbot: QtBot, document: Document, runner
     (shape,) = document.project.shapes
     assert (shape.name, shape.frames) == ("Arm", (1002,))
     assert document.undo_stack.count() == 1
+
+
+def test_what_lies_on_a_tracked_shape_says_that_its_tracked_frames_are_out_of_date(
+    qtbot: QtBot, document: Document, runner: Runner, script: Path
+) -> None:
+    """As what is pasted, drawn or duplicated there does."""
+    project, body = edit.new_shape(Project(CLIP), SQUARE + 2.0, 1002, name="Body")
+    inputs = stamp([body], 1003, 1002, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), forward=True)
+    made = Keyframe(1003, SQUARE, origin=Origin.ENGINE, inputs=inputs)
+    document.open(project.with_shape(edit.set_engine_keys(body, [made])), None)
+    importing = Import(document, runner)
+    with qtbot.waitSignal(importing.finished, timeout=WAIT) as finished:
+        importing.start(script)
+    assert finished.args[1].startswith("Read 1 shape from a.nk. Tracked frames of Body are out of date: what is new")
 
 
 def test_without_a_clip_it_is_refused_in_a_sentence(

@@ -222,3 +222,19 @@ def test_a_folded_layer_stays_folded(qtbot: QtBot, panel: ShapesPanel, document:
     document.apply("Rename", edit.set_properties(document.project, "shape-1", name="body"))
     assert not panel.tree.item("layer-1").isExpanded()
     assert panel.tree.itemAt(QPoint(60, 5)) is panel.tree.item("layer-1")
+
+
+def test_a_name_of_what_a_run_took_away_while_it_was_typed_goes_nowhere(
+    qtbot: QtBot, panel: ShapesPanel, document: Document
+) -> None:
+    """A part that Always drops is gone as its frame comes; what was typed ended in an error."""
+    tree = panel.tree
+    tree.editItem(tree.item("shape-2"), NAME)
+    editor = tree.findChild(QLineEdit)
+    assert isinstance(editor, QLineEdit)
+    editor.setText("arm")
+    document.apply("Drop part", edit.remove_items(document.project, ["shape-2"]))
+    after = document.project
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    assert document.project is after
+    qtbot.waitUntil(lambda: names(panel) == ["hero", "Shape 1"])

@@ -162,6 +162,20 @@ def test_a_run_ends_with_the_lifetimes_of_its_shapes(
     assert (view_state.message == told) is (frames is None)
 
 
+@pytest.mark.parametrize(("frame", "frames"), [(1010, range(1010, 1015)), (1014, None), (1020, None)])
+def test_a_shape_that_is_left_out_makes_no_run_longer_than_those_that_it_takes(
+    tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState,
+    frame: int, frames: range | None,
+) -> None:  # fmt: skip
+    """Behind the lifetimes of its shapes it made no keys, and told of frames to the end of the clip."""
+    project = edit.set_properties(document.project, "shape-1", lifetime=(1003, 1015))
+    document.apply("Hat", edit.new_shape(project, SQUARE, 1030, name="Hat")[0])
+    view_state.set_frame(frame)
+    tracking.forward()
+    assert [asked for _, asked, _ in propagation.asked] == ([] if frames is None else [frames])
+    assert view_state.message.startswith("Hat is not tracked: its first key lies on frame 1030.")
+
+
 @pytest.mark.parametrize(
     ("frame", "verb", "told"),
     [

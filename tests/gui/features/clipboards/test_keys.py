@@ -205,3 +205,51 @@ def test_keys_of_several_shapes_say_that_they_belong_to_others(
     assert view_state.message == (
         "The copied keys are of other shapes: select those, or as many shapes as were copied."
     )
+
+
+@pytest.mark.parametrize("how", ["locked", "hidden"])
+@pytest.mark.parametrize("chosen", [True, False])
+def test_of_several_shapes_the_one_that_takes_no_key_is_told(
+    keys: None, hand: Hand, document: Document, view_state: ViewState, square: str, how: str, chosen: bool
+) -> None:
+    """It was passed over without a word."""
+    project, other = edit.new_shape(document.project, polygon_points(SQUARE), 1)
+    document.open(project, None)
+    view_state.select(frozenset({square, other.id}))
+    copy_key(hand)
+    change = {"locked": True} if how == "locked" else {"visible": False}
+    document.apply("Keep", edit.set_properties(project, square, **change))
+    if not chosen:
+        view_state.select(frozenset())
+    view_state.set_frame(9)
+    paste_key(hand)
+    assert document.project.shape(other.id).artist_frames == (1, 9)
+    assert document.project.shape(square).artist_frames == (1,)
+    name = document.project.shape(square).name
+    assert view_state.message == f"{name!r} is locked or hidden; unlock and show it to edit it."
+
+
+def test_a_key_goes_back_to_its_own_shape_or_says_what_keeps_it(
+    keys: None, hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    """To select a shape was asked for, of a key that goes back without."""
+    copy_key(hand)
+    document.apply("Lock", edit.set_properties(document.project, square, locked=True))
+    view_state.select(frozenset())
+    view_state.set_frame(9)
+    paste_key(hand)
+    assert "is locked or hidden" in view_state.message
+
+
+@pytest.mark.parametrize(("range_", "is_there"), [(range(4, 9), True), (range(15, 18), False)])
+def test_a_range_is_where_the_shape_has_to_exist_not_the_playhead(
+    keys: None, hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape,
+    range_: range, is_there: bool,
+) -> None:  # fmt: skip
+    clipboard = ShapeClipboard(document, view_state).keys
+    copy_key(hand)
+    document.apply("Lifetime", edit.set_properties(document.project, square, lifetime=(1, 10)))
+    view_state.set_frame(12 if is_there else 5)
+    clipboard.paste_through(range_, 0)
+    assert only().artist_frames == ((1, range_[0], range_[-1]) if is_there else (1,))
+    assert ("does not exist on frame" in view_state.message) is not is_there

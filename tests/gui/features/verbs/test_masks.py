@@ -56,6 +56,21 @@ def test_a_mask_becomes_a_selected_shape(
     assert not document.project.shapes
 
 
+@pytest.mark.parametrize("is_busy", [True, False])
+def test_a_mask_that_comes_while_the_artist_draws_takes_no_tool_out_of_the_hand(
+    masks: MaskShapes, document: Document, view_state: ViewState, tmp_path: Path, qtbot: QtBot, is_busy: bool
+) -> None:
+    """What was half drawn ended there as an open shape, or was lost; a tool that was taken since was laid down."""
+    mask = np.zeros((80, 120), dtype=np.uint8)
+    cv2.circle(mask, (60, 40), 25, 255, -1, cv2.LINE_AA)
+    masks.read(written(tmp_path / "mask.png", mask))
+    view_state.set_tool("bezier")
+    view_state.ask_hand(lambda: is_busy)
+    qtbot.waitUntil(lambda: bool(document.project.shapes), timeout=WAIT)
+    assert view_state.tool == "bezier"
+    assert bool(view_state.selection.shapes) is not is_busy
+
+
 @pytest.mark.parametrize(
     ("size", "value", "sentence"), [((80, 120), 0, "Nothing is white in mask.png"), ((40, 60), 255, "is 60x40")]
 )

@@ -189,6 +189,7 @@ def test_keys_of_an_outline_are_copied_by_its_curve(
     view_state.set_frame(1025)
     verbs.paste()
     assert document.project.shape("shape-1").artist_frames == (1001, 1025, 1030)
+    assert timeline.values.places == {("shape-1", "x", 1025)}  # chosen, to be moved on
 
 
 def test_keys_of_position_are_not_pasted_into_a_layer(
@@ -219,3 +220,19 @@ def test_values_of_one_shape_are_pasted_into_all_that_are_selected(
     assert fades(document.project) == {1005: 0.2, 1015: 0.8}
     for shape_id in ("shape-2", third.id):
         assert fades(document.project, shape_id) == {1001: 0.2, 1011: 0.8}
+
+
+def test_of_several_shapes_that_take_values_the_locked_one_is_told(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: None
+) -> None:
+    """It was passed over in silence."""
+    timeline.value_rows.verbs.select_all()
+    timeline.value_rows.verbs.copy()
+    project, third = edit.new_shape(document.project, document.project.shape("shape-1").at(1001).points, 1001)
+    document.apply("Third", edit.set_properties(project, third.id, locked=True))
+    view_state.select(frozenset({"shape-2", third.id}))
+    view_state.set_frame(1001)
+    timeline.value_rows.verbs.paste()
+    assert fades(document.project, "shape-2") == {1001: 0.2, 1011: 0.8}
+    assert document.project.shape(third.id).opacity == 1.0
+    assert view_state.message.startswith(f"The copied keys do not fit {third.name}: locked")
