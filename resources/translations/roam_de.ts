@@ -1635,8 +1635,8 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame {frame} von {path} lässt sich nicht dekodieren; der Film ist beschädigt oder abgeschnitten.</translation>
     </message>
     <message>
-        <source>Frame {frame} of {path} is missing: the files there are {first} to {last} without {count} between.</source>
-        <translation>Frame {frame} von {path} fehlt: dort liegen die Dateien {first} bis {last}, ohne {count} dazwischen.</translation>
+        <source>Frame {frame} of {path} is missing: the files there are {first} to {last}, with {count} missing between.</source>
+        <translation>Frame {frame} von {path} fehlt: dort liegen die Dateien {first} bis {last}, dazwischen fehlen {count}.</translation>
     </message>
     <message>
         <source>Frame {frame} of {path} is missing: the files there are {first} to {last}.</source>

@@ -97,7 +97,7 @@ class ImageSequence:
         if not self.missing:
             return sentence("Frame {frame} of {path} is missing: the files there are {first} to {last}.", **there)
         return sentence(
-            "Frame {frame} of {path} is missing: the files there are {first} to {last} without {count} between.",
+            "Frame {frame} of {path} is missing: the files there are {first} to {last}, with {count} missing between.",
             count=len(self.missing),
             **there,
         )

@@ -1,5 +1,6 @@
 """Reads Fusion's masks from `.setting` files, compositions (`.comp`) and what its flow puts on the clipboard: polygons,
 and how they join.
+
 A mask that is the effect mask of another lies under it. A bitmap mask of a Background that is cut out by masks is a
 layer of these. Expressions are not evaluated: what they drive is named, and the value in the file is taken.
 """
