@@ -54,9 +54,7 @@ def _agreed(x, y, to_x, to_y, first, second, threshold, transform, inliers):  # 
             least = total
             _set(transform, a, b, c, d)
     for turn in range(3):
-        _errors(
-            x, y, to_x, to_y, transform[0, 0], transform[1, 0], transform[0, 2], transform[1, 2], 0, len(x), errors
-        )
+        _errors(x, y, to_x, to_y, transform[0, 0], transform[1, 0], transform[0, 2], transform[1, 2], 0, len(x), errors)
         if turn > 0 and np.count_nonzero(errors <= threshold) < 2:
             break
         inliers[:] = errors <= threshold
