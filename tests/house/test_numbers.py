@@ -41,6 +41,7 @@ NO_CHOICE = {
     "kernels/keeping.py": {"DIGEST"},
     # Rounding, and bounds that change the time or keep a loop from going on for ever.
     "kernels/alignment.py": {"BEAM", "ROUNDING"},
+    "kernels/hypotheses.py": {"BLOCK"},
     "kernels/oblivious_trees.py": {"BLOCK"},
     "features/frame.py": {"BRIGHTEST", "DECODED_TOGETHER", "AS_THEY_ARE"},
     "motion/planar.py": {"BESIDE"},

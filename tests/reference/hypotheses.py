@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Points = NDArray[np.float64]
+from roam_core.arrays import Array, Bools, Indices
 
 
 def ref_agreed_similarity(
-    source: Points, target: Points, first: NDArray[np.intp], second: NDArray[np.intp], threshold: float
-) -> tuple[Points, NDArray[np.bool_]]:
+    source: Array, target: Array, first: Indices, second: Indices, threshold: float
+) -> tuple[Array, Bools]:
     """Every hypothesis on every point, then the normal equations of those that agree; as complex numbers."""
     z, w = source @ [1, 1j], target @ [1, 1j]
     hypotheses = [
@@ -33,7 +32,7 @@ def ref_agreed_similarity(
     return np.array([[alpha.real, -alpha.imag, beta.real], [alpha.imag, alpha.real, beta.imag]]), inliers
 
 
-def ref_best_motion(motions: Points, source: Points, target: Points, threshold: float, nearest: float) -> int:
+def ref_best_motion(motions: Array, source: Array, target: Array, threshold: float, nearest: float) -> int:
     """Every hypothesis on every point."""
     carried = [(each @ np.column_stack([source, np.ones(len(source))]).T).T for each in motions]
     errors = [np.hypot(*(at[:, :2] / np.maximum(at[:, 2:], nearest) - target).T) for at in carried]

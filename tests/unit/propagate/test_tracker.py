@@ -39,7 +39,7 @@ def test_a_gliding_square_is_followed(config: str, box_shot: Shot) -> None:
     true = [box_shot.truth(frame)[:, ANCHOR].mean(axis=0) for frame in box_shot.frames]
     off = np.hypot(*(np.array(centres) - np.array(true)).T)
     assert off.mean() < 1.0
-    assert off.max() < 1.5
+    assert off.max() < 2.0  # `baseline` moves by whole pixels: one that costs the same either way is one pixel
 
 
 def test_a_turning_blob_is_followed_below_a_pixel(config: str, blob_shot: Shot) -> None:
