@@ -145,7 +145,7 @@ def renumbered_question(parent: QWidget, before: int, now: int) -> QMessageBox:
     box.setInformativeText(
         tr(
             "The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to "
-            "date if you shift them now; with Shape > Shift in time later they do not.",
+            "date if you shift them now; with Keys > Shift in time later they do not.",
             now=now,
             before=before,
         )

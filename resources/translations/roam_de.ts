@@ -3337,6 +3337,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Langsam abspielen</translation>
     </message>
     <message>
+        <source>Playback</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
         <source>Plus</source>
         <translation>Plus</translation>
     </message>
@@ -4661,8 +4665,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Plate des Projekts ist nicht da: Datei &gt; Clip neu verknüpfen sagt, wo sie liegt.</translation>
     </message>
     <message>
-        <source>The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to date if you shift them now; with Shape &gt; Shift in time later they do not.</source>
-        <translation>Die Plate zeigt dieselben Bilder, jetzt ab {now} nummeriert statt ab {before}. Jetzt verschoben bleiben getrackte Frames aktuell; später mit Form &gt; Zeitlich verschieben nicht.</translation>
+        <source>The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to date if you shift them now; with Keys &gt; Shift in time later they do not.</source>
+        <translation>Die Plate zeigt dieselben Bilder, jetzt ab {now} nummeriert statt ab {before}. Jetzt verschoben bleiben getrackte Frames aktuell; später mit Keyframes &gt; Zeitlich verschieben nicht.</translation>
     </message>
     <message>
         <source>The plate with its shapes</source>
