@@ -21,6 +21,8 @@ _LAST_NUMBER = re.compile(
 )
 _PERCENT = re.compile(r"%0?(?P<width>[0-9]*)d")
 _DIGITS = re.compile(r"#+|@+")
+# As Houdini writes it, After Effects and file dialogs, and a shell.
+_OF_OTHERS = re.compile(r"\$F(?:(?P<width>[1-9])|(?![A-Za-z]))|\$\{F(?P<braced>[1-9]?)\}|\[(?P<first>[0-9]+)-[0-9]+\]|\*")
 _GROUP = re.compile(r"(?<![0-9])[0-9]{1,9}(?![0-9])")
 _INTEGER = re.compile(r"-?[0-9]{1,9}")
 
@@ -117,12 +119,16 @@ def parse_pattern(name: str) -> NamePattern | None:
     """The pattern that a file name with `%04d`, `%d`, `####` or `@@@@` in it stands for; None where it is a plain name.
 
     The last `%d` is the frame number (else the last run of `#` or `@`): what else looks like one belongs to the name.
+    Without either it is what other programs write: `$F4`, `[1001-1100]`, which is as wide as its first number, or `*`.
     """
     for match in reversed([*_PERCENT.finditer(name)]):
         return NamePattern(name[: match.start()], int(match["width"] or 0), name[match.end() :])
     for match in reversed([*_DIGITS.finditer(name)]):
         # One `#` or `@` is the custom for "the number, however it is padded".
         width = len(match[0]) if len(match[0]) > 1 else 0
+        return NamePattern(name[: match.start()], width, name[match.end() :])
+    for match in reversed([*_OF_OTHERS.finditer(name)]):
+        width = int(match["width"] or match["braced"] or 0) or len(match["first"] or "")
         return NamePattern(name[: match.start()], width, name[match.end() :])
     return None
 

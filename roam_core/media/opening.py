@@ -56,7 +56,8 @@ def open_clip(path: str | Path, layer: str = "", content: str = "") -> PlateSour
     ----------
     path : a folder of images, a pattern (`plate.%04d.exr`, `plate.####.exr`, `plate.%d.exr`), one image of a numbered
         sequence (which opens all of it), a lone image (frame 1) or a movie. In a folder with several sequences the
-        longest wins. Only headers are read. `####` and `@@@@` stand for digits too.
+        longest wins. Only headers are read. `####` and `@@@@` stand for digits too, as
+        do the words of other programs (`parse_pattern`).
     layer : which layer of the images is the plate, by its name (`PlateSource.layers`); the picture itself if "".
     content : hash of the plate that is meant (`roam_core.media.content`), "" where it is not known: in a folder with
         several sequences that one is taken, whatever its length, and the folder stays its path.

@@ -41,6 +41,13 @@ def test_the_last_digits_of_a_stem_are_its_number(stem: str, parts: tuple[str, s
     [
         ("plate.%04d.exr", NamePattern("plate.", 4, ".exr")),
         ("plate.####.exr", NamePattern("plate.", 4, ".exr")),
+        ("plate.$F4.exr", NamePattern("plate.", 4, ".exr")),
+        ("plate.$F.exr", NamePattern("plate.", 0, ".exr")),
+        ("plate.${F4}.exr", NamePattern("plate.", 4, ".exr")),
+        ("plate.[1001-1100].exr", NamePattern("plate.", 4, ".exr")),
+        ("plate.*.exr", NamePattern("plate.", 0, ".exr")),
+        ("a[1-2].%04d.exr", NamePattern("a[1-2].", 4, ".exr")),
+        ("$FILM.exr", None),
         ("plate.%d.exr", NamePattern("plate.", 0, ".exr")),
         ("plate.#.exr", NamePattern("plate.", 0, ".exr")),
         ("plate.@@@@.exr", NamePattern("plate.", 4, ".exr")),
