@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -79,8 +80,31 @@ class Grid:
         Beyond it is zero, or, `is_continued`, what is at its edge.
         """
         centred = (TO_CENTRES @ (self.map_from_image @ transform) @ FROM_CENTRES)[:2]
+        if not is_continued and (shift := _whole_shift(centred)) is not None:
+            return _shifted(image, *shift, *self.shape)
         beyond, size = beyond_edge(is_continued), (self.columns, self.rows)
         return np.asarray(cv2.warpAffine(image, centred, size, flags=cv2.INTER_LINEAR, borderMode=beyond))
+
+
+def _whole_shift(affine: Array) -> tuple[int, int] | None:
+    """By how many cells to the right and down an affine map `(2, 3)` moves all; None of any other motion."""
+    (a, b, x), (c, d, y) = affine.tolist()
+    if not math.isfinite(x + y):
+        return None
+    right, down = round(x), round(y)
+    off = max(abs(a - 1.0), abs(b), abs(c), abs(d - 1.0), abs(x - right), abs(y - down))
+    return (right, down) if off < 1e-9 else None
+
+
+def _shifted(image: NDArray[Any], right: int, down: int, rows: int, columns: int) -> NDArray[Any]:
+    """A picture moved by whole cells, as far as it lies in so many rows and columns; zero elsewhere."""
+    result = np.zeros((rows, columns, *image.shape[2:]), image.dtype)
+    height, width = image.shape[:2]
+    top, bottom = max(down, 0), min(height + down, rows)
+    left, end = max(right, 0), min(width + right, columns)
+    if top < bottom and left < end:
+        result[top:bottom, left:end] = image[top - down : bottom - down, left - right : end - right]
+    return result
 
 
 def beyond_edge(is_continued: bool) -> int:
