@@ -369,3 +369,11 @@ def test_a_group_of_cvat_is_a_compound(tmp_path: Path) -> None:
     )
     shapes = read_shapes(path, CLIP).layer.shapes()
     assert [shape.compound for shape in shapes] == ["compound-1", "compound-1", "", "", "compound-2", "compound-2"]
+
+
+def test_mlt_loses_nothing_of_what_is_hidden(tmp_path: Path) -> None:
+    """Its filter is to be switched off, and that is told; a mode of it refused the whole export."""
+    hidden = car(blend=BlendMode.DIFFERENCE, opacity=0.5, visible=False)
+    off = Layer("l", "Off", (blob("Other", 60.0, 60.0),), visible=False, invert=True)
+    told = EXPORTERS["mlt"].export(project(blob("Seen", 200.0, 90.0), hidden, off), tmp_path / "a.json")
+    assert any(note.startswith("A spline is always there: switch off or cut the filter of 'Car'") for note in told)
