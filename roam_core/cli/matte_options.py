@@ -24,7 +24,11 @@ def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options of pictures."""
     group = parser.add_argument_group("mattes")
     words = sorted({word for compressions in COMPRESSIONS.values() for word in compressions})
-    group.add_argument("--file", choices=[file.value for file in MatteFile], help="kind of the pictures (as the name ends, else the first that holds the rest: png, exr, tiff)")
+    group.add_argument(
+        "--file",
+        choices=[file.value for file in MatteFile],
+        help="kind of the pictures (as the name ends, else the first that holds the rest: png, exr, tiff)",
+    )
     group.add_argument(
         "--depth", choices=[depth.value for depth in Depth], help="bits, or floating point (8; half for exr)"
     )

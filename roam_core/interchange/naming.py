@@ -17,10 +17,10 @@ PICTURE = {"rgba", "rgb", "alpha"}
 
 
 def numbering(pattern: str, offset: int = 0) -> Callable[[int], str]:
-    """How a pattern such as `matte.####.png`, `matte.@@@@.png`, `matte.%04d.png`, `matte.$F4.png` or plain `matte.png` names a frame.
+    """How a pattern such as `m.####.png`, `m.@@@@.png`, `m.%04d.png`, `m.$F4.png` or plain `m.png` names a frame.
 
-    `%d`, `$F` and a single `#` give the number as it is; a single `@` is a letter of the name. Where the pattern says nothing
-    of a number, four digits stand before the suffix.
+    `%d`, `$F` and a single `#` give the number as it is; a single `@` is a letter of the name. Where the pattern says
+    nothing of a number, four digits stand before the suffix.
     """
     marked = _MARK.fullmatch(pattern)
     if marked is None:

@@ -78,7 +78,10 @@ class SvgFormat:
 
 def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The picture of all shapes of `project` on one frame, and a sentence for each thing that it cannot hold."""
-    picture, names = _picture(readied(project, options), frame, options), {shape.id: shape.name for shape in project.shapes}
+    picture, names = (
+        _picture(readied(project, options), frame, options),
+        {shape.id: shape.name for shape in project.shapes},
+    )
     absent = (_absence(names[shape_id], [frame]) for shape_id in picture.absent)
     return picture.text, gathered([*picture.notes, *absent])
 
