@@ -5397,6 +5397,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>in Tiefe {level}</translation>
     </message>
     <message>
+        <source>at quarter frames, too</source>
+        <translation>auch auf Viertelbildern</translation>
+    </message>
+    <message>
         <source>autokey keyframe record stopwatch</source>
         <translation>autokey keyframe aufzeichnen stoppuhr</translation>
     </message>
@@ -5951,6 +5955,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>on</source>
         <translation>auf</translation>
+    </message>
+    <message>
+        <source>on whole frames and between them</source>
+        <translation>auf ganzen Bildern und dazwischen</translation>
     </message>
     <message>
         <source>onionskin ghost light table frames before after</source>
@@ -6682,6 +6690,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name!r}: smoothed through time; the engine&apos;s outlines moved by at most {max_error:.2f} px, {mean_error:.2f} px on average.</source>
         <translation>{name!r}: durch die Zeit geglättet; Umrisse der Engine bewegten sich um höchstens {max_error:.2f} px, im Mittel {mean_error:.2f} px.</translation>
+    </message>
+    <message>
+        <source>{name!r}: {keys} keys for {frames} frames; the outline moves by at most {max_error:.2f} px, {mean_error:.2f} px on average ({checked}).</source>
+        <translation>{name!r}: {keys} Keys für {frames} Bilder; der Umriss bewegt sich um höchstens {max_error:.2f} px, im Mittel {mean_error:.2f} px ({checked}).</translation>
     </message>
     <message>
         <source>{named}, and {count} more alike</source>

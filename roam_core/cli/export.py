@@ -86,7 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
         smoothing=arguments.smooth,
         frames=None if arguments.frames is None else range(arguments.frames[0], arguments.frames[1] + 1),
         frame=arguments.frame,
-        mattes=matte_style(arguments),
+        mattes=matte_style(arguments, arguments.out.name),
         lossy=arguments.lossy,
     )
     targets = exported(exporter, project, arguments.out, options)

@@ -8,6 +8,7 @@ from pathlib import Path
 from roam_core.errors import RoamError
 from roam_core.interchange.matte_style import (
     COMPRESSIONS,
+    DEPTHS,
     OTHER_SUFFIXES,
     SUFFIXES,
     DataWindow,
@@ -23,7 +24,11 @@ def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options of pictures."""
     group = parser.add_argument_group("mattes")
     words = sorted({word for compressions in COMPRESSIONS.values() for word in compressions})
-    group.add_argument("--file", choices=[file.value for file in MatteFile], help="kind of the pictures (png)")
+    group.add_argument(
+        "--file",
+        choices=[file.value for file in MatteFile],
+        help="kind of the pictures (as the name ends, else the first that holds the rest: png, exr, tiff)",
+    )
     group.add_argument(
         "--depth", choices=[depth.value for depth in Depth], help="bits, or floating point (8; half for exr)"
     )
@@ -46,13 +51,14 @@ def matte_options(arguments: argparse.Namespace) -> list[str]:
     return [f"--{option}" for option, value in plain.items() if getattr(arguments, option) != value]
 
 
-def matte_style(arguments: argparse.Namespace) -> MatteStyle:
-    """The style that the options ask for; a `RoamError` when the kind of file cannot hold it."""
-    asks_for_exr = arguments.channels or arguments.tight or arguments.depth == Depth.HALF
-    file = arguments.file or (MatteFile.EXR if asks_for_exr else MatteFile.PNG)
+def matte_style(arguments: argparse.Namespace, name: str = "") -> MatteStyle:
+    """The style that the options ask for, and the suffix of the pictures' `name` where no kind of file is asked for.
+
+    Raises `RoamError` when the kind of file cannot hold it.
+    """
     parts = Parts.SHAPE if arguments.channels and arguments.per == Parts.ALL else Parts(arguments.per)
     return MatteStyle(
-        file=MatteFile(file),
+        file=_kind(arguments, name),
         depth=None if arguments.depth is None else Depth(arguments.depth),
         compression=arguments.compression,
         parts=parts,
@@ -60,6 +66,23 @@ def matte_style(arguments: argparse.Namespace) -> MatteStyle:
         window=DataWindow.TIGHT if arguments.tight else DataWindow.FULL,
         resumes=arguments.resume,
     )
+
+
+def _kind(arguments: argparse.Namespace, name: str) -> MatteFile:
+    """The kind that is asked for, or that the name has; without either the first that holds what is asked for."""
+    if arguments.file:
+        return MatteFile(arguments.file)
+    if named := SUFFIXES.get(Path(name).suffix.lower()):
+        return named
+    if arguments.channels or arguments.tight:
+        return MatteFile.EXR
+    depth, compression = arguments.depth, arguments.compression
+    fitting = (
+        kind
+        for kind in MatteFile
+        if (depth is None or depth in DEPTHS[kind]) and (compression is None or compression in COMPRESSIONS[kind])
+    )
+    return next(fitting, MatteFile.EXR if depth == Depth.HALF else MatteFile.PNG)
 
 
 def require_no_picture(folder: Path, advice: str) -> None:

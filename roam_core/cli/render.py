@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
     place, called = quote(str(arguments.out.parent)), quote(arguments.out.name)
     require_no_picture(arguments.out, f"How they are called there is --name: --out {place} --name {called}.")
     project = with_only(loaded(arguments.project), arguments.shape)
-    clip, style = project.require_clip(), matte_style(arguments)
+    clip, style = project.require_clip(), matte_style(arguments, arguments.name or "")
     asked = asked_frames(clip, arguments.start, arguments.end)
     pattern = arguments.name
     if pattern and Path(pattern).suffix.lower() in SUFFIXES:

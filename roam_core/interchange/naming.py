@@ -17,17 +17,17 @@ PICTURE = {"rgba", "rgb", "alpha"}
 
 
 def numbering(pattern: str, offset: int = 0) -> Callable[[int], str]:
-    """How a pattern such as `matte.####.png`, `matte.@@@@.png`, `matte.%04d.png` or plain `matte.png` names a frame.
+    """How a pattern such as `m.####.png`, `m.@@@@.png`, `m.%04d.png`, `m.$F4.png` or plain `m.png` names a frame.
 
-    `%d` and a single `#` give the number as it is; a single `@` is a letter of the name. Where the pattern says nothing
-    of a number, four digits stand before the suffix.
+    `%d`, `$F` and a single `#` give the number as it is; a single `@` is a letter of the name. Where the pattern says
+    nothing of a number, four digits stand before the suffix.
     """
     marked = _MARK.fullmatch(pattern)
     if marked is None:
         stem, suffix = Path(pattern).stem, Path(pattern).suffix
         return lambda frame: f"{stem}.{frame + offset:04d}{suffix}"
-    before, marks, digits, after = marked.groups()
-    width = int(digits or 1) if marks.startswith("%") else len(marks)
+    before, marks, digits, houdini, braced, after = marked.groups()
+    width = len(marks) if marks[0] in "#@" else int(digits or houdini or braced or 1)
     return lambda frame: f"{before}{frame + offset:0{width}d}{after}"
 
 
@@ -36,7 +36,7 @@ def is_numbered(pattern: str) -> bool:
     return _MARK.fullmatch(pattern) is not None
 
 
-_MARK = re.compile(r"(.*?)(#+|@@+|%(?:0(\d))?d)(.*)", flags=re.DOTALL)
+_MARK = re.compile(r"(.*?)(#+|@@+|%(?:0?(\d))?d|\$F(?:([1-9])|(?![A-Za-z0-9]))|\$\{F([1-9]?)\})(.*)", flags=re.DOTALL)
 
 
 def ascii_name(text: str) -> str:

@@ -27,6 +27,10 @@ SIGNS: Mapping[str, re.Pattern[str]] = {
 """By what text each format is known, by its importer's name; the first that fits is meant."""
 
 
+_WINDOWS = {0xDC00 + byte: bytes([byte]).decode("cp1252", "replace") for byte in range(0x80, 0x100)}
+"""The letters of Western Windows for what Python makes of bytes that are no UTF-8."""
+
+
 def name_of(text: str) -> str | None:
     """The name of the importer whose shapes a text holds by its look, or None."""
     text = text.removeprefix("\ufeff")
@@ -42,7 +46,8 @@ def format_of(path: Path) -> str | None:
 def text_of(content: bytes) -> str:
     """A file as text: UTF-16 with the byte order mark that Windows writes, UTF-8, or what Windows wrote before that.
 
-    Bytes that are none are replaced, and a mark of UTF-8 is taken off.
+    Single bytes that are no UTF-8 are letters of Western Windows, whatever lies around them. Those that are none there
+    either are replaced, and a mark of UTF-8 is taken off.
     """
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return content.decode("utf-16", "replace")
@@ -51,7 +56,9 @@ def text_of(content: bytes) -> str:
         return content.decode("utf-8")
     except UnicodeDecodeError as error:
         is_cut = error.end == len(content) and error.reason == "unexpected end of data"
-        return content.decode("utf-8" if is_cut else "cp1252", "replace")
+        if is_cut:
+            return content.decode("utf-8", "replace")
+        return content.decode("utf-8", "surrogateescape").translate(_WINDOWS)
 
 
 def head_of(path: Path, count: int) -> bytes | None:

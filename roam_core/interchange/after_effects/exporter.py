@@ -84,8 +84,8 @@ class AfterEffectsExporter(TextExporter):
 def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The script for all shapes of `project`, and a sentence for each thing that it cannot hold.
 
-    Frame f of the plate lies (f + offset - first frame) / fps seconds after the start of the layer; a composition that
-    the script makes is numbered from the plate's first frame.
+    Frame f of the plate lies (f + offset - first frame) / fps seconds after the start of a layer that is there; a
+    composition that the script makes begins with the plate's first frame, and gives it its number and the offset.
     """
     clip = project.require_clip()
     root = branched(readied(project, options), timed_intersect=False)
@@ -99,8 +99,9 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
         "height": clip.size[1],
         "aspect": clip.pixel_aspect,
         "fps": clip.fps,
-        "first": clip.first,
-        "last": clip.last,
+        "first": clip.first + options.frame_offset,
+        "length": len(clip.frame_range),
+        "offset": options.frame_offset,
         "blurred": any(shape.is_blurred for shape in shapes),
     }
     lines = ",\n".join(f"    {javascript_literal(part)}" for part in parts)
@@ -196,7 +197,7 @@ class _Writer(ShapeWriter):
         return values
 
     def _frame(self, frame: int) -> int:
-        return frame + self.options.frame_offset - self.clip.first
+        return frame - self.clip.first
 
     def _note_losses(self, shape: RotoShape) -> None:
         if has_feather_curve(shape):

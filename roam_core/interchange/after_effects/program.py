@@ -7,9 +7,10 @@ PROGRAM = """\
 (function () {
   var clip = @CLIP@;
   var parts = @PARTS@;
+  var begin = clip.offset / clip.fps;  // seconds from the start of a layer that is there to the plate's first frame
 
   function created(name) {
-    var seconds = (clip.last - clip.first + 1) / clip.fps;
+    var seconds = clip.length / clip.fps;
     var comp = app.project.items.addComp(name, clip.width, clip.height, clip.aspect, seconds, clip.fps);
     if (comp.displayStartFrame !== undefined) { comp.displayStartFrame = clip.first; }
     else { comp.displayStartTime = clip.first / clip.fps; }
@@ -20,6 +21,7 @@ PROGRAM = """\
   function composition() {
     var item = app.project.activeItem;
     if (item && item instanceof CompItem) { return item; }
+    begin = 0;  // a new composition bears the numbers instead
     item = created("ROAM");
     item.openInViewer();
     return item;
@@ -99,13 +101,14 @@ PROGRAM = """\
 
   function plain(number) { return number; }
 
-  function add(layer, data) {
+  // `start` is the moment of the plate's first frame.
+  function add(layer, data, start) {
     var x = layer.width / clip.width, y = layer.height / clip.height, times = [], shapes = [];
     var mask = layer.property("ADBE Mask Parade").addProperty("ADBE Mask Atom");
     try { mask.name = data.name; } catch (error) { mask.name = data.name.substring(0, 31); }
     var path = mask.property("ADBE Mask Shape");
     for (var i = 0; i < data.keys.length; i++) {
-      times.push(layer.startTime + data.keys[i].f / clip.fps);
+      times.push(start + data.keys[i].f / clip.fps);
       shapes.push(outline(data.keys[i], data.closed, x, y));
     }
     path.setValuesAtTimes(times, shapes);
@@ -114,13 +117,13 @@ PROGRAM = """\
     mask.inverted = data.inverted;
     mask.color = data.color;
     mask.maskMotionBlur = data.blurred ? MaskMotionBlur.ON : MaskMotionBlur.OFF;
-    keyed(mask.property("ADBE Mask Feather"), data.feather, layer.startTime, function (width) {
+    keyed(mask.property("ADBE Mask Feather"), data.feather, start, function (width) {
       return [width * x, width * y];
     });
-    keyed(mask.property("ADBE Mask Offset"), data.expansion, layer.startTime, function (width) {
+    keyed(mask.property("ADBE Mask Offset"), data.expansion, start, function (width) {
       return width * Math.sqrt(x * y);
     });
-    keyed(mask.property("ADBE Mask Opacity"), data.opacity, layer.startTime, plain);
+    keyed(mask.property("ADBE Mask Opacity"), data.opacity, start, plain);
     if (typeof MaskFeatherFalloff !== "undefined") { mask.maskFeatherFalloff = MaskFeatherFalloff.FFO_LINEAR; }
     mask.locked = data.locked;
   }
@@ -135,7 +138,7 @@ PROGRAM = """\
         layer.name = parts[k].name;
       } else {
         layer = solid(comp, parts[k].name, parts[k].grey);
-        for (m = 0; m < parts[k].masks.length; m++) { add(layer, parts[k].masks[m]); }
+        for (m = 0; m < parts[k].masks.length; m++) { add(layer, parts[k].masks[m], 0); }
       }
       layer.blendingMode = BlendingMode[parts[k].blend];
       keyed(layer.property("ADBE Transform Group").property("ADBE Opacity"), parts[k].opacity, 0, plain);
@@ -145,7 +148,7 @@ PROGRAM = """\
 
   function matted(comp, layer, matte) {
     var placed = comp.layers.add(matte), way = placed.property("ADBE Transform Group");
-    placed.startTime = layer.startTime;
+    placed.startTime = layer.startTime + begin;
     placed.parent = layer;
     way.property("ADBE Anchor Point").setValue([0, 0]);
     way.property("ADBE Position").setValue([0, 0]);
@@ -160,7 +163,7 @@ PROGRAM = """\
   app.beginUndoGroup("Masks from ROAM");
   var comp = composition(), layer = target(comp);
   if (parts.length === 1 && parts[0].isFlat) {
-    for (var k = 0; k < parts[0].masks.length; k++) { add(layer, parts[0].masks[k]); }
+    for (var k = 0; k < parts[0].masks.length; k++) { add(layer, parts[0].masks[k], layer.startTime + begin); }
   } else { matted(comp, layer, joined("ROAM matte", parts)); }
   app.endUndoGroup();
 })();

@@ -22,6 +22,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.kernels.key_spans import PARTS, RIDGE, cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape
+from roam_core.translatable import sentence
 
 PLACES = 8
 """Places on each segment of the outline at which it is compared; between two of them it is taken to be straight."""
@@ -72,10 +73,16 @@ class Reduction:
 
     def report(self) -> str:
         """What was achieved, in one sentence."""
-        checked = "at quarter frames, too" if self.slopes else "on whole frames and between them"
-        return (
-            f"{self.shape.name!r}: {len(self.shape.keys)} keys for {self.before} frames; the outline moves by at most "
-            f"{self.max_error:.2f} px, {self.mean_error:.2f} px on average ({checked})."
+        checked = sentence("at quarter frames, too") if self.slopes else sentence("on whole frames and between them")
+        return sentence(
+            "{name!r}: {keys} keys for {frames} frames; the outline moves by at most {max_error:.2f} px, "
+            "{mean_error:.2f} px on average ({checked}).",
+            name=self.shape.name,
+            keys=len(self.shape.keys),
+            frames=self.before,
+            max_error=self.max_error,
+            mean_error=self.mean_error,
+            checked=checked,
         )
 
 

@@ -21,8 +21,8 @@ from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, runs_of
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.matte import render_matte
-from roam_core.roto import BlendMode, Layer, Project, RotoShape
-from roam_core.roto.animated import is_always
+from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
+from roam_core.roto.animated import Animatable, value_at, values_of
 from roam_core.translatable import N_, listed, sentence
 
 Item = Layer | RotoShape
@@ -80,10 +80,19 @@ class _Writer(ShapeWriter):
                 continue
             self._tell(shape)
             keys = tuple(replace(key, feather=None) for key in shape.keys)
-            seen = {frame: shape.opacity_at(frame) > 0.0 for frame in self.options.frames_of(self.clip)}
-            if any(seen.values()):
-                children.append(replace(shape, keys=keys, feather=0.0, opacity=1.0, motion_blur=None))
-        return replace(layer, children=tuple(children), opacity=1.0)
+            opacity = self._there(shape.opacity)
+            if any(values_of(opacity)):
+                children.append(replace(shape, keys=keys, feather=0.0, opacity=opacity, motion_blur=None))
+        return replace(layer, children=tuple(children), opacity=self._there(layer.opacity))
+
+    def _there(self, opacity: Animatable) -> Animatable:
+        """1 where something of it is seen, 0 on the frames on which nothing is: there it is no object."""
+        hold, keys = Interpolation.HOLD, list[ValueKey]()
+        for frame in self.options.frames_of(self.clip):
+            value = float(value_at(opacity, frame) > 0.0)
+            if not keys or keys[-1].value != value:
+                keys.append(ValueKey(frame, value, hold))
+        return Animated(tuple(keys)) if len(keys) > 1 else keys[0].value
 
     def _tell(self, shape: RotoShape) -> None:
         left = [
@@ -98,7 +107,7 @@ class _Writer(ShapeWriter):
             self.notes.append(
                 sentence("Objects are hard, without the {left} of {name!r}.", left=listed(left), name=shape.name)
             )
-        if not is_always(shape.opacity, 1.0):
+        if any(0.0 < shape.opacity_at(frame) < 1.0 for frame in self.options.frames_of(self.clip)):
             self.notes.append(sentence("Objects are opaque: the opacity of {name!r} is left out.", name=shape.name))
 
     def document(self, root: Layer, told_to: ExportOptions) -> dict[str, Any]:
@@ -148,12 +157,14 @@ class _Writer(ShapeWriter):
 
     def _segmentation(self, item: Item, cutters: tuple[Item, ...], frame: int) -> dict[str, Any] | None:
         """Polygons where shapes lie side by side, else the pixels that are inside; None where there is nothing."""
+        if item.opacity_at(frame) == 0.0:
+            return None
         shapes = _side_by_side(item)
         if shapes is None or any(_exists(cutter, frame) for cutter in cutters):
             return self._runs(item, cutters, frame)
         polygons = []
         for shape in shapes:
-            if not shape.exists_at(frame):
+            if not shape.exists_at(frame) or shape.opacity_at(frame) == 0.0:
                 continue
             if shape.id not in self.flatteners:
                 self.flatteners[shape.id] = Flattener(shape)
@@ -195,7 +206,8 @@ def _side_by_side(item: Item) -> list[RotoShape] | None:
     for child in item.children:
         if not child.visible:
             continue
-        shapes = _side_by_side(child) if child.blend in JOINING else None
+        varies = isinstance(child, Layer) and child.opacity != 1.0
+        shapes = _side_by_side(child) if child.blend in JOINING and not varies else None
         if shapes is None:
             return None
         found += shapes

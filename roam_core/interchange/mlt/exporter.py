@@ -70,7 +70,8 @@ class _Writer(ShapeWriter):
     texts: list[str] = field(default_factory=list)
 
     def add(self, layer: Layer) -> None:
-        self._tell_layer(layer)
+        if layer.visible:
+            self._tell_layer(layer)
         for child in layer.children:
             if not layer.visible:
                 child = replace(child, visible=False)
@@ -109,9 +110,10 @@ class _Writer(ShapeWriter):
 
     def _tell_shape(self, shape: RotoShape) -> None:
         name, told = f"{shape.name!r}", []
+        losses = self.losses if shape.visible else list[str]()  # what is hidden has no matte to lose
         operation = OPERATIONS.get(shape.blend)
         if operation is None:
-            self.losses.append(
+            losses.append(
                 sentence("MLT has no mode {mode!r}: that of {name} is lost.", mode=shape.blend.value, name=name)
             )
         elif self.texts:
@@ -130,7 +132,7 @@ class _Writer(ShapeWriter):
                 )
             )
         if not is_always(shape.opacity, 1.0):
-            self.losses.append(sentence("MLT's rotoscoping has no opacity: that of {name} is lost.", name=name))
+            losses.append(sentence("MLT's rotoscoping has no opacity: that of {name} is lost.", name=name))
         if not shape.visible or shape.lifetime is not None:
             self.notes.append(
                 sentence("A spline is always there: switch off or cut the filter of {name} where it is not.", name=name)

@@ -13,15 +13,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from roam_core.atomic_write import write_atomically
-from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.naming import file_words, is_numbered, numbering
-from roam_core.interchange.protocol import STANDARD, ExportOptions, readied, with_chosen_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, KeyChoice, ShapeWriter, readied
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietly
 from roam_core.interchange.svg.painting import Painter
 from roam_core.interchange.svg.reading import SvgReader
 from roam_core.interchange.svg.words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
 from roam_core.interchange.telling import gathered
-from roam_core.roto import Clip, Project
+from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
 from roam_core.translatable import N_, sentence
 
 PAGE = "#404040"
@@ -41,7 +40,7 @@ class SvgFormat:
 
         Where the name of `path` says where a frame's number goes (`####` or `%04d`), one picture for every frame.
         """
-        clip, project = project.require_clip(), bake_layers(project)
+        clip = project.require_clip()
         frames, frame = options.frames_of(clip), options.frame_of(clip)
         options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
         if not is_numbered(path.name):
@@ -49,14 +48,14 @@ class SvgFormat:
             options.advance(1.0, sentence("Writing {name}", name=path.name))
             write_atomically(path, text.encode("utf-8"))
             return notes
-        smoothed: list[str] = []
-        project = replace(project, root=with_chosen_keys(project.root, options, smoothed))
-        options = replace(options, smoothing=0.0)
-        name_for, told = numbering(path.name, options.frame_offset), dict.fromkeys(smoothed)
+        writer = Painter(clip, replace(options, progress=None), len(project.shapes))
+        root = _begun(readied(project, options).root, writer)
+        options = replace(options, keys=KeyChoice.EVERY, smoothing=0.0)  # they are chosen, once for all pictures
+        name_for, told = numbering(path.name, options.frame_offset), dict.fromkeys(writer.notes)
         absent: dict[str, list[int]] = {}
         for done, frame in enumerate(frames):
             options.advance(done / len(frames), sentence("Frame {frame}", frame=frame))
-            picture = _picture(project, frame, replace(options, progress=None))
+            picture = _picture(replace(project, root=_at(root, frame)), frame, replace(options, progress=None))
             write_atomically(path.with_name(name_for(frame)), picture.text.encode("utf-8"))
             told |= dict.fromkeys(picture.notes)
             for shape_id in picture.absent:
@@ -79,7 +78,10 @@ class SvgFormat:
 
 def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The picture of all shapes of `project` on one frame, and a sentence for each thing that it cannot hold."""
-    picture, names = _picture(project, frame, options), {shape.id: shape.name for shape in project.shapes}
+    picture, names = (
+        _picture(readied(project, options), frame, options),
+        {shape.id: shape.name for shape in project.shapes},
+    )
     absent = (_absence(names[shape_id], [frame]) for shape_id in picture.absent)
     return picture.text, gathered([*picture.notes, *absent])
 
@@ -93,8 +95,30 @@ class _Picture:
     absent: tuple[str, ...]
 
 
+def _begun(layer: Layer, writer: ShapeWriter) -> Layer:
+    """The layer with the keys of every shape that are to be exported."""
+    children = (_begun(child, writer) if isinstance(child, Layer) else writer.begun(child) for child in layer.children)
+    return replace(layer, children=tuple(children))
+
+
+def _at(layer: Layer, frame: int) -> Layer:
+    """The layer whose shapes have the one key that a picture of the frame asks for, that it looks at no others."""
+    return replace(
+        layer,
+        children=tuple(
+            _at(child, frame) if isinstance(child, Layer) else replace(child, keys=(_key_at(child, frame),))
+            for child in layer.children
+        ),
+    )
+
+
+def _key_at(shape: RotoShape, frame: int) -> Keyframe:
+    outline = shape.at(frame)
+    return Keyframe(frame, outline.points, outline.feather)
+
+
 def _picture(project: Project, frame: int, options: ExportOptions) -> _Picture:
-    project = readied(project, options)
+    """The picture of a project that is `readied`."""
     clip, root = project.require_clip(), project.root
     width, height = (str(length) for length in clip.size)
     for prefix, space in {"": SVG, "inkscape": INKSCAPE, "sodipodi": SODIPODI, "xlink": XLINK}.items():

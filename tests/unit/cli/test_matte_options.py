@@ -63,6 +63,26 @@ def test_sixteen_bit_tiffs_are_written_when_asked_for(roam: Roam, project: Path,
     assert str(oiio.ImageBuf(str(tmp_path / "0007.tif")).spec().format) == "uint16"
 
 
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        (("--name", "m.####.tiff", "--depth", "float"), "m.0007.tiff"),
+        (("--name", "m.####.tif", "--compression", "lzw"), "m.0007.tif"),
+        (("--name", "m.####.exr", "--depth", "float", "--compression", "piz"), "m.0007.exr"),
+        (("--name", "m.####", "--depth", "float"), "m.0007.exr"),
+        (("--name", "m.####", "--compression", "packbits"), "m.0007.tif"),
+        (("--name", "m.####", "--depth", "16"), "m.0007.png"),
+    ],
+)
+def test_the_name_or_what_is_asked_for_says_what_kind_of_file_is_written(
+    roam: Roam, project: Path, tmp_path: Path, words: tuple[str, ...], first: str
+) -> None:
+    assert roam("render", project, "--out", tmp_path / "out", *words).status == 0
+    assert first in names(tmp_path / "out")
+    words = words[2:]
+    assert roam("export", project, tmp_path / "out" / f"e{first[1:]}", "--to", "mattes", *words).status == 0
+
+
 def test_a_run_is_taken_up_where_it_ended(roam: Roam, project: Path, tmp_path: Path) -> None:
     (tmp_path / "0008.png").write_bytes(b"there")
     done = roam("render", project, "--out", tmp_path, "--resume")

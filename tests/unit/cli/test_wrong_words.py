@@ -62,7 +62,7 @@ EXPORTS: list[tuple[str, str]] = [
     ("{f}/p.roam --to mattes {f}/x.png --file exr", "the name of PNG files, but EXR is asked for"),
     ("{f}/p.roam --to mattes {f}/x.png --depth float", "8 or 16 deep, not float"),
     ("{f}/p.roam --to mattes {f}/out --file png --channels", "no channels with names"),
-    ("{f}/p.roam --to mattes {f}/out --compression piz", "compressed by zip, not 'piz'"),
+    ("{f}/p.roam --to mattes {f}/out --file png --compression piz", "compressed by zip, not 'piz'"),
     ("{f}/p.roam --to mattes {f}/noise.nk/out", "cannot be made"),
 ]
 RENDERS = [

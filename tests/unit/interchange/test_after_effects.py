@@ -10,6 +10,7 @@ import pytest
 
 from roam_core.geometry import bezier
 from roam_core.interchange.after_effects.exporter import feather_radii, mask_script
+from roam_core.interchange.protocol import ExportOptions
 from roam_core.roto import Animated, BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey
 from tests.unit.interchange import node_judge
 from tests.unit.interchange.conftest import CLIP, animated
@@ -124,3 +125,26 @@ def test_more_masks_than_a_layer_takes_lie_on_several(tmp_path: Path) -> None:
     made = node_judge.ran(mask_script(only(*(shape(f"S{k}", k) for k in range(130))))[0], tmp_path)["scene"]
     layers = made["matte"]["comp"]["layers"]
     assert [len(layer["masks"]) for layer in layers] == [0, 127, 1, 1, 1]
+
+
+def test_an_offset_numbers_a_new_composition_and_moves_masks_on_a_layer_that_is_there(tmp_path: Path) -> None:
+    """The composition began with the plate's own number, and the masks lay before its start."""
+    text, _ = mask_script(only(shape("A")), ExportOptions(frame_offset=-1001))
+    made = node_judge.ran(text, tmp_path)
+    assert made["comp"]["displayStartFrame"] == 0
+    assert made["comp"]["duration"] == pytest.approx(40 / 24)
+    frames = [frame - 1001 for frame in animated("A").frames]
+    (mask,) = node_judge.masks(made, 24, 0)
+    assert sorted(mask.keys) == frames
+    (mask,) = node_judge.masks(node_judge.ran(text, tmp_path, layer=(1920, 1080)), 24, 0, start=2.0)
+    assert sorted(mask.keys) == [frame - 1001 for frame in frames]
+
+
+def test_an_offset_moves_a_matte_of_layers_as_a_whole(tmp_path: Path) -> None:
+    """Its compositions are as long as the shot: what lay `offset` frames later in them was cut off at the end."""
+    ring = Layer("ring", "Ring", (shape("A", opacity=0.5),), invert=True)
+    text, _ = mask_script(only(shape("B", 2), ring), ExportOptions(frame_offset=8))  # type: ignore[arg-type]
+    matte = node_judge.ran(text, tmp_path, layer=(1920, 1080))["scene"]["matte"]
+    assert matte["startTime"] == pytest.approx(2.0 + 8 / 24)
+    keys = matte["comp"]["layers"][1]["masks"][0]["properties"]["ADBE Mask Shape"]["keys"]
+    assert keys[0]["time"] == pytest.approx((animated("B").frames[0] - 1001) / 24)

@@ -45,6 +45,25 @@ def overlap(a: Any, b: Any) -> float:
 # ---- COCO ------------------------------------------------------------------------------------------------------------
 
 
+def test_what_has_no_opacity_on_a_frame_is_no_object_of_coco_there() -> None:
+    """Other programs show and hide shapes so; they were labelled on every frame."""
+    held = Interpolation.HOLD
+    off = Animated((ValueKey(1001, 1.0, held), ValueKey(1004, 0.0, held), ValueKey(1006, 1.0, held)))
+    inside = Layer("l", "Inside", (replace(blob("Other", 60.0, 60.0, 20.0, 20.0), id="o"),), opacity=off)
+    beside = replace(blob("Beside", 220.0, 60.0, 20.0, 20.0), id="b")
+    nest = Layer("n", "Nest", (replace(inside, id="l2"), beside))
+    document, notes, losses = coco_document(project(car(opacity=off), inside, nest))
+    labelled = {track: set[int]() for track in (1, 2, 3)}
+    for row in document["annotations"]:
+        labelled[row["track_id"]].add(row["image_id"] + 1000)
+    seen = set(CLIP.frame_range) - {1004, 1005}
+    assert labelled == {1: seen, 2: seen, 3: set(CLIP.frame_range)}
+    areas = {row["image_id"] + 1000: row["area"] for row in document["annotations"] if row["track_id"] == 3}
+    assert areas[1005] < 0.7 * areas[1003]
+    assert losses == []
+    assert not any("opacity" in note for note in notes)
+
+
 @pytest.mark.filterwarnings("ignore:__array__ implementation")  # COCO's own, with numpy 2
 def test_cocos_own_code_finds_our_pixels() -> None:
     """Polygons where shapes lie side by side, runs where one cuts: both are the matte's pixels."""
@@ -369,3 +388,11 @@ def test_a_group_of_cvat_is_a_compound(tmp_path: Path) -> None:
     )
     shapes = read_shapes(path, CLIP).layer.shapes()
     assert [shape.compound for shape in shapes] == ["compound-1", "compound-1", "", "", "compound-2", "compound-2"]
+
+
+def test_mlt_loses_nothing_of_what_is_hidden(tmp_path: Path) -> None:
+    """Its filter is to be switched off, and that is told; a mode of it refused the whole export."""
+    hidden = car(blend=BlendMode.DIFFERENCE, opacity=0.5, visible=False)
+    off = Layer("l", "Off", (blob("Other", 60.0, 60.0),), visible=False, invert=True)
+    told = EXPORTERS["mlt"].export(project(blob("Seen", 200.0, 90.0), hidden, off), tmp_path / "a.json")
+    assert any(note.startswith("A spline is always there: switch off or cut the filter of 'Car'") for note in told)

@@ -22,6 +22,10 @@ from roam_core.interchange.naming import LONGEST, ascii_name, distinct, file_wor
         ("{name}.##.tif", "{name}.07.tif"),
         ("m.@@@@.png", "m.0007.png"),
         ("m@@.png", "m07.png"),
+        ("m.$F4.png", "m.0007.png"),
+        ("m.$F.png", "m.7.png"),
+        ("m_${F3}.png", "m_007.png"),
+        ("m.%4d.png", "m.0007.png"),
         ("m@2x.####.png", "m@2x.0007.png"),
     ],
 )

@@ -12,7 +12,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.clipboard import read_text
-from roam_core.interchange.recognition import format_of
+from roam_core.interchange.recognition import format_of, text_of
 from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes, importer_for, read_shapes
 from roam_core.roto import Clip, Layer, MotionBlur, Project, Spline, control_points
 from tests.unit.interchange.conftest import CLIP, animated
@@ -194,6 +194,11 @@ def test_text_is_read_as_windows_writes_it(tmp_path: Path, encoding: str, called
     path.write_bytes(f"version 9.0 v1\r\nRoto {{\r\n curves {curves % points}\r\n}}\r\n".encode(encoding))
     (shape,) = read_shapes(path, Clip(tmp_path, 1, 9, (100, 100))).layer.shapes()
     assert shape.name == "Größe"
+
+
+def test_a_byte_that_is_no_utf_8_leaves_the_other_letters_as_they_are() -> None:
+    mixed = "Größe 左手 ".encode() + "Füße €".encode("cp1252") + b" \x81"
+    assert text_of(mixed) == "Größe 左手 Füße € \N{REPLACEMENT CHARACTER}"
 
 
 @pytest.mark.parametrize("encoding", ["UTF-16", "ISO-8859-1"])

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
+from roam_core.interchange import EXPORTERS, ExportOptions, Imported, KeyChoice, read_shapes
+from roam_core.interchange.keys.reduction import Reduction, reduced
 from roam_core.interchange.svg.abbreviations import written_out
 from roam_core.interchange.svg.format import svg_document
 from roam_core.matte import render_matte
-from roam_core.roto import BlendMode, Clip, Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Origin, Project, RotoShape, Spline, control_points
 from tests.judges import svg as svg_judge
 from tests.unit.interchange import qt_judge
 from tests.unit.interchange.conftest import animated, points
@@ -34,6 +36,46 @@ def drawing(body: str, head: str = 'width="320" height="200"') -> str:
 
 
 # ---- writing ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ExportOptions(keys=KeyChoice.REDUCED),
+        ExportOptions(keys=KeyChoice.ARTIST),
+        ExportOptions(smoothing=2.0, frame_offset=7),
+    ],
+    ids=["reduced", "artist", "smooth"],
+)
+def test_pictures_of_all_frames_are_those_of_each(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: ExportOptions
+) -> None:
+    """Keys are chosen once for all of them: a minute's reduction on each of a thousand frames took a day."""
+    chosen: list[str] = []
+
+    def counted(shape: RotoShape, *rest: Any) -> Reduction:
+        chosen.append(shape.name)
+        return reduced(shape, *rest)
+
+    keys = [replace(key, origin=Origin.ENGINE if k % 2 else Origin.ARTIST) for k, key in enumerate(tracked("A").keys)]
+    shape = replace(tracked("A"), keys=tuple(keys), feather=4.0)
+    spline = control_points.with_spline(replace(animated("B"), id="b"), Spline.BSPLINE)
+    project = Project(CLIP, Layer("root", "Root", (shape, spline)))
+    alone = [svg_document(project, frame, options)[0] for frame in (1, 6, 14)]
+    monkeypatch.setattr("roam_core.interchange.protocol.reduced", counted)
+    notes = EXPORTERS["svg"].export(project, tmp_path / "p.####.svg", options)
+    for frame, text in zip((1, 6, 14), alone, strict=True):
+        name = f"p.{frame + options.frame_offset:04d}.svg"
+        assert (tmp_path / name).read_text(encoding="utf-8") == text
+    assert chosen == (["A", "B"] if options.keys is KeyChoice.REDUCED else [])
+    assert len(notes) == len(set(notes))
+
+
+def tracked(name: str) -> RotoShape:
+    """The animated shape with a key on every frame."""
+    shape = animated(name)
+    keys = (Keyframe(frame, shape.at(frame).points) for frame in CLIP.frame_range)
+    return replace(shape, keys=tuple(keys))
 
 
 @pytest.mark.parametrize("frame", [1, 6, 11, 14])
