@@ -1439,6 +1439,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frames {first} bis {last} werden gefüllt</translation>
     </message>
     <message>
+        <source>Filling stopped after the gap up to frame {frame}; its frames were taken back.</source>
+        <translation>Füllen angehalten nach der Lücke bis Frame {frame}; seine Frames wurden zurückgenommen.</translation>
+    </message>
+    <message>
         <source>Filling stopped after the gap up to frame {frame}; the finished frames stay.</source>
         <translation>Füllen angehalten nach der Lücke bis Frame {frame}; die fertigen Frames bleiben.</translation>
     </message>
@@ -5016,6 +5020,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Tracked {names} to frame {frame}: {paced}.{gaps}</source>
         <translation>{names} bis Frame {frame} getrackt: {paced}.{gaps}</translation>
+    </message>
+    <message>
+        <source>Tracking stopped at frame {frame}; its frames were taken back.</source>
+        <translation>Tracken bei Frame {frame} angehalten; seine Frames wurden zurückgenommen.</translation>
     </message>
     <message>
         <source>Tracking stopped at frame {frame}; the finished frames stay.</source>
