@@ -4617,6 +4617,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Pixel unter dem Zeiger; die Werte sind die der Plate, vor Belichtung und Gamma</translation>
     </message>
     <message>
+        <source>The planar track stopped at frame {frame}; its frames were taken back.</source>
+        <translation>Der planare Track hielt bei Frame {frame} an; seine Frames wurden zurückgenommen.</translation>
+    </message>
+    <message>
         <source>The planar track stopped at frame {frame}; the finished frames stay.</source>
         <translation>Flächen-Track bei Frame {frame} angehalten; die fertigen Frames bleiben.</translation>
     </message>
