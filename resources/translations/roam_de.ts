@@ -2296,6 +2296,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Diese Aktion ohne Taste lassen</translation>
     </message>
     <message>
+        <source>Left out, for they are locked or no closed outlines: {shown}</source>
+        <translation>Ausgelassen, weil gesperrt oder keine geschlossenen Umrisse: {shown}</translation>
+    </message>
+    <message>
         <source>Let go of all shapes, points and layers</source>
         <translation>Alle Formen, Punkte und Ebenen loslassen</translation>
     </message>
