@@ -101,13 +101,19 @@
         <source> {shapes} edited or locked meanwhile: left as they are.</source>
         <translation> {shapes} inzwischen bearbeitet oder gesperrt und nicht verändert.</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n boiling frame(s)</source>
-        <translation>Flimmernde Frames: %n</translation>
+        <translation>
+            <numerusform>%n flimmernder Frame</numerusform>
+            <numerusform>%n flimmernde Frames</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n doubtful frame(s)</source>
-        <translation>Zweifelhafte Frames: %n</translation>
+        <translation>
+            <numerusform>%n zweifelhafter Frame</numerusform>
+            <numerusform>%n zweifelhafte Frames</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n doubtful frame(s): &lt;track.most_doubtful&gt; goes to the worst one.</source>
@@ -172,9 +178,12 @@
             <numerusform>%n Ebenen</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n note(s)</source>
-        <translation>Notizen: %n</translation>
+        <translation>
+            <numerusform>%n Notiz</numerusform>
+            <numerusform>%n Notizen</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n page(s)</source>
