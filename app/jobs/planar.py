@@ -231,14 +231,15 @@ def _replaced(run: _Run, before: Project, after: Project, frame: int) -> dict[st
 
 def _is_gone(run: _Run, project: Project) -> bool:
     """Whether what a run found last is not in the project any more: it was undone or deleted."""
-    if run.reached is None:
+    reached = run.reached
+    if reached is None:
         return False
     if not run.vertices:
         motion = _motion(run, project)
         return motion is None or (motion == run.before and motion != run.expected)
 
     def is_left(shape_id: str, before: Keyframe | None) -> bool:
-        key = project.shape(shape_id).key_at(run.reached) if project.has(shape_id) else None
+        key = project.shape(shape_id).key_at(reached) if project.has(shape_id) else None
         return key is not None and key != before
 
     return bool(run.replaced) and not all(is_left(*each) for each in run.replaced.items())
