@@ -140,7 +140,7 @@ class Tracking:
     def to_next_key(self) -> None:
         """Track up to the next artist key, on the clip, of the shapes that are tracked; to the end if there is none."""
         frame, clip = self._view.frame, self._clip()
-        begun = [shape for shape in self._able() if _has_begun(shape, frame, 1)] or self._able()
+        begun = [shape for shape in self.able() if _has_begun(shape, frame, 1)] or self.able()
         later = [key for shape in begun for key in shape.artist_frames if key > frame and key in clip]
         if not later:
             self.forward()
@@ -252,17 +252,17 @@ class Tracking:
         return shapes_in_hand(self._document.project, self._view.selection)
 
     def in_scope(self) -> list[RotoShape]:
-        """The shapes that a run would take, whether they can be tracked or not."""
+        """The shapes that are meant, whether they can be tracked or not."""
         return list(self._document.project.shapes) if self.scope is Scope.ALL else self._shapes()
 
-    def _able(self) -> list[RotoShape]:
-        """Those in scope that can be tracked: outlines that are not locked."""
+    def able(self) -> list[RotoShape]:
+        """Those in scope that a run takes: outlines that are not locked."""
         outlines = [shape for shape in self.in_scope() if shape.closed and shape.point_count >= MIN_POINTS]
         return [shape for shape in outlines if not self._document.project.is_locked(shape.id)]
 
     def _trackable(self) -> list[RotoShape]:
         """Those that can be tracked; says why when there is none."""
-        shapes, able, project = self.in_scope(), self._able(), self._document.project
+        shapes, able, project = self.in_scope(), self.able(), self._document.project
         if not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able and project.is_locked(shapes[0].id):

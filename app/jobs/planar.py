@@ -16,7 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
-from roam_core.roto import Layer, LayerTransform, Project, RotoShape, edit
+from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
 from roam_core.roto.following import followed, with_moving_layer, with_points
 from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
 
@@ -57,6 +57,10 @@ class _Run:
     keeps_undone: bool = False
     ended_by: str = ""
     """What was done to which shape that ended the run; empty where nothing was."""
+    before: LayerTransform | None = None
+    """How the layer moved before the run; None where it made the layer, or moves points."""
+    replaced: Mapping[str, Keyframe | None] = field(default_factory=dict)
+    """Of each shape whose points it moves what lay on the frame reached, where the run put something else."""
 
     @property
     def shape_ids(self) -> tuple[str, ...]:
@@ -154,11 +158,14 @@ class PlanarTrack(QObject):
             return
         if run.vertices:
             moved = partial(_with_vertices, run, found)
+            run.replaced = _replaced(run, self._document.project, moved(self._document.project), frame)
             self._document.amend(tr("Point track"), moved, run.merge_key, keeps_undone=run.keeps_undone)
             if run.points is not None:
                 self._view.track_points = run.points.carried(found.matrix, frame)
         else:
             change = _following(run, self._document.project, found)
+            if run.reached is None and self._document.project.has(run.layer_id):
+                run.before = _motion(run, self._document.project)
             layer = change(self._document.project).find(run.layer_id)
             assert isinstance(layer, Layer)
             run.expected = layer.transform
@@ -186,13 +193,12 @@ class PlanarTrack(QObject):
         there = not gone
         run.ended_by = told_of(project, gone[0]) if gone else ""
         if run.layer_id and there:
-            layer = project.find(run.layer_id) if project.has(run.layer_id) else None
-            there = isinstance(layer, Layer) and layer.transform == run.expected
+            there = _motion(run, project) == run.expected
         if run.vertices and there:
             moved = [project.shape(shape_id) for shape_id in {shape_id for shape_id, _ in run.vertices}]
             # Where points come or go, the numbers of the others mean other points.
             there = all(shape.point_count == run.counts[shape.id] for shape in moved)
-            there &= run.reached is None or all(shape.key_at(run.reached) is not None for shape in moved)
+            there &= not _is_gone(run, project)
         if not there:
             self.drop()
 
@@ -203,9 +209,40 @@ class PlanarTrack(QObject):
         if ending is Ending.CANCELLED:
             before = tr("The planar track stopped before a frame was finished; the finished frames stay.")
             there = tr("The planar track stopped at frame {frame}; the finished frames stay.", frame=run.reached)
-            sentence = f"{before if run.reached is None else there} {run.ended_by}".rstrip()
+            gone = tr("The planar track stopped at frame {frame}; its frames were taken back.", frame=run.reached)
+            said = before if run.reached is None else gone if _is_gone(run, self._document.project) else there
+            sentence = f"{said} {run.ended_by}".rstrip()
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
+
+
+def _motion(run: _Run, project: Project) -> LayerTransform | None:
+    """How the layer of a run moves; None where there is no such layer any more."""
+    layer = project.find(run.layer_id) if project.has(run.layer_id) else None
+    return layer.transform if isinstance(layer, Layer) else None
+
+
+def _replaced(run: _Run, before: Project, after: Project, frame: int) -> dict[str, Keyframe | None]:
+    """What lay on a frame of each shape to which a run does something there."""
+    ids = [shape_id for shape_id in run.counts if before.has(shape_id)]
+    keys = {shape_id: before.shape(shape_id).key_at(frame) for shape_id in ids}
+    return {shape_id: key for shape_id, key in keys.items() if key != after.shape(shape_id).key_at(frame)}
+
+
+def _is_gone(run: _Run, project: Project) -> bool:
+    """Whether what a run found last is not in the project any more: it was undone or deleted."""
+    reached = run.reached
+    if reached is None:
+        return False
+    if not run.vertices:
+        motion = _motion(run, project)
+        return motion is None or (motion == run.before and motion != run.expected)
+
+    def is_left(shape_id: str, before: Keyframe | None) -> bool:
+        key = project.shape(shape_id).key_at(reached) if project.has(shape_id) else None
+        return key is not None and key != before
+
+    return bool(run.replaced) and not all(is_left(*each) for each in run.replaced.items())
 
 
 @dataclass(frozen=True)

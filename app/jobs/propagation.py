@@ -11,7 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from roam_core.params import DEFAULT_CONFIG
-from roam_core.propagate.frame.result import FrameResult, Termination
+from roam_core.propagate.frame.result import FrameResult
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.shapes.provenance import clip_stamp
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
@@ -22,7 +22,7 @@ from ..translation import N_, tr
 from .filling import Filled, FillRequest, Gap, WaitingFills, fill
 from .runner import Ending, Report, Runner
 from .solving.company import Company, is_changed
-from .solving.run import FILL, TRACK, Run, told_of
+from .solving.run import FILL, TRACK, Count, Run, told_of
 
 ReadFrame = Callable[[int], Any]
 PATIENCE = 200
@@ -95,7 +95,9 @@ class Propagation(QObject):
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
         asked = frozenset(shape_ids)
         others = tuple(shape for shape in project.shapes if shape.closed or shape.id in asked)
-        request = _Request(self._read, others, asked, frames, config, clip_stamp(project.clip), self._memory, alone)
+        solved = Count() if before is None else before.count
+        stamp = clip_stamp(project.clip)
+        request = _Request(self._read, others, asked, frames, config, stamp, self._memory, alone, solved)
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
         run = Run(job, TRACK, shapes, self._view.frame, merge_key, frames, config, alone=alone)
@@ -238,6 +240,8 @@ class Propagation(QObject):
         if run is not None:
             self._write(run, {each.shape.id: [each.key] for each in result.results if each.key is not None})
             run.reached = result.frame
+            if result.frame != run.frames[0]:  # where it begins is news, but not one of its frames
+                run.count = run.count.plus(result)
             self._follow(run, result.frame)
             self.solved.emit(result, run.frames.step)
             if run is self._run and run.company.begins_anew(result.frame):
@@ -253,10 +257,11 @@ class Propagation(QObject):
     def _write(self, run: Run, keys: Mapping[str, Sequence[Keyframe]]) -> None:
         """Put the engine's keys into the document, as part of the run's one undo step."""
         made = {shape_id: [key for key in found if _is_solved(key)] for shape_id, found in keys.items()}
-        project = _with_engine_keys(self._document.project, made)
+        before = self._document.project
+        for shape_id in filter(before.has, made):
+            run.note(before.shape(shape_id), made[shape_id])
+        project = _with_engine_keys(before, made)
         run.expected = {shape_id: project.shape(shape_id) for shape_id in run.expected}
-        for found in made.values():
-            run.note(found)
         self._document.amend(
             tr(run.verb),
             lambda project: _with_engine_keys(project, made),
@@ -282,7 +287,8 @@ class Propagation(QObject):
         project = self._document.project  # a layer that is locked tells of itself alone
         locked = [shape for i, shape in run.expected.items() if project.has(i) and project.is_locked(i)]
         if touched or locked:
-            run.ended_by = told_of(project, (touched or locked)[0])
+            first = (touched or locked)[0]
+            run.ended_by = "" if project.has(first.id) and run.is_gone(project) else told_of(project, first)
             self._fill_rest(run, [*touched, *locked])
             run.job.drop()  # what waits for it goes on
         elif not ids <= run.expected.keys():
@@ -322,7 +328,7 @@ class Propagation(QObject):
         if run is None:
             return
         if ending is Ending.CANCELLED:
-            sentence = f"{run.stopped_sentence()} {run.ended_by}".rstrip()
+            sentence = f"{run.stopped_sentence(self._document.project)} {run.ended_by}".rstrip()
         elif ending is Ending.DONE:
             sentence = f"{sentence} {run.doubt_sentence(self._view.frame)}".rstrip()
         self.running_changed.emit()
@@ -347,6 +353,8 @@ class _Request:
     clip: str
     memory: TrackMemory
     alone: bool
+    solved: Count
+    """What the run had solved before it went on from a change."""
 
 
 def _track(report: Report, request: _Request) -> str:
@@ -356,7 +364,7 @@ def _track(report: Report, request: _Request) -> str:
 
     frames = request.frames
     names = _names([shape for shape in request.shapes if shape.id in request.asked])
-    done, bridged, seconds = 0, 0, 0.0
+    done, solved = 0, request.solved
     for result in track(
         request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory,
         begun=partial(_report_renewed, report, request), only=request.asked, alone=request.alone,
@@ -364,22 +372,20 @@ def _track(report: Report, request: _Request) -> str:
         report.token.check()
         _make_ready(result)
         report.partial(result)
-        done += 1
-        bridged += all(each.termination is Termination.MISSING_FRAME for each in result.results)
-        seconds += result.seconds
-        pace = tr("{pace:.0f} ms a frame", pace=1000 * seconds / done)
+        done, solved = done + 1, solved.plus(result)
+        pace = tr("{pace:.0f} ms a frame", pace=1000 * solved.seconds / solved.frames)
         place = tr("frame {frame} of {last}", frame=result.frame, last=frames[-1])
         sentence = FORWARD if frames.step > 0 else BACKWARD
         report.progress(done / max(len(frames) - 1, 1), tr(sentence, names=names, place=place, pace=pace))
     if done == 0:
         return tr(NO_WAY_FORWARD if frames.step > 0 else NO_WAY_BACKWARD)
-    each = 1000 * seconds / done
+    each = 1000 * solved.seconds / solved.frames
     paced = (
-        tr("{done} frames, {each:.0f} ms each", done=done, each=each)
-        if done > 1
+        tr("{done} frames, {each:.0f} ms each", done=solved.frames, each=each)
+        if solved.frames > 1
         else tr("1 frame, {each:.0f} ms", each=each)
     )
-    gaps = tr(" Bridged without a picture: {bridged}.", bridged=bridged) if bridged else ""
+    gaps = tr(" Bridged without a picture: {bridged}.", bridged=solved.bridged) if solved.bridged else ""
     return tr("Tracked {names} to frame {frame}: {paced}.{gaps}", names=names, frame=frames[-1], paced=paced, gaps=gaps)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -278,11 +279,11 @@ def _line(text: str) -> str:
 
 
 def _summary(entries: Iterable[Entry]) -> str:
-    kinds = [entry.kind for entry in entries]
-    words = (
-        (Listed.NOTE, N_("%n note(s)")),
-        (Listed.DOUBT, N_("%n doubtful frame(s)")),
-        (Listed.BOIL, N_("%n boiling frame(s)")),
+    count = Counter(entry.kind for entry in entries)
+    notes, doubts, boils = count[Listed.NOTE], count[Listed.DOUBT], count[Listed.BOIL]
+    said = (
+        tr("%n note(s)", "", notes) if notes else "",
+        tr("%n doubtful frame(s)", "", doubts) if doubts else "",
+        tr("%n boiling frame(s)", "", boils) if boils else "",
     )
-    said = [tr(text, "", kinds.count(kind)) for kind, text in words if kind in kinds]
-    return ", ".join(said) if said else tr(NOTHING)
+    return ", ".join(filter(None, said)) or tr(NOTHING)

@@ -123,7 +123,9 @@ class TrackerPanel(QWidget):
         self.dials.pull()
 
     def _pull(self, _ids: object = None) -> None:
-        self.scope.setToolTip(_scope_sentence([shape.name for shape in self._tracking.in_scope()]))
+        able = self._tracking.able()
+        left_out = [shape.name for shape in self._tracking.in_scope() if shape not in able]
+        self.scope.setToolTip(_scope_sentence([shape.name for shape in able], left_out))
         frame = self._view.frame
         tracked = [
             (shape, key.confidence)
@@ -145,14 +147,21 @@ class TrackerPanel(QWidget):
         self._confidence.setToolTip(words)
 
 
-def _scope_sentence(names: list[str]) -> str:
-    """Which shapes a run would take now."""
-    if not names:
+def _scope_sentence(names: list[str], left_out: list[str]) -> str:
+    """Which shapes a run would take now, and which of those that are meant it would not."""
+    if not names and not left_out:
         return tr("There is no shape to track yet")
+    sentences = []
+    if names:
+        sentences.append(tr("Now: {shown}", shown=_some_of(names)))
+    if left_out:
+        sentences.append(tr("Left out, for they are locked or no closed outlines: {shown}", shown=_some_of(left_out)))
+    return "\n".join(sentences)
+
+
+def _some_of(names: list[str]) -> str:
     shown = ", ".join(names[:4])
-    if len(names) > 4:
-        shown = tr("{names} and {count} more", names=shown, count=len(names) - 4)
-    return tr("Now: {shown}", shown=shown)
+    return shown if len(names) <= 4 else tr("{names} and {count} more", names=shown, count=len(names) - 4)
 
 
 def _button_row(actions: Actions) -> QHBoxLayout:

@@ -101,13 +101,19 @@
         <source> {shapes} edited or locked meanwhile: left as they are.</source>
         <translation> {shapes} inzwischen bearbeitet oder gesperrt und nicht verändert.</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n boiling frame(s)</source>
-        <translation>Flimmernde Frames: %n</translation>
+        <translation>
+            <numerusform>%n flimmernder Frame</numerusform>
+            <numerusform>%n flimmernde Frames</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n doubtful frame(s)</source>
-        <translation>Zweifelhafte Frames: %n</translation>
+        <translation>
+            <numerusform>%n zweifelhafter Frame</numerusform>
+            <numerusform>%n zweifelhafte Frames</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n doubtful frame(s): &lt;track.most_doubtful&gt; goes to the worst one.</source>
@@ -172,9 +178,12 @@
             <numerusform>%n Ebenen</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n note(s)</source>
-        <translation>Notizen: %n</translation>
+        <translation>
+            <numerusform>%n Notiz</numerusform>
+            <numerusform>%n Notizen</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n page(s)</source>
@@ -1439,6 +1448,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frames {first} bis {last} werden gefüllt</translation>
     </message>
     <message>
+        <source>Filling stopped after the gap up to frame {frame}; its frames were taken back.</source>
+        <translation>Füllen angehalten nach der Lücke bis Frame {frame}; seine Frames wurden zurückgenommen.</translation>
+    </message>
+    <message>
         <source>Filling stopped after the gap up to frame {frame}; the finished frames stay.</source>
         <translation>Füllen angehalten nach der Lücke bis Frame {frame}; die fertigen Frames bleiben.</translation>
     </message>
@@ -2290,6 +2303,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Leave this action without a key</source>
         <translation>Diese Aktion ohne Taste lassen</translation>
+    </message>
+    <message>
+        <source>Left out, for they are locked or no closed outlines: {shown}</source>
+        <translation>Ausgelassen, weil gesperrt oder keine geschlossenen Umrisse: {shown}</translation>
     </message>
     <message>
         <source>Let go of all shapes, points and layers</source>
@@ -4613,6 +4630,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Pixel unter dem Zeiger; die Werte sind die der Plate, vor Belichtung und Gamma</translation>
     </message>
     <message>
+        <source>The planar track stopped at frame {frame}; its frames were taken back.</source>
+        <translation>Flächen-Track bei Frame {frame} angehalten; seine Frames wurden zurückgenommen.</translation>
+    </message>
+    <message>
         <source>The planar track stopped at frame {frame}; the finished frames stay.</source>
         <translation>Flächen-Track bei Frame {frame} angehalten; die fertigen Frames bleiben.</translation>
     </message>
@@ -5016,6 +5037,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Tracked {names} to frame {frame}: {paced}.{gaps}</source>
         <translation>{names} bis Frame {frame} getrackt: {paced}.{gaps}</translation>
+    </message>
+    <message>
+        <source>Tracking stopped at frame {frame}; its frames were taken back.</source>
+        <translation>Tracken bei Frame {frame} angehalten; seine Frames wurden zurückgenommen.</translation>
     </message>
     <message>
         <source>Tracking stopped at frame {frame}; the finished frames stay.</source>

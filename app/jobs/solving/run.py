@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 
 from roam_core.params import is_doubtful
+from roam_core.propagate.frame.result import FrameResult, Termination
 from roam_core.roto import Keyframe, Project, RotoShape
 
 from ...translation import N_, tr
@@ -23,6 +25,20 @@ def told_of(project: Project, shape: RotoShape) -> str:
     if project.is_locked(shape.id):
         return tr("{name} was locked meanwhile.", name=shape.name)
     return tr("{name} was changed meanwhile.", name=shape.name)
+
+
+@dataclass(frozen=True)
+class Count:
+    """How many frames a track has solved, how many of them without a picture, and how long that took."""
+
+    frames: int = 0
+    bridged: int = 0
+    seconds: float = 0.0
+
+    def plus(self, result: FrameResult) -> Count:
+        """With one more frame."""
+        bridged = all(each.termination is Termination.MISSING_FRAME for each in result.results)
+        return Count(self.frames + 1, self.bridged + bridged, self.seconds + result.seconds)
 
 
 class Run:
@@ -57,23 +73,46 @@ class Run:
         """What a fill is to fill."""
         self.begin_again: Callable[[Sequence[str], Sequence[Gap]], None] | None = None
         """Goes on with a fill, as part of its undo step, after a run that took its place."""
+        self.count = Count()
         self._doubtful: set[int] = set()
+        self._replaced: dict[tuple[str, int], Keyframe | None] = {}
+        """What lay where it put keys, by shape and frame."""
 
     def take_over(self, before: Run) -> None:
-        """Go on as the run before this one: what it reached and doubts, and the frame that it showed."""
-        self.shown_frame, self.reached, self._doubtful = before.shown_frame, before.reached, before._doubtful
+        """Go on as the run before this one: what it reached, solved and doubts, and the frame that it showed."""
+        self.shown_frame, self.reached, self.count = before.shown_frame, before.reached, before.count
+        self._doubtful, self._replaced = before._doubtful, before._replaced
 
-    def note(self, keys: Iterable[Keyframe]) -> None:
-        """Remember the frames that the engine doubts."""
-        self._doubtful |= {key.frame for key in keys if is_doubtful(key.confidence)}
+    def note(self, shape: RotoShape, keys: Iterable[Keyframe]) -> None:
+        """Remember the frames that the engine doubts, but where the run begins, and what keys replace in a shape."""
+        for key in keys:
+            self._replaced.setdefault((shape.id, key.frame), shape.key_at(key.frame))
+            if is_doubtful(key.confidence) and key.frame not in self.frames[:1]:
+                self._doubtful.add(key.frame)
 
-    def stopped_sentence(self) -> str:
+    def is_gone(self, project: Project) -> bool:
+        """Whether nothing of what it found is left: it was undone or deleted, or its shapes were."""
+
+        def is_left(shape_id: str, frame: int, before: Keyframe | None) -> bool:
+            key = project.shape(shape_id).key_at(frame) if project.has(shape_id) else None
+            return key is not None and key != before
+
+        return bool(self._replaced) and not any(is_left(*place, key) for place, key in self._replaced.items())
+
+    def stopped_sentence(self, project: Project) -> str:
+        """Where it ended, and whether what it finished is still in the project."""
         if self.verb == TRACK:
             if self.reached is None:
                 return tr("Tracking stopped before a frame was finished.")
+            if self.is_gone(project):
+                return tr("Tracking stopped at frame {frame}; its frames were taken back.", frame=self.reached)
             return tr("Tracking stopped at frame {frame}; the finished frames stay.", frame=self.reached)
         if self.reached is None:
             return tr("Filling stopped before a gap was finished.")
+        if self.is_gone(project):
+            return tr(
+                "Filling stopped after the gap up to frame {frame}; its frames were taken back.", frame=self.reached
+            )
         return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
 
     def doubt_sentence(self, frame: int) -> str:

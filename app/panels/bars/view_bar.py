@@ -102,6 +102,7 @@ class ViewBar(QWidget):
         words = min(self._plate.sizeHint().width(), MOST_WORDS)
         needed = [self._width_without(away) + (words if len(away) < NUMBERS else 0) for away in ways]
         away = next((away for away, room in zip(ways, needed, strict=True) if room <= width), self._giving_way)
+        self._plate.setMinimumWidth(words if len(away) < NUMBERS else 0)  # sliders would rather be wider than they need
         if away != self._put_away:
             self._put_away = away
             for look in self._looks:

@@ -467,3 +467,15 @@ def test_turned_dials_are_kept_and_nonsense_is_left_out_in_one_sentence(
     assert tracking.factors == {DEFAULT_CONFIG: {"reach": 1.5}}
     told = (f"{DEFAULT_CONFIG}+{word}" for word in ("speed=2", "key=many", "firmness=2"))
     assert view_state.message.endswith(f"stay at 100 %: {', '.join(told)}, abacus+reach=2.")
+
+
+def test_the_list_of_shapes_tells_what_a_run_leaves_out(
+    panel: TrackerPanel, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Add", edit.new_shape(document.project, SQUARE, 1001)[0])
+    view_state.select(frozenset())
+    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+    said = "Left out, for they are locked or no closed outlines: "
+    assert panel.scope.toolTip() == f"Now: Shape 2\n{said}Shape 1"
+    document.apply("Open", edit.set_properties(document.project, "shape-2", closed=False))
+    assert panel.scope.toolTip() == f"{said}Shape 1, Shape 2"

@@ -63,7 +63,9 @@ def test_all_menus_and_whole_controls_stand_in_a_window_of_1000(window: MainWind
     looks = (bar.exposure, bar.gamma, bar.channel, bar.display)
     assert [look for look in looks if look.isVisible() and look.width() < look.minimumSizeHint().width()] == []
     wipe = bar._tail.findChildren(QWidget)[0]
-    assert place(bar.display, window).right() < place(wipe, window).left()
+    in_sight = [look for look in looks if bar._in_sight.isAncestorOf(look)]
+    assert bar.channel in in_sight
+    assert [look for look in in_sight if place(look, window).right() >= place(wipe, window).left()] == []
     assert place(bar, window).right() <= window.width()
 
 
