@@ -50,7 +50,7 @@ def drawing(body: str, head: str = 'width="320" height="200"') -> str:
 def test_pictures_of_all_frames_are_those_of_each(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: ExportOptions
 ) -> None:
-    """Keys are chosen once for all of them: a minute's reduction on each of a thousand frames took a day."""
+    """Keys are chosen once for all of them."""
     chosen: list[str] = []
 
     def counted(shape: RotoShape, *rest: Any) -> Reduction:
