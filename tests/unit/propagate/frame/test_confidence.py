@@ -62,7 +62,7 @@ def test_a_frame_without_a_flaw_is_given_nearly_one() -> None:
 
 
 def test_the_model_is_logistic() -> None:
-    assert expected_overlap(HALF_WAY, (0.05, 1.0, 0.0, 0.0)) == pytest.approx(0.5)
+    assert expected_overlap(HALF_WAY, replace(CONFIDENCE, span_features=(0.05, 1.0, 0.0, 0.0))) == pytest.approx(0.5)
 
 
 def test_signs_of_a_region_that_is_found_as_expected() -> None:
