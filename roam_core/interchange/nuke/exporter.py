@@ -64,7 +64,7 @@ class NukeExporter(TextExporter):
 def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text of a script with all shapes of `project`, and a sentence for each thing that it says otherwise.
 
-    One Roto node holds them all, unless a layer must be a matte of its own (`nuke_graph`): then several, and the nodes
+    One Roto node holds them all, unless a layer must be a matte of its own (`nuke.graph`): then several, and the nodes
     that join them.
     """
     project = readied(project, options)
