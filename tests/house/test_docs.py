@@ -102,7 +102,7 @@ def words_of_classes() -> dict[str, set[str]]:
 
 @pytest.mark.parametrize("page", PAGES, ids=name_of)
 def test_members_of_classes_are_there(page: Path) -> None:
-    """A recipe spoke of `MainWindow._panel_column` long after it was gone: without its module a name resolves nowhere."""
+    """A recipe spoke of `MainWindow._panel_column` when it was gone: without its module a name resolves nowhere."""
     named = {code for code in in_code_type(page) if re.fullmatch(r"[A-Z]\w*[a-z]\w*\.[a-z_]\w*", code)}
     pairs = {name: name.split(".") for name in named}
     assert sorted(name for name, (owner, member) in pairs.items() if member not in words_of_classes()[owner]) == []
