@@ -8,7 +8,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from itertools import combinations
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -108,16 +107,6 @@ def holder_of(keymap: Keymap, action_id: str, key: str) -> str | None:
     """The other action that a press of `key` would call where it calls this one; None where it is free."""
     others = (other for other in _holders(keymap).get(press(key), ()) if other != action_id)
     return next((other for other in others if reaches_meet(action_id, other)), None)
-
-
-def clashes(keymap: Keymap) -> list[tuple[str, str, str]]:
-    """(press, action, other action) for every press that would call two actions at one place."""
-    return [
-        (pressed, action, other)
-        for pressed, actions in _holders(keymap).items()
-        for action, other in combinations(actions, 2)
-        if reaches_meet(action, other)
-    ]
 
 
 def _holders(keymap: Keymap) -> dict[str, list[str]]:

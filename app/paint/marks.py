@@ -63,7 +63,7 @@ def thin_stroke(painter: QPainter, path: QPainterPath, colour: QColor) -> None:
 def anchor(painter: QPainter, at: QPointF, colour: QColor, *, round_: bool, filled: bool, grown: bool = False) -> None:
     """A square, or a circle where the spline is smooth. Filled when selected, hollow when not."""
     size = ANCHOR_SIZE + (HOVER_GROWTH if grown else 0.0)
-    box = _box(at, size)
+    box = box_around(at, size)
     painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
     painter.setBrush(BRIGHT if filled else colour)
     _round_or_square(painter, box, round_)
@@ -84,7 +84,7 @@ def handle(painter: QPainter, at: QPointF, colour: QColor, *, grown: bool = Fals
     """A disc."""
     painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
     painter.setBrush(colour)
-    painter.drawEllipse(_box(at, HANDLE_SIZE + (HOVER_GROWTH if grown else 0.0)))
+    painter.drawEllipse(box_around(at, HANDLE_SIZE + (HOVER_GROWTH if grown else 0.0)))
 
 
 def pin(painter: QPainter, at: QPointF, colour: QColor) -> None:
@@ -92,13 +92,13 @@ def pin(painter: QPainter, at: QPointF, colour: QColor) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for ink, width in ((EDGE, 1.5 + 2 * EDGE_WIDTH), (colour, 1.5)):
         painter.setPen(_pen(ink, width))
-        painter.drawRect(_box(at, PIN_SIZE))
+        painter.drawRect(box_around(at, PIN_SIZE))
 
 
 def ring(painter: QPainter, at: QPointF, doubt: float) -> None:
     """A ring whose size tells how much the engine doubts a vertex; `doubt` in [0, 1]."""
     smallest, largest = RING_SIZES
-    box = _box(at, smallest + (largest - smallest) * doubt)
+    box = box_around(at, smallest + (largest - smallest) * doubt)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for ink, thickness in ((EDGE, 1.25 + 2 * EDGE_WIDTH), (TEXT, 1.25)):
         painter.setPen(_pen(ink, thickness))
@@ -141,7 +141,8 @@ def _pen(colour: QColor, width: float) -> QPen:
     return QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin)
 
 
-def _box(at: QPointF, size: float) -> QRectF:
+def box_around(at: QPointF, size: float) -> QRectF:
+    """The square of this size in the middle of which `at` lies."""
     return QRectF(at.x() - size / 2, at.y() - size / 2, size, size)
 
 

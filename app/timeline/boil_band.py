@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QLineF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from roam_core.arrays import Array
 from roam_core.review.boil import BOILING
@@ -16,6 +16,7 @@ from ..features.boil import boil_of_document
 from ..model.document import Document
 from ..model.view_state import shapes_in_hand
 from ..translation import tr
+from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_playhead
 from .keys.row_painter import DOUBT
 from .marks import on_each_frame
@@ -30,7 +31,7 @@ CALM = "#8a8a8a"
 """The colour of boil that is not seen; beyond the line it is that of doubt, and higher."""
 
 
-class BoilBand(QWidget):
+class BoilBand(TippedWidget):
     """The most that any of the shapes in hand boils, as a bar on each frame. A frame is a click away.
 
     It keeps its place where nothing is tracked, so that nothing jumps.
@@ -56,9 +57,9 @@ class BoilBand(QWidget):
         """What is shown: pairs (frame, pixels) `(K, 2)`."""
         return self._most
 
-    def tip_at(self, x: float) -> str:
+    def tip_at(self, at: QPointF) -> str:
         """What is said of the frame under the pointer."""
-        frame = self._axis.scale.frame(x)
+        frame = self._axis.scale.frame(at.x())
         values = [(dict(self._boil(shape).tolist()).get(frame), shape.name) for shape in self._shown()]
         known = sorted(((value, name) for value, name in values if value is not None), reverse=True)
         lines = [
@@ -81,12 +82,6 @@ class BoilBand(QWidget):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x())
-
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(event.pos().x()), self)
-            return True
-        return super().event(event)
 
     # ---- the rest is private
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPolygonF, QWheelEvent
-from PySide6.QtWidgets import QApplication, QLineEdit, QSizePolicy, QToolTip, QWidget
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPolygonF, QWheelEvent
+from PySide6.QtWidgets import QApplication, QLineEdit, QSizePolicy, QWidget
 
 from roam_core.roto import Mark, Project, timing
 
@@ -14,6 +14,7 @@ from .. import style
 from ..model.document import Document
 from ..translation import tr
 from ..widgets.focus import KEEPS_KEYBOARD
+from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_playhead
 from .scale import LABEL_WIDTH
 
@@ -27,7 +28,7 @@ COLOUR = "#9ec5f0"
 """Of no shape and of no state."""
 
 
-class MarkBand(QWidget):
+class MarkBand(TippedWidget):
     """Click a mark to go there, drag it along the frames, double-click to write its note, right-click to remove it."""
 
     def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
@@ -125,15 +126,9 @@ class MarkBand(QWidget):
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x())
 
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(event.pos().x()), self)
-            return True
-        return super().event(event)
-
-    def tip_at(self, x: float) -> str:
+    def tip_at(self, at: QPointF) -> str:
         """What is said of the mark under the pointer."""
-        mark = self.mark_at(x)
+        mark = self.mark_at(at.x())
         if mark is None:
             return ""
         title = (

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QWheelEvent
-from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolTip, QWidget
+from PySide6.QtCore import QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QWheelEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QWidget
 
 from .. import style
 from ..model.document import Document
+from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_playhead
 from .keys.row_painter import ROW
 from .scale import LABEL_WIDTH
@@ -18,7 +19,7 @@ from .scale import LABEL_WIDTH
 Row = TypeVar("Row")
 
 
-class RowBand(QWidget, Generic[Row]):
+class RowBand(TippedWidget, Generic[Row]):
     """A class of its own says what is shown (`rows`), how a row is painted and what is told of a place (`tip_at`).
 
     It calls `pull` when it is made, and whenever it may have other rows.
@@ -50,10 +51,6 @@ class RowBand(QWidget, Generic[Row]):
     def paint_over(self, painter: QPainter) -> None:
         """Paint what lies over the rows; nothing unless a class of its own says so."""
 
-    def tip_at(self, at: QPointF) -> str:
-        """What is said of the place under the pointer."""
-        raise NotImplementedError
-
     def name_of(self, row: Row) -> str:
         """What stands in front of a row, shortened where it lacks room."""
         raise NotImplementedError
@@ -83,12 +80,6 @@ class RowBand(QWidget, Generic[Row]):
             event.ignore()  # over the names it scrolls
         else:
             self._axis.wheel(event, event.position().x())
-
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self)
-            return True
-        return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, left = QPainter(self), self._axis.scale.left

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from itertools import groupby
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QBrush,
     QColor,
     QFont,
-    QHelpEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -18,10 +17,11 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QToolTip, QWidget
+from PySide6.QtWidgets import QWidget
 
 from .. import style
 from ..translation import N_, tr
+from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis
 from .range_handles import End, RangeHandles
 from .scale import LABEL_WIDTH
@@ -39,7 +39,7 @@ TICK, CACHED, MISSING = "#555555", "#6e6e6e", "#c8643c"
 HINT = N_("Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip")
 
 
-class Ruler(QWidget):
+class Ruler(TippedWidget):
     """Drag to scrub, wheel to zoom, double-click to see the whole clip; in and out are dragged by their brackets.
 
     `cached` gives the decoded frames, `missing` those that the plate should have and does not.
@@ -91,15 +91,9 @@ class Ruler(QWidget):
         if event.button() == Qt.MouseButton.LeftButton:
             self._dragged = None
 
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self)
-            return True
-        return super().event(event)
-
-    def tip_at(self, position: QPointF) -> str:
+    def tip_at(self, at: QPointF) -> str:
         """What is said of the place under the pointer: a bracket, a frame that is missing, or what to do here."""
-        end, frame = self._handles.at(position), self._axis.scale.frame(position.x())
+        end, frame = self._handles.at(at), self._axis.scale.frame(at.x())
         if end is not None:
             return self._handles.tip(end)
         return (

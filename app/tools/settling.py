@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.restamping import restamped
 from roam_core.roto import Project, RotoShape, feather
-from roam_core.roto.keying import Keying
+from roam_core.roto.keying import Keying, is_same
 from roam_core.roto.lifetimes import LAST_FRAME
 
 
@@ -21,7 +21,7 @@ def settled(before: Project, after: Project, shape_ids: Iterable[str], frame: in
     is_rippled = keying.ripple is not None and frame in keying.ripple
     for shape_id in ids:
         shape = after.shape(shape_id)
-        if not is_rippled and not feather.is_same(before.shape(shape_id).at(frame).feather, shape.at(frame).feather):
+        if not is_rippled and not is_same(before.shape(shape_id).at(frame).feather, shape.at(frame).feather):
             after = after.with_shape(feather.carried_on(shape, frame))
     return after if keying.ripple is None else restamped(before, after, ids, keying.ripple)
 

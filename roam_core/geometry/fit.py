@@ -12,37 +12,23 @@ from roam_core.geometry.bezier import bernstein
 from roam_core.params import CURVE_FIT
 
 
-def fit_closed(
-    line: Array,
-    tolerance: float = 1.0,
-    corner_degrees: float = 50.0,
-    *,
-    softness: float = 1.2,
-    reach: float = 5.0,
-    every: float = CURVE_FIT.step,
-) -> Array:
+def fit_closed(line: Array, tolerance: float = 1.0) -> Array:
     """A closed spline `(P, 3, 2)` of few points within about `tolerance` pixels of the closed polyline `line (K, 2)`.
 
-    The outline is cut at its corners (a turn of at least `corner_degrees` over a few pixels); each piece is fitted by
-    least squares with reparametrisation and halved where it strays most, with a common tangent at the cut (Schneider,
-    "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990). A piece from corner to corner that
-    is straight within half the tolerance becomes straight: the tangents that pixels show at a corner would bend it.
-
-    Parameters
-    ----------
-    softness : pixels of the Gaussian that takes pixel stairs, or the tremor of a hand, off before tangents are felt.
-    reach : pixels on either side of a corner over which its turn is measured.
-    every : pixels between the samples of the line that the curve is fitted to.
+    The outline is cut at its corners (`roam_core.params.CurveFitParams`); each piece is fitted by least squares with
+    reparametrisation and halved where it strays most, with a common tangent at the cut (Schneider, "An Algorithm for
+    Automatically Fitting Digitized Curves", Graphics Gems, 1990). A piece from corner to corner that is straight within
+    half the tolerance becomes straight: the tangents that pixels show at a corner would bend it.
     """
     perimeter = polyline.length(line)
-    count = max(16, round(perimeter / every))
+    count = max(16, round(perimeter / CURVE_FIT.step))
     dense = polyline.resample(line, count)
     step = perimeter / count
-    cuts = corners(dense, max(2, round(min(reach, perimeter / 12) / step)), np.radians(corner_degrees))
+    cuts = corners(dense, max(2, round(min(CURVE_FIT.reach, perimeter / 12) / step)), np.radians(CURVE_FIT.corner))
     sharp = len(cuts) > 0
     if not sharp:
         cuts = np.array([int(np.argmax(((dense - dense.mean(axis=0)) ** 2).sum(axis=1)))])
-    smooth = _smoothed(dense, cuts if sharp else np.empty(0, dtype=int), softness / step)
+    smooth = _smoothed(dense, cuts if sharp else np.empty(0, dtype=int), CURVE_FIT.softness / step)
     pieces: list[Array] = []
     for k, start in enumerate(cuts):
         stop = cuts[(k + 1) % len(cuts)]

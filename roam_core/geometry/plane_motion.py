@@ -47,7 +47,7 @@ def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
 
 
 def ransac(
-    kind: PlaneMotion, source: Array, target: Array, threshold: float, trials: int = 256, seed: int = 0
+    kind: PlaneMotion, source: Array, target: Array, threshold: float, trials: int = 256
 ) -> tuple[Array | None, Bools]:
     """A motion `(3, 3)` robust to outliers, and which of the pairs `(K, 2)` agree with it.
 
@@ -62,7 +62,7 @@ def ransac(
         return None, none
     before, after = _centrings(kind, source, target)
     s, t = projective.apply(before, source), projective.apply(after, target)
-    drawn = np.random.default_rng(seed).random((trials, n)).argpartition(kind.pairs - 1, axis=1)[:, : kind.pairs]
+    drawn = np.random.default_rng(0).random((trials, n)).argpartition(kind.pairs - 1, axis=1)[:, : kind.pairs]
     guesses = _solved(kind, s[drawn], t[drawn])
     scale = after[0, 0]  # of what `t` is measured in, to a pixel of the target
     best = guesses[best_motion(guesses, s, t, threshold * scale, projective.HORIZON)]

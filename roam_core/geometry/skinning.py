@@ -43,7 +43,7 @@ class Chain:
         count = 1 + joints if length * length > params.long * area else 1
         to_pixels = cv2.invertAffineTransform(to_cells)
         ends = np.linspace(0.0, 1.0, count + 1)
-        middles = [_apply(to_pixels, _middle(_slice(along, inside, at, params.slice))) for at in ends]
+        middles = [similarity.apply(to_pixels, _middle(_slice(along, inside, at, params.slice))) for at in ends]
         if count == 1:
             middles = _ends(line)
         return cls(*_chained(np.array(middles), line), _spread(along, inside), to_cells, params)
@@ -67,7 +67,7 @@ class Chain:
         """The share `(N, K)` that each bone has in places `(N, 2)` on the key."""
         if self.count == 1:
             return np.ones((len(places), 1))
-        x, y = _apply(self.to_cells, places).T.astype(np.float32) - np.float32(0.5)
+        x, y = similarity.apply(self.to_cells, places).T.astype(np.float32) - np.float32(0.5)
         along = cv2.remap(self.along, x[None], y[None], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)[0]
         place = np.clip(along * self.count - 0.5, 0.0, self.count - 1.0)
         before = np.minimum(place.astype(np.intp), self.count - 2)
@@ -112,9 +112,9 @@ def _cells(line: Array, params: BonesParams) -> tuple[Bools, Array]:
     )
     columns, rows = np.ceil((high - low) / cell).astype(int) + 2
     to_cells = np.array([[1.0 / cell, 0.0, 1.0 - low[0] / cell], [0.0, 1.0 / cell, 1.0 - low[1] / cell]])
-    inside = coverage(_apply(to_cells, line), (int(rows), int(columns))) > 0.5
+    inside = coverage(similarity.apply(to_cells, line), (int(rows), int(columns))) > 0.5
     if not inside.any():  # thinner than a cell
-        inside = coverage(_apply(to_cells, line), (int(rows), int(columns))) > 0.0
+        inside = coverage(similarity.apply(to_cells, line), (int(rows), int(columns))) > 0.0
     if not inside.any():
         inside = np.ones_like(inside)
     count, labels, stats, _ = cv2.connectedComponentsWithStats(inside.astype(np.uint8), connectivity=8)
@@ -203,10 +203,6 @@ def _spread(along: Float32, inside: Bools) -> Float32:
     values = np.zeros(int(labels.max()) + 1, dtype=np.float32)
     values[labels[inside]] = along[inside]
     return np.asarray(values[labels])
-
-
-def _apply(matrix: Array, places: Array) -> Array:
-    return np.asarray(places @ matrix[:, :2].T + matrix[:, 2])
 
 
 def _all(matrices: Array, places: Array) -> Array:

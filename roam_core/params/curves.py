@@ -1,4 +1,4 @@
-"""Parameters of fitting curves to lines and to each other: no run reads them, so no configuration has them."""
+"""Parameters of fitting curves to lines and to each other. No configuration has them: no key of a run comes of them."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ class CurveFitParams:
     Attributes
     ----------
     step : pixels between the samples of the outline that a curve is fitted to.
+    corner, reach : degrees by which an outline turns at a corner, at least, over `reach` pixels on either side of it.
+    softness : pixels of the Gaussian that takes the stairs of pixels off before tangents are measured.
     min_stroke : pixels: a shorter open line is one straight segment.
     hand_corner, hand_softness, hand_reach, hand_step : degrees and pixels of `geometry.stroke` for lines that a hand
         drew: its stroke has no finer detail than its tremor.
@@ -19,6 +21,9 @@ class CurveFitParams:
     """
 
     step: float = 0.5
+    corner: float = 50.0
+    reach: float = 5.0
+    softness: float = 1.2
     min_stroke: float = 2.0
     hand_corner: float = 55.0
     hand_softness: float = 2.5

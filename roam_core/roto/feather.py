@@ -141,11 +141,6 @@ def on_all_keys(shape: RotoShape, frame: int, indices: Iterable[int]) -> RotoSha
     return shape.with_keys(given(key) for key in shape.keys if key.frame != frame)
 
 
-def is_same(a: Array | None, b: Array | None) -> bool:
-    """True where two feathers are alike; None is that of an outline without any."""
-    return a is b or (a is not None and b is not None and np.array_equal(a, b))
-
-
 def tidy(feather: Array) -> Array | None:
     """The feather, or None where it is nothing."""
     return feather if feather.any() else None

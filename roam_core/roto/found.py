@@ -11,9 +11,7 @@ from roam_core.roto.project import Project
 from roam_core.roto.shape import BlendMode, RotoShape
 
 
-def add_found(
-    project: Project, shapes: Sequence[RotoShape], name: str = "", home_id: str = "root"
-) -> tuple[Project, tuple[str, ...]]:
+def add_found(project: Project, shapes: Sequence[RotoShape], home_id: str = "root") -> tuple[Project, tuple[str, ...]]:
     """Put `shapes` on top of a layer; the next free ids, names and colours take the place of theirs.
 
     So do free names of compounds that are taken.
@@ -21,9 +19,8 @@ def add_found(
     Parameters
     ----------
     shapes : outlines, each followed by its holes as subtracting shapes.
-    name : of the layer that is made where there are holes, so that they cut nothing but their own object; the next
-        free one of its kind by default.
-    home_id : the layer that takes all of them; the root by default.
+    home_id : the layer that takes all of them; the root by default. An outline with holes goes into a layer of its
+        own in it, so that the holes cut nothing but their own object.
 
     Returns
     -------
@@ -33,7 +30,7 @@ def add_found(
     for region in _regions(relinked(project, shapes)):
         layer_id = home_id
         if len(region) > 1:
-            project, layer = edit.add_layer(project, name or project.free_name("Object"), home_id)
+            project, layer = edit.add_layer(project, project.free_name("Object"), home_id)
             layer_id = layer.id
         for shape in region:
             is_hole = shape.blend is BlendMode.SUBTRACT

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
 from roam_core.media.finding import is_there
 from roam_core.roto.animated import Animatable, Animated, Interpolation, Slopes, ValueKey
 from roam_core.roto.bounds import MAX_DEPTH, MAX_SPAN, Count, require
-from roam_core.roto.packing import number, text, unpacked_keys, unpacked_numbers, whole
+from roam_core.roto.packing import number, rest, text, unpacked_keys, unpacked_numbers, whole
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
 from roam_core.roto.shape import BlendMode, Keyframe, MotionBlur, RotoShape, Spline
@@ -39,7 +38,7 @@ def read_project(document: Document, folder: Path) -> Project:
         clip=None if clip is None else _read_clip(clip, folder),
         root=root,
         marks=tuple(_read_mark(mark) for mark in document.get("marks", ())),
-        extra=_rest(document, "type", "version", "clip", "root", "marks"),
+        extra=rest(document, "type", "version", "clip", "root", "marks"),
     )
 
 
@@ -47,7 +46,7 @@ def _read_mark(document: Document) -> Mark:
     return Mark(
         frame=whole(document["frame"], "the frame of a mark"),
         text=text(document["text"], "the text of a mark"),
-        extra=_rest(document, "type", "frame", "text"),
+        extra=rest(document, "type", "frame", "text"),
     )
 
 
@@ -67,7 +66,7 @@ def _read_clip(document: Document, folder: Path) -> Clip:
         colour_space=text(document["colour_space"], "the clip's colour_space"),
         content=text(document.get("content", ""), "the clip's content"),
         layer=text(document.get("layer", ""), "the clip's layer"),
-        extra=_rest(
+        extra=rest(
             document, "type", "path", "absolute", "first", "last", "size", "fps", "pixel_aspect", "colour_space",
             "content", "layer",
         ),
@@ -110,7 +109,7 @@ def _read_layer(document: Document, count: Count, depth: int) -> Layer:
         blend=BlendMode(document.get("blend", BlendMode.ADD)),
         transform=None if transform is None else _read_transform(transform),
         children=tuple(children),
-        extra=_rest(
+        extra=rest(
             document, "type", "id", "name", "visible", "locked", "opacity", "invert", "blend", "transform", "children"
         ),
     )
@@ -127,7 +126,7 @@ def _read_transform(document: Document) -> LayerTransform:
         surface=tuple(_read_place(corner) for corner in document.get("surface", ())),
         points=tuple(_read_place(place) for place in document.get("points", ())),
         areas=tuple(number(size, "an area of a track's points", 0.0, 1e6) for size in document.get("areas", ())),
-        extra=_rest(document, "type", "frames", "matrices", "confidence", "adjusted", "surface", "points", "areas"),
+        extra=rest(document, "type", "frames", "matrices", "confidence", "adjusted", "surface", "points", "areas"),
     )
 
 
@@ -163,7 +162,7 @@ def _read_shape(document: Document, count: Count) -> RotoShape:
         depth=tuple(_read_pair(pair, "a depth") for pair in document.get("depth", ())),
         compound=text(document.get("compound", ""), "the compound of a shape"),
         keys=_read_keys(document["keys"], count),
-        extra=_rest(
+        extra=rest(
             document, "type", "id", "name", "closed", "colour", "blend", "opacity", "invert", "feather", "motion_blur",
             "lifetime", "visible", "locked", "spline", "link", "attached", "depth", "compound", "keys",
         ),
@@ -177,7 +176,7 @@ def _read_value(value: Any, name: str, count: Count) -> Animatable:
         raise ValueError(f"{name} is no number and no animated value")
     count.keys(len(value["keys"]))
     keys = tuple(_read_value_key(key, name) for key in value["keys"])
-    return Animated(keys, extra=_rest(value, "type", "keys"))
+    return Animated(keys, extra=rest(value, "type", "keys"))
 
 
 def _read_value_key(document: Document, name: str) -> ValueKey:
@@ -186,7 +185,7 @@ def _read_value_key(document: Document, name: str) -> ValueKey:
         value=number(document["value"], name),
         interpolation=Interpolation(document["interpolation"]),
         slopes=None if "slopes" not in document else _read_slopes(document["slopes"], name),
-        extra=_rest(document, "type", "frame", "value", "interpolation", "slopes"),
+        extra=rest(document, "type", "frame", "value", "interpolation", "slopes"),
     )
 
 
@@ -210,7 +209,7 @@ def _read_blur(document: Document) -> MotionBlur:
         shutter=number(document["shutter"], "the shutter of motion blur", -1e6, 1e6),
         phase=number(document["phase"], "the phase of motion blur", -1e6, 1e6),
         samples=whole(document["samples"], "the number of samples of motion blur"),
-        extra=_rest(document, "type", "shutter", "phase", "samples"),
+        extra=rest(document, "type", "shutter", "phase", "samples"),
     )
 
 
@@ -224,7 +223,3 @@ def _flag(document: Document, name: str) -> bool:
     if not isinstance(value, bool):
         raise ValueError(f"{name} is neither true nor false")
     return value
-
-
-def _rest(document: Mapping[str, Any], *known: str) -> Document:
-    return {name: value for name, value in document.items() if name not in known}

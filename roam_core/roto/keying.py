@@ -81,7 +81,7 @@ def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline, by_
 
     A key that the artist set some points of stays one, and so begins a new one that is keyed `by_points`.
     """
-    if _equal(before.points, after.points) and _equal(before.feather, after.feather):
+    if is_same(before.points, after.points) and is_same(before.feather, after.feather):
         return shape
     old = shape.key_at(frame)
     held = old.set_points if old is not None and old.origin is Origin.ARTIST else None
@@ -109,5 +109,6 @@ def _changed(shape: RotoShape, key: Keyframe, change: Change) -> Keyframe:
     return replace(key, points=points_of(after.points, shape.spline, shape.closed), feather=after.feather)
 
 
-def _equal(a: Array | None, b: Array | None) -> bool:
+def is_same(a: Array | None, b: Array | None) -> bool:
+    """True where two arrays of points or feathers are equal, or both are None: an outline without a feather."""
     return a is b or (a is not None and b is not None and np.array_equal(a, b))

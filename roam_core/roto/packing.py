@@ -9,7 +9,7 @@ from __future__ import annotations
 import base64
 import json
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, groupby, repeat
 from typing import Any
 
@@ -235,7 +235,7 @@ def _read_key(document: Document) -> Keyframe:
         vertex_confidence=None if vertices is None else listed_numbers(vertices),
         inputs=text(document.get("inputs", ""), "the inputs of a key"),
         set_points=_read_indices(document, len(document["points"])),
-        extra=_rest(document, ("frame", *_FIELDS)),
+        extra=rest(document, "frame", *_FIELDS),
     )
 
 
@@ -258,7 +258,7 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
     if vertices is not None and (vertices.ndim != 2 or len(vertices) != count):
         raise ValueError("the packed keys and their vertex_confidence differ in length")
     origin, interpolation = Origin(document["origin"]), Interpolation(document["interpolation"])
-    chosen, extra = _read_indices(document, points.shape[1]), _rest(document, ("frames", *_FIELDS))
+    chosen, extra = _read_indices(document, points.shape[1]), rest(document, "frames", *_FIELDS)
     for k, (frame, stamp) in enumerate(zip(frames, _stamps(document, count), strict=True)):
         yield Keyframe(
             frame=frame,
@@ -312,5 +312,6 @@ def _stamps(document: Document, count: int) -> Iterator[str]:
     return chain.from_iterable(map(repeat, stamps, lengths))
 
 
-def _rest(document: Document, known: Sequence[str]) -> Document:
+def rest(document: Mapping[str, Any], *known: str) -> Document:
+    """The fields that are not `known`: those of a newer program are kept as they are."""
     return {name: value for name, value in document.items() if name not in known}

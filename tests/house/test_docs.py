@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -87,6 +88,24 @@ def test_a_name_that_is_not_there_does_not_resolve() -> None:
 def test_names_of_the_code_resolve(page: Path) -> None:
     names = [code for code in in_code_type(page) if re.fullmatch(r"(app|roam_core)(\.\w+)+", code)]
     assert [name for name in names if not resolves(name)] == []
+
+
+@cache
+def words_of_classes() -> dict[str, set[str]]:
+    """By the name of a class, in any module, all words that stand in it."""
+    words: dict[str, set[str]] = {}
+    for path in (path for room in ("app", "roam_core") for path in (ROOT / room).rglob("*.py")):
+        for name, body in re.findall(r"^class (\w+)(.*?)(?=^\S|\Z)", path.read_text("utf-8"), re.DOTALL | re.MULTILINE):
+            words.setdefault(name, set()).update(re.findall(r"\w+", body))
+    return words
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_members_of_classes_are_there(page: Path) -> None:
+    """A recipe spoke of `MainWindow._panel_column` when it was gone: without its module a name resolves nowhere."""
+    named = {code for code in in_code_type(page) if re.fullmatch(r"[A-Z]\w*[a-z]\w*\.[a-z_]\w*", code)}
+    pairs = {name: name.split(".") for name in named}
+    assert sorted(name for name, (owner, member) in pairs.items() if member not in words_of_classes()[owner]) == []
 
 
 def test_the_walk_names_what_it_walks_through() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from roam_core.roto import Project
@@ -28,7 +28,7 @@ def paint_joints(painter: QPainter, viewport: Viewport, project: Project, bones:
             _paint_line(painter, joint, viewport.to_widget(*middle), colours.get(shape_id, marks.TEXT))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for bone in bones:
-        box = _around(viewport.to_widget(*bone.joint.tolist()), RING)
+        box = marks.box_around(viewport.to_widget(*bone.joint.tolist()), RING)
         for ink, width in ((marks.EDGE, WIDTH + 2 * marks.EDGE_WIDTH), (marks.BRIGHT, WIDTH)):
             painter.setPen(QPen(ink, width))
             painter.drawEllipse(box)
@@ -45,8 +45,4 @@ def _paint_line(painter: QPainter, joint: QPointF, middle: QPointF, colour: QCol
             painter.drawLine(line)
     painter.setPen(QPen(marks.EDGE, 2 * marks.EDGE_WIDTH))
     painter.setBrush(colour)
-    painter.drawEllipse(_around(middle, MIDDLE + 2 * marks.EDGE_WIDTH))
-
-
-def _around(at: QPointF, size: float) -> QRectF:
-    return QRectF(at.x() - size / 2, at.y() - size / 2, size, size)
+    painter.drawEllipse(marks.box_around(middle, MIDDLE + 2 * marks.EDGE_WIDTH))

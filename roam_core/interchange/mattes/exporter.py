@@ -242,12 +242,12 @@ def planned(
     return tuple(path for paths in plan.values() if not _is_kept(paths, style) for path in paths)
 
 
-def write_matte(shapes: Shapes, frame: int, path: Path, size: tuple[int, int], *, bits: int = 8) -> None:
-    """Render one frame's matte `(h, w)` = `size` and write it as PNG: to a temporary file beside `path`, then renamed.
+def write_matte(shapes: Shapes, frame: int, path: Path, size: tuple[int, int]) -> None:
+    """Render one frame's matte `(h, w)` = `size` and write it as 8-bit PNG: beside `path` first, then renamed.
 
     Raises `RoamError` when the file cannot be written.
     """
-    write_atomically(path, encode_png(render_matte(shapes, frame, size), bits))
+    write_atomically(path, encode_png(render_matte(shapes, frame, size), 8))
 
 
 def _write_frame(

@@ -61,15 +61,10 @@ class NukeExporter(TextExporter):
         return roto_document(project, options)
 
 
-def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:
-    """The text of a script with one Roto node that holds all shapes of `project`: ready to be pasted."""
-    return roto_document(project, options)[0]
-
-
 def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
-    """As `roto_script`, and a sentence for each thing that the nodes say otherwise.
+    """The text of a script with all shapes of `project`, and a sentence for each thing that it says otherwise.
 
-    One Roto node holds it all, unless a layer must be a matte of its own (`nuke_graph`): then several, and the nodes
+    One Roto node holds them all, unless a layer must be a matte of its own (`nuke.graph`): then several, and the nodes
     that join them.
     """
     project = readied(project, options)

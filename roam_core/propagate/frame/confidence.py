@@ -110,7 +110,6 @@ class PoseFeatures:
 
 def expected_overlap(
     features: ConfidenceFeatures | PoseFeatures | SpanFeatures,
-    weights: Sequence[float] | None = None,
     params: ConfidenceParams = CONFIDENCE,
 ) -> float:
     """The IoU with the artist's wish, in [0, 1], to be expected on a frame with these features.
@@ -122,7 +121,7 @@ def expected_overlap(
         PoseFeatures: params.pose_features,
         SpanFeatures: params.span_features,
     }
-    constant, *slopes = weights or fitted[type(features)]
+    constant, *slopes = fitted[type(features)]
     return float(0.5 + 0.5 * np.tanh(0.5 * (constant - np.dot(slopes, astuple(features)))))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -31,7 +31,6 @@ def steadied(
     params: SteadinessParams,
     token: CancelToken | None = None,
     progress: Progress | None = None,
-    only: Collection[str] | None = None,
 ) -> list[RotoShape]:
     """The shapes with their ENGINE keys in `frames` moved so that outlines go with the motion of the picture.
 
@@ -45,7 +44,7 @@ def steadied(
     read : gives a frame's picture (h, w, 3) RGB, uint8, or floats in [0, 1], or its parts; raises `MissingFrame`. Each
         is asked for once, in order, with up to `params.reach` of those on either side of the range, whose keys hold
         those in it.
-    shapes : in plate space. only : ids of those that may be moved; None: all. Open shapes never are.
+    shapes : in plate space. Open ones are never moved.
     frames : in steps of one. strength : in [0, 1]; 0 gives the very same shapes.
 
     Raises
@@ -57,7 +56,7 @@ def steadied(
     """
     if not 0.0 <= strength <= 1.0:
         raise ValueError(f"a strength is in [0, 1], not {strength}")
-    asked = [k for k, shape in enumerate(shapes) if _can_move(shape, frames) and (only is None or shape.id in only)]
+    asked = [k for k, shape in enumerate(shapes) if _can_move(shape, frames)]
     made = list(shapes)
     if strength == 0.0 or not asked:
         return made

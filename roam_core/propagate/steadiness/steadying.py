@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -43,13 +43,12 @@ def steadying(
     measure: ResidualParams,
     token: CancelToken | None = None,
     progress: Progress | None = None,
-    only: Collection[str] | None = None,
 ) -> Steadied:
     """The shapes as `steadied` makes them, with the boil before and after as `measure` says.
 
     For the boil each picture is asked for once more. Parameters and errors are those of `steadied`.
     """
-    made = steadied(read, shapes, frames, strength, params, token, _part(progress, 0.0), only)
+    made = steadied(read, shapes, frames, strength, params, token, _part(progress, 0.0))
     pairs = [(old, new) for old, new in zip(shapes, made, strict=True) if new is not old]
     moved = {
         (new.id, key.frame): float(np.hypot(*(key.points - was.points)[:, 0].T).mean())

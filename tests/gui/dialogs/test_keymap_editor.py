@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app.actions.keymaps import clashes, load_keymap, load_own
+from app.actions.keymaps import holder_of, load_keymap, load_own
 from app.dialogs import questions
 from app.dialogs.keymap_editor import KeymapEditor
 from app.model.personal import Personal
@@ -86,7 +86,7 @@ def test_a_key_of_ones_own_can_be_taken_over_from_another_action(
     qtbot.mouseClick(editor.take, Qt.MouseButton.LeftButton)
     assert window.actions_by_id.keymap["tool.polygon"] == ("F9",)
     assert "tool.bezier" not in window.actions_by_id.keymap
-    assert clashes(window.actions_by_id.keymap) == []
+    assert holder_of(window.actions_by_id.keymap, "tool.polygon", "F9") is None
 
 
 def test_a_key_can_be_added_to_those_that_are_there(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:

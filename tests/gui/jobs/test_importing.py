@@ -11,7 +11,7 @@ from app.jobs.importing import Import
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from roam_core.geometry.bezier import polygon_points
-from roam_core.interchange.nuke.exporter import roto_script
+from roam_core.interchange.nuke.exporter import roto_document
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import clip_stamp, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
@@ -25,7 +25,7 @@ SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
 def script(tmp_path: Path) -> Path:
     """A Nuke script with one shape."""
     path = tmp_path / "a.nk"
-    path.write_text(roto_script(edit.new_shape(Project(CLIP), SQUARE, 1002, name="Arm")[0]))
+    path.write_text(roto_document(edit.new_shape(Project(CLIP), SQUARE, 1002, name="Arm")[0])[0])
     return path
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
@@ -44,7 +44,9 @@ def test_the_lane_shows_the_most_of_the_shapes_in_hand(
     frame, value = timeline.boil.most[np.argmax(timeline.boil.most[:, 1])]
     assert frame == BENT
     assert value == pytest.approx(boil(document.project.shape(first.id))[:, 1].max())
-    assert f"Frame {BENT}\n{value:.1f} px  {first.name}, boils" in timeline.boil.tip_at(x_of(timeline, BENT))
+    assert f"Frame {BENT}\n{value:.1f} px  {first.name}, boils" in timeline.boil.tip_at(
+        QPointF(x_of(timeline, BENT), 1.0)
+    )
     view_state.select(frozenset([second.id]))
     assert timeline.boil.most[:, 1].max() < BOILING, "of the other shape alone"
 

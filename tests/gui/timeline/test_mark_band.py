@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
@@ -110,7 +110,7 @@ def test_a_mark_and_its_word_are_seen(qtbot: QtBot, timeline: Timeline, document
     x = x_of(timeline, 1012)
     assert bare.pixelColor(x, 7) == named.pixelColor(x, 7) != named.pixelColor(x - 20, 7)
     assert any(bare.pixelColor(x + dx, 9) != named.pixelColor(x + dx, 9) for dx in range(8, 30))
-    assert timeline.marks.tip_at(x).startswith("Frame 1012: turn\n")
+    assert timeline.marks.tip_at(QPointF(x, 1.0)).startswith("Frame 1012: turn\n")
 
 
 def test_without_a_clip_there_is_nothing_to_mark(timeline: Timeline, document: Document, view_state: ViewState) -> None:

@@ -72,6 +72,18 @@ def test_outlines_with_pixel_stairs(seed: int) -> None:
     assert len(points) < 30
 
 
+def test_the_stairs_of_pixels_are_not_followed_where_the_tolerance_would_let_them() -> None:
+    y, x = np.mgrid[:200, :200]
+    ellipse = ((x - 100) / 80) ** 2 + ((y - 100) / 60) ** 2 < 1
+    assert len(fit_closed(outlines(ellipse)[0][0], tolerance=0.6)) < 15
+
+
+def test_a_corner_that_pixels_cut_off_is_one_corner() -> None:
+    """By 45 degrees and 45 degrees two pixels on: what turns is looked at from farther away."""
+    cut = [(2, 0), (98, 0), (100, 2), (100, 98), (98, 100), (2, 100), (0, 98), (0, 2)]
+    assert len(fit_closed(np.array(cut, dtype=np.float64), tolerance=1.5)) == 4
+
+
 @pytest.mark.parametrize("tolerance", [0.5, 1.0, 3.0])
 def test_a_looser_fit_strays_further_but_not_far(tolerance: float) -> None:
     line = dense(blob([60.0, 30.0, 50.0, 25.0, 55.0, 35.0]) + 100.0, count=900)

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from roam_core.arrays import Array
+from roam_core.interchange.nuke.exporter import roto_document
+from roam_core.interchange.protocol import STANDARD, ExportOptions
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, Origin, Project, RotoShape
 
 CLIP = Clip(Path("/plates/shot.%04d.exr"), 1001, 1040, (1920, 1080), pixel_aspect=1.0)
@@ -58,3 +60,8 @@ def project() -> Project:
     body = Layer("layer-1", "Body", (animated("Arm"), deep, soft), visible=False, opacity=0.5, invert=True)
     root = Layer("root", "Root", (still, body, stroke, animated("Smooth", Interpolation.SMOOTH, 20)))
     return Project(CLIP, root)
+
+
+def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:
+    """The text of what the Nuke exporter writes."""
+    return roto_document(project, options)[0]

@@ -12,12 +12,11 @@ import pytest
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, read_shapes
-from roam_core.interchange.nuke.exporter import roto_script
 from roam_core.interchange.nuke.text import tcl_word
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
 from tests.judges import nuke_grammar
 from tests.unit.interchange import tcl
-from tests.unit.interchange.conftest import CLIP, animated, points
+from tests.unit.interchange.conftest import CLIP, animated, points, roto_script
 from tests.unit.interchange.nuke_judge import JudgedLayer, JudgedShape, judge, judged_shapes
 
 WITHIN = 0.01

@@ -11,13 +11,14 @@ import numpy as np
 import pytest
 
 from roam_core.interchange import EXPORTERS, read_shapes
-from roam_core.interchange.nuke.exporter import roto_document, roto_script
+from roam_core.interchange.nuke.exporter import roto_document
 from roam_core.interchange.nuke.graph import is_one_node
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from tests.judges import nuke_grammar
 from tests.judges.nuke_render import matte
 from tests.judges.scenes import SCENES, Scene, blob
+from tests.unit.interchange.conftest import roto_script
 
 SUB, OVER, PLUS = BlendMode.SUBTRACT, BlendMode.ADD, BlendMode.PLUS
 

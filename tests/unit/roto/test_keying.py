@@ -52,6 +52,14 @@ def test_auto_key_makes_an_engine_frame_the_artists() -> None:
 def test_a_change_of_nothing_makes_no_key() -> None:
     before = shape()
     assert reshape(before, 4, lambda outline: outline) == before
+    soft = before.with_keys(replace(key, feather=np.ones_like(SQUARE)) for key in before.keys)
+    for each in (before, soft):
+        again = reshape(each, 4, lambda at: replace(at, points=at.points + 0.0, feather=copied(at.feather)))
+        assert again == each, "equal arrays are no change, whoever made them"
+
+
+def copied(feather: np.ndarray | None) -> np.ndarray | None:
+    return None if feather is None else feather.copy()
 
 
 def test_without_auto_key_a_key_that_is_there_takes_the_edit_alone() -> None:

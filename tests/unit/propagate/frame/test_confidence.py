@@ -61,8 +61,11 @@ def test_a_frame_without_a_flaw_is_given_nearly_one() -> None:
     assert expected_overlap(WELL) > 0.95
 
 
-def test_the_model_is_logistic() -> None:
-    assert expected_overlap(HALF_WAY, (0.05, 1.0, 0.0, 0.0)) == pytest.approx(0.5)
+@pytest.mark.parametrize("constant", [0.05, 2.0, -1.5])
+def test_the_model_is_logistic(constant: float) -> None:
+    params = replace(CONFIDENCE, span_features=(constant, 1.0, 0.0, 0.0))
+    log_odds = constant - HALF_WAY.missed
+    assert expected_overlap(HALF_WAY, params) == pytest.approx(1.0 / (1.0 + np.exp(-log_odds)))
 
 
 def test_signs_of_a_region_that_is_found_as_expected() -> None:
