@@ -22,7 +22,9 @@ _LAST_NUMBER = re.compile(
 _PERCENT = re.compile(r"%0?(?P<width>[0-9]*)d")
 _DIGITS = re.compile(r"#+|@+")
 # As Houdini writes it, After Effects and file dialogs, and a shell.
-_OF_OTHERS = re.compile(r"\$F(?:(?P<width>[1-9])|(?![A-Za-z]))|\$\{F(?P<braced>[1-9]?)\}|\[(?P<first>[0-9]+)-[0-9]+\]|\*")
+_OF_OTHERS = re.compile(
+    r"\$F(?:(?P<width>[1-9])|(?![A-Za-z]))|\$\{F(?P<braced>[1-9]?)\}|\[(?P<first>[0-9]+)-[0-9]+\]|\*"
+)
 _GROUP = re.compile(r"(?<![0-9])[0-9]{1,9}(?![0-9])")
 _INTEGER = re.compile(r"-?[0-9]{1,9}")
 
