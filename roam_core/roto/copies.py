@@ -19,8 +19,8 @@ from roam_core.roto.shape import NO_COLOUR, RotoShape
 def duplicated(project: Project, item_ids: Collection[str]) -> tuple[Project, list[str]]:
     """The project with copies of layers, with what lies in them, and of shapes, each on top of the layer that holds it.
 
-    Nothing comes into a locked layer: what lies in one has its copy in the nearest layer around that is not, where it is
-    seen. Returns the ids of the copies (not of what lies in them), too.
+    Nothing comes into a locked layer: what lies in one has its copy in the nearest layer around that is not, seen
+    where it was. Returns the ids of the copies (not of what lies in them), too.
     """
     ids = top_items(project, item_ids)
     homes = [project.layers_above(item_id)[-1] for item_id in ids]

@@ -130,7 +130,7 @@ def _grouped(question: _Question) -> list[list[int]]:
 def _apart(shapes: Sequence[RotoShape], gap: float) -> Bools:
     """Of which pairs of shapes the boxes alone say that they do not belong together `(N, N)`: of hundreds, most.
 
-    Both were drawn on the same frame first, so met there, or never come near each other; all else is asked pair by pair.
+    Both were first drawn on one frame, so met there, or never come near each other; all else is asked pair by pair.
     """
     first = np.array([shape.drawn_keys[0].frame for shape in shapes])
     subtracts = np.array([shape.blend is BlendMode.SUBTRACT for shape in shapes], dtype=bool)
