@@ -126,7 +126,7 @@ def test_what_was_measured_by_the_picture_stands_between_two_places_that_change(
 
 
 def test_of_frames_that_share_a_pixel_the_one_that_boils_most_is_seen(timeline: Timeline, document: Document) -> None:
-    """Thousands of bars were painted over each other at each step of the playhead; the last of a pixel hid the others."""
+    """Thousands of bars were painted over each other; the last one of a pixel hid the others."""
     document.apply("Bend", document.project.with_shape(bent(document.project.shapes[0])))
     band = timeline.boil
     bars = band._bars(TimeScale(first=1001, pixels=0.1, clip=(1001, 1049)))
