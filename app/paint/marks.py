@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QPolygonF
@@ -62,15 +63,35 @@ def thin_stroke(painter: QPainter, path: QPainterPath, colour: QColor) -> None:
 
 def anchor(painter: QPainter, at: QPointF, colour: QColor, *, round_: bool, filled: bool, grown: bool = False) -> None:
     """A square, or a circle where the spline is smooth. Filled when selected, hollow when not."""
-    size = ANCHOR_SIZE + (HOVER_GROWTH if grown else 0.0)
-    box = box_around(at, size)
-    painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
-    painter.setBrush(BRIGHT if filled else colour)
-    _round_or_square(painter, box, round_)
-    if not filled:
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(HOLLOW)
-        _round_or_square(painter, box.adjusted(1.5, 1.5, -1.5, -1.5), round_)
+    anchors(painter, [Anchor(at, round_, filled, grown)], colour)
+
+
+class Anchor(NamedTuple):
+    """One of many anchors."""
+
+    at: QPointF
+    round_: bool
+    filled: bool
+    grown: bool
+
+
+def anchors(painter: QPainter, each: Iterable[Anchor], colour: QColor) -> None:
+    """Many anchors of one colour, the last one on top: the pen is another one only where the next mark differs."""
+    rim, none = _pen(EDGE, 2 * EDGE_WIDTH), QPen(Qt.PenStyle.NoPen)
+    plain, bright, hollow = QBrush(colour), QBrush(BRIGHT), QBrush(HOLLOW)
+    held: QBrush | None = None
+    for at, round_, filled, grown in each:
+        box, brush = box_around(at, ANCHOR_SIZE + (HOVER_GROWTH if grown else 0.0)), bright if filled else plain
+        if held is not brush:
+            painter.setPen(rim)
+            painter.setBrush(brush)
+            held = brush
+        _round_or_square(painter, box, round_)
+        if not filled:
+            painter.setPen(none)
+            painter.setBrush(hollow)
+            _round_or_square(painter, box.adjusted(1.5, 1.5, -1.5, -1.5), round_)
+            held = None
 
 
 def arms(painter: QPainter, lines: Sequence[QLineF], colour: QColor) -> None:
@@ -82,9 +103,15 @@ def arms(painter: QPainter, lines: Sequence[QLineF], colour: QColor) -> None:
 
 def handle(painter: QPainter, at: QPointF, colour: QColor, *, grown: bool = False) -> None:
     """A disc."""
+    handles(painter, [(at, grown)], colour)
+
+
+def handles(painter: QPainter, each: Iterable[tuple[QPointF, bool]], colour: QColor) -> None:
+    """Many discs of one colour: where they lie, and whether they are grown."""
     painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
     painter.setBrush(colour)
-    painter.drawEllipse(box_around(at, HANDLE_SIZE + (HOVER_GROWTH if grown else 0.0)))
+    for at, grown in each:
+        painter.drawEllipse(box_around(at, HANDLE_SIZE + (HOVER_GROWTH if grown else 0.0)))
 
 
 def pin(painter: QPainter, at: QPointF, colour: QColor) -> None:

@@ -20,7 +20,7 @@ from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_playhead
 from .keys.row_painter import DOUBT
 from .marks import on_each_frame
-from .scale import LABEL_WIDTH
+from .scale import LABEL_WIDTH, TimeScale
 
 HEIGHT = 30
 TOP = 3.0 * BOILING
@@ -88,6 +88,15 @@ class BoilBand(TippedWidget):
     def _shown(self) -> list[RotoShape]:
         return list(shapes_in_hand(self._document.project, self._axis.view_state.selection))
 
+    def _bars(self, scale: TimeScale) -> Array:
+        """Where bars stand, and their values `(K, 2)`: of the frames that share a pixel the one that boils most."""
+        frames, values = self._most.T
+        seen = (frames >= scale.first - 1) & (frames <= scale.last + 1)
+        x = scale.left + (frames[seen] - scale.first + 0.5) * scale.pixels
+        if scale.pixels < 1.0:
+            x = np.floor(x) + 0.5
+        return on_each_frame(np.maximum, [np.column_stack([x, values[seen]])])
+
     def _pull(self, _ids: object = None) -> None:
         self._most = on_each_frame(np.maximum, [self._boil(shape) for shape in self._shown()])
         self.update()
@@ -106,12 +115,10 @@ class BoilBand(TippedWidget):
         painter.drawText(QRectF(0, line - 8, LABEL_WIDTH - 6, 16), middle | right, tr("{pixels:g} px", pixels=BOILING))
         scale = self._axis.scale
         painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, HEIGHT))
-        width = max(scale.pixels - 1.0, 1.0)
-        frames = self._most[:, 0]
-        for frame, value in self._most[(frames >= scale.first - 1) & (frames <= scale.last + 1)].tolist():
-            colour = QColor(DOUBT if value >= BOILING else CALM)
+        width, doubt, calm = max(scale.pixels - 1.0, 1.0), QColor(DOUBT), QColor(CALM)
+        for x, value in self._bars(scale).tolist():
             top = _y(value)
-            painter.fillRect(QRectF(scale.x(int(frame)) - width / 2, top, width, HEIGHT - top), colour)
+            painter.fillRect(QRectF(x - width / 2, top, width, HEIGHT - top), doubt if value >= BOILING else calm)
         painter.setPen(QPen(QColor(style.DISABLED), 1, Qt.PenStyle.DashLine))
         painter.drawLine(QLineF(scale.left, line, self.width(), line))
         painter.setClipping(False)

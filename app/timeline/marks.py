@@ -109,4 +109,4 @@ class MarksOf:
 
 
 def _are_same(a: Sequence[RotoShape], b: Sequence[RotoShape]) -> bool:
-    return len(a) == len(b) and all(x is y for x, y in zip(a, b, strict=True))
+    return a is b or (len(a) == len(b) and all(x is y for x, y in zip(a, b, strict=True)))

@@ -67,9 +67,9 @@ class Grab:
 
     def changed(self, project: Project, change_of: Callable[[str], Change]) -> Project:
         """The project with each shape changed as `change_of(shape id)` says, from where it began."""
+        before = project  # no shape's change touches another: to ask each new project for all its shapes takes long
         for shape_id, start in self.start.items():
-            change = change_of(shape_id)
-            shape = reshape(project.shape(shape_id), self.frame, change, self.keying, start)
+            shape = reshape(before.shape(shape_id), self.frame, change_of(shape_id), self.keying, start)
             project = project.with_shape(shape)
         return project
 

@@ -26,10 +26,16 @@ def segment_count(point_count: int, closed: bool) -> int:
 
 
 def segments(points: Array, closed: bool = True) -> Array:
-    """Control polygons `(S, 4, 2)` of all cubic segments of `points (P, 3, 2)`."""
-    start = points if closed else points[:-1]
-    end = np.concatenate([points[1:], points[:1]]) if closed else points[1:]
-    return np.stack([start[:, ANCHOR], start[:, OUT], end[:, IN], end[:, ANCHOR]], axis=1)
+    """Control polygons `(..., S, 4, 2)` of all cubic segments of `points (..., P, 3, 2)`, of one or more splines."""
+    count = segment_count(points.shape[-3], closed)
+    control = np.empty((*points.shape[:-3], count, 4, points.shape[-1]), dtype=points.dtype)
+    control[..., 0, :] = points[..., :count, ANCHOR, :]
+    control[..., 1, :] = points[..., :count, OUT, :]
+    arriving = points.shape[-3] - 1  # the segments that end on a point after their own
+    for place, part in ((2, IN), (3, ANCHOR)):
+        control[..., :arriving, place, :] = points[..., 1:, part, :]
+        control[..., arriving:, place, :] = points[..., :1, part, :] if closed else points[..., :0, part, :]
+    return control
 
 
 def bernstein(t: Array) -> Array:

@@ -67,7 +67,7 @@ def _places(keys: list[Keyframe], closed: bool) -> Array:
     """Places at fixed parameters along the curves of keys: `(K, N, 2)`."""
     share = np.arange(PLACES) / PLACES
     weights = np.stack([(1 - share) ** 3, 3 * share * (1 - share) ** 2, 3 * share**2 * (1 - share), share**3], axis=1)
-    control = np.stack([bezier.segments(key.points, closed) for key in keys])
+    control = bezier.segments(np.stack([key.points for key in keys]), closed)
     return np.asarray(np.einsum("pc,kscx->kspx", weights, control).reshape(len(keys), -1, 2))
 
 

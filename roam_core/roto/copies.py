@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import count
+from itertools import count, takewhile
 
 from roam_core.roto.baking import baked
 from roam_core.roto.edit import add_shape
 from roam_core.roto.free_names import counted_on, next_id
-from roam_core.roto.layers import Item, all_baked, top_items
+from roam_core.roto.layers import Item, all_baked, moved, top_items
 from roam_core.roto.linking import relinked
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import NO_COLOUR, RotoShape
@@ -19,11 +19,23 @@ from roam_core.roto.shape import NO_COLOUR, RotoShape
 def duplicated(project: Project, item_ids: Collection[str]) -> tuple[Project, list[str]]:
     """The project with copies of layers, with what lies in them, and of shapes, each on top of the layer that holds it.
 
-    Returns the ids of the copies (not of what lies in them), too.
+    Nothing comes into a locked layer: what lies in one has its copy in the nearest layer around that is not, seen
+    where it was. Returns the ids of the copies (not of what lies in them), too.
     """
     ids = top_items(project, item_ids)
-    homes = [project.layers_above(item_id)[-1].id for item_id in ids]
-    return _joined(project, [_seen(project, item_id) for item_id in ids], homes)
+    homes = [project.layers_above(item_id)[-1] for item_id in ids]
+    kept = [project.is_locked(home.id) for home in homes]
+    items = [
+        taken_out(project, [item_id])[0] if is_kept else _seen(project, item_id)
+        for item_id, is_kept in zip(ids, kept, strict=True)
+    ]
+    firsts = [project.root.id if is_kept else home.id for home, is_kept in zip(homes, kept, strict=True)]
+    project, copies = _joined(project, items, firsts)
+    for copy, home in ((c, h) for c, h, is_kept in zip(copies, homes, kept, strict=True) if is_kept):
+        free = list(takewhile(lambda layer: not layer.locked, project.layers_above(home.id)))
+        if free and free[-1].id != project.root.id:
+            project = moved(project, [copy], free[-1].id, len(free[-1].children))
+    return project, copies
 
 
 def taken_out(project: Project, item_ids: Collection[str]) -> list[Item]:

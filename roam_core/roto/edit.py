@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from roam_core.arrays import Array
+from roam_core.arrays import Array, Bools
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier, bspline, merging
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
@@ -296,9 +296,15 @@ def equal_handles(points: Array, index: int, part: int, position: ArrayLike) -> 
 
 def is_smooth(point: Array, degrees: float = 2.0) -> bool:
     """True when both handles of a `point (3, 2)` have a length and point in opposite directions."""
-    a, b = point[IN] - point[ANCHOR], point[OUT] - point[ANCHOR]
-    lengths = np.hypot(*a) * np.hypot(*b)
-    return bool(lengths > 1e-9 and -float(a @ b) / lengths > np.cos(np.radians(degrees)))
+    return bool(are_smooth(point[None], degrees)[0])
+
+
+def are_smooth(points: Array, degrees: float = 2.0) -> Bools:
+    """Which of `points (P, 3, 2)` are smooth `(P,)`."""
+    a, b = points[:, IN] - points[:, ANCHOR], points[:, OUT] - points[:, ANCHOR]
+    lengths = np.hypot(*a.T) * np.hypot(*b.T)
+    against = -(a * b).sum(axis=1) / np.maximum(lengths, 1e-9)
+    return np.asarray((lengths > 1e-9) & (against > np.cos(np.radians(degrees))))
 
 
 def smooth_points(points: Array, indices: Iterable[int], closed: bool = True) -> Array:

@@ -195,10 +195,11 @@ class Project:
 
     def shape(self, shape_id: str) -> RotoShape:
         """The shape with this id, in plate space."""
-        for shape in self.shapes:
-            if shape.id == shape_id:
-                return shape
-        raise KeyError(shape_id)
+        return self._shapes_by_id[shape_id]
+
+    @cached_property
+    def _shapes_by_id(self) -> dict[str, RotoShape]:
+        return {shape.id: shape for shape in reversed(self.shapes)}  # the lowest of those that share one
 
     def layers_above(self, item_id: str) -> tuple[Layer, ...]:
         """The layers that an item lies in, the root first; of the root itself none."""

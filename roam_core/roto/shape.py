@@ -347,8 +347,10 @@ class RotoShape:
 
     def with_keys(self, keys: Iterable[Keyframe]) -> RotoShape:
         """The shape with all `keys` put on their frames, in place of those that were there."""
-        merged = {key.frame: key for key in self.keys} | {key.frame: key for key in keys}
-        return replace(self, keys=tuple(merged.values()))
+        put = {key.frame: key for key in keys}
+        if not put:
+            return self
+        return replace(self, keys=tuple(({key.frame: key for key in self.keys} | put).values()))
 
     def map_points(self, function: Any) -> RotoShape:
         """The shape with `function(array (P, 3, 2)) -> (Q, 3, 2)` applied to points and feather of every key."""

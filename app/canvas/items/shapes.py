@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from PySide6.QtCore import QLineF
@@ -11,14 +12,14 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DOUBTFUL
 from roam_core.propagate.parts.edges import Edges
-from roam_core.roto import Outline, Project, RotoShape, Spline
-from roam_core.roto.edit import is_smooth
+from roam_core.roto import Project, RotoShape, Spline
+from roam_core.roto.edit import are_smooth
 
 from ...model.shown import Shown, shown_shapes
 from ...model.view_state import Selection
 from ...paint import marks
 from ...paint.clipping import inside, painted_area
-from ...paint.handles import control_sides, visible_handles
+from ...paint.handles import control_sides, handles_of
 from ...paint.outline_paths import OutlinePaths
 from ...paint.viewport import Viewport
 from .edges import fits, paint_edges
@@ -46,7 +47,7 @@ class ShapePainter:
         edges: Mapping[str, Edges] = NO_EDGES,
     ) -> None:
         """Paint all shapes in sight, the selected ones above the others; those with `edges` by their kinds."""
-        shown, area = shown_shapes(project, frame), painted_area(painter, viewport)
+        shown, area, chosen = shown_shapes(project, frame), painted_area(painter, viewport), _by_shape(selection)
         for item in sorted(shown, key=lambda s: s.shape.id in selection.shapes):
             known = edges.get(item.shape.id)
             if known is not None and fits(known, item.shape):
@@ -57,7 +58,7 @@ class ShapePainter:
                 _paint_outline(painter, viewport, item, path, item.shape.id in selection.shapes)
             _paint_doubts(painter, viewport, item.shape, frame)
             if item.shape.id in selection.shapes and not item.locked:
-                _paint_points(painter, viewport, item.shape, item.shape.at(frame), selection, hover)
+                _paint_points(painter, viewport, item.shape, chosen.get(item.shape.id, []), frame, hover)
                 _paint_set_points(painter, viewport, item.shape, frame)
 
 
@@ -79,25 +80,31 @@ def shape_colour(shape: RotoShape) -> QColor:
 
 
 def _paint_points(
-    painter: QPainter, viewport: Viewport, shape: RotoShape, outline: Outline, selection: Selection, hover: Hover
+    painter: QPainter, viewport: Viewport, shape: RotoShape, chosen: Sequence[int], frame: int, hover: Hover
 ) -> None:
-    """Anchors of a selected shape, and the handles of its selected points."""
-    colour, points = shape_colour(shape), outline.control_points
-    near = np.flatnonzero(inside(points, painted_area(painter, viewport))).tolist()
-    chosen = sorted(index for owner, index in selection.points if owner == shape.id and index < len(points))
-    handles = [(index, part) for index in set(chosen) & set(near) for part in visible_handles(points, index)]
+    """Anchors of a selected shape, and the handles of its `chosen` points."""
+    colour, points = shape_colour(shape), shape.at(frame).control_points
+    near, picked = np.flatnonzero(inside(points, painted_area(painter, viewport))).tolist(), set(chosen)
+    handles = handles_of(points, [index for index in near if index in picked])
     sides = control_sides(len(points), shape.closed) if shape.spline is Spline.BSPLINE else []
     placed = range(len(points)) if sides else near
     spot = {i: [viewport.to_widget(*position) for position in points[i].tolist()] for i in placed}
     lines = [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in handles]
     marks.arms(painter, [*lines, *(QLineF(spot[a][ANCHOR], spot[b][ANCHOR]) for a, b in sides)], colour)
-    for i, part in handles:
-        marks.handle(painter, spot[i][part], colour, grown=hover == (shape.id, i, part))
-    picked = set(chosen)
-    for i in near:
-        grown = hover == (shape.id, i, ANCHOR)
-        round_ = bool(sides) or is_smooth(points[i])
-        marks.anchor(painter, spot[i][ANCHOR], colour, round_=round_, filled=i in picked, grown=grown)
+    held = hover[1:] if hover is not None and hover[0] == shape.id else None
+    marks.handles(painter, [(spot[i][part], held == (i, part)) for i, part in handles], colour)
+    smooth = [True] * len(points) if sides else are_smooth(points).tolist()
+    marks.anchors(
+        painter, (marks.Anchor(spot[i][ANCHOR], smooth[i], i in picked, held == (i, ANCHOR)) for i in near), colour
+    )
+
+
+def _by_shape(selection: Selection) -> dict[str, list[int]]:
+    """The selected points of each shape: found once, where thousands are selected in hundreds of shapes."""
+    chosen = defaultdict[str, list[int]](list)
+    for shape_id, index in selection.points:
+        chosen[shape_id].append(index)
+    return chosen
 
 
 def _paint_set_points(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:

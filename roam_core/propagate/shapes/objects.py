@@ -33,6 +33,11 @@ class Drawn:
     link: str
 
     @cached_property
+    def hull(self) -> Box:
+        """The box around its points and handles: the outline lies within it."""
+        return _box(self.points.reshape(-1, 2))
+
+    @cached_property
     def line(self) -> Array:
         """A closed polyline `(K, 2)`."""
         return bezier.flatten(self.points)
@@ -64,8 +69,14 @@ class Drawn:
 
 @lru_cache(maxsize=1024)
 def _drawn(same: Same, frame: int) -> Drawn:
-    shape = replace(same.shape, keys=same.shape.drawn_keys)
+    shape = _by_hand(same)
     return Drawn(shape.at(frame).points, shape.blend is BlendMode.SUBTRACT, shape.link)
+
+
+@lru_cache(maxsize=1024)
+def _by_hand(same: Same) -> RotoShape:
+    """A shape without the keys that a run may change."""
+    return replace(same.shape, keys=same.shape.drawn_keys)
 
 
 def decisive(shape: RotoShape) -> tuple[object, ...]:
@@ -119,16 +130,22 @@ def _grouped(question: _Question) -> list[list[int]]:
 def _apart(shapes: Sequence[RotoShape], gap: float) -> Bools:
     """Of which pairs of shapes the boxes alone say that they do not belong together `(N, N)`: of hundreds, most.
 
-    Both were drawn on the same frame first, so met there; all else is asked pair by pair.
+    Both were first drawn on one frame, so met there, or never come near each other; all else is asked pair by pair.
     """
     first = np.array([shape.drawn_keys[0].frame for shape in shapes])
     subtracts = np.array([shape.blend is BlendMode.SUBTRACT for shape in shapes], dtype=bool)
     free = np.array([not shape.link for shape in shapes], dtype=bool)
-    boxes = np.array([Drawn.of(shape, shape.drawn_keys[0].frame).box for shape in shapes]).reshape(-1, 4)
-    low, high = boxes[:, :2], boxes[:, 2:]
-    beyond = (high[None] < low[:, None] - gap).any(axis=2) | (low[None] > high[:, None] + gap).any(axis=2)
-    met = (first[:, None] == first) & (subtracts[:, None] == subtracts) & free[:, None] & free
-    return np.asarray(beyond & met)
+    alike = (subtracts[:, None] == subtracts) & free[:, None] & free
+    met = _beyond([Drawn.of(shape, shape.drawn_keys[0].frame).box for shape in shapes], gap)
+    ever = _beyond([_roamed(Same(shape)) for shape in shapes], gap)
+    return np.asarray(alike & (ever | (met & (first[:, None] == first))))
+
+
+def _beyond(boxes: Sequence[Box], gap: float) -> Bools:
+    """Which pairs of boxes lie farther apart than `gap` pixels `(N, N)`."""
+    corners = np.array(boxes).reshape(-1, 4)
+    low, high = corners[:, :2], corners[:, 2:]
+    return np.asarray((high[None] < low[:, None] - gap).any(axis=2) | (low[None] > high[:, None] + gap).any(axis=2))
 
 
 def _joined(count: int, belong: Callable[[int, int], bool]) -> list[list[int]]:
@@ -156,7 +173,7 @@ def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
     if (a.blend is BlendMode.SUBTRACT) != (b.blend is BlendMode.SUBTRACT):
         return _near_boxes(_swept(Same(a)), _swept(Same(b)), gap)
     ours, theirs = _met(a, b)
-    if not _near_boxes(ours.box, theirs.box, gap):
+    if not (_near_boxes(ours.hull, theirs.hull, gap) and _near_boxes(ours.box, theirs.box, gap)):
         return False
     if a.compound and a.compound == b.compound and ours.tree.query(theirs.evenly)[0].min() <= gap:
         return True
@@ -320,3 +337,11 @@ def _shared(a: Drawn, b: Drawn) -> float:
     columns, rows = (max(1, int(np.ceil(extent / cell))) for extent in high - low)
     cover_a, cover_b = (coverage((each.line - low) / cell, (rows, columns)) for each in (a, b))
     return float((cover_a * cover_b).sum()) * cell * cell
+
+
+@lru_cache(maxsize=1024)
+def _roamed(same: Same) -> Box:
+    """A box that a shape leaves on no frame, by the keys that no run changes; without bounds where a layer moves it."""
+    if same.shape.placement:
+        return -np.inf, -np.inf, np.inf, np.inf
+    return _box(np.concatenate([key.points.reshape(-1, 2) for key in same.shape.drawn_keys]))

@@ -232,6 +232,7 @@ class Stamps:
         self._solved: dict[tuple[tuple[int, ...], int, bool], tuple[int, ...]] = {}
         self._given: dict[tuple[tuple[int, ...], bool], list[int]] = {}
         self._params: dict[int, tuple[int, RoamParams]] = {}
+        self._together: dict[tuple[int, ...], tuple[RotoShape, ...]] = {}
 
     @classmethod
     def of(cls, shapes: Sequence[RotoShape], clip: Clip | None) -> Stamps:
@@ -248,7 +249,12 @@ class Stamps:
     def together(self, shape: RotoShape) -> tuple[RotoShape, ...]:
         """A shape and the others of its object, as stacked."""
         k = self._places.get(shape.id)
-        return (shape,) if k is None else tuple(self.shapes[j] for j in self.objects.get(k, (k,)))
+        if k is None:
+            return (shape,)
+        members = self.objects.get(k, (k,))
+        if members not in self._together:
+            self._together[members] = tuple(self.shapes[j] for j in members)
+        return self._together[members]
 
     def solved_with(self, k: int, frame: int, forward: bool, alone: bool = False) -> tuple[int, ...]:
         """The shapes of its object with which a shape is solved by a run that begins on `frame`, itself among them.

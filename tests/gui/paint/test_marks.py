@@ -55,3 +55,21 @@ def test_faded_outlines_and_dense_screens_take_the_plain_way() -> None:
         np.testing.assert_array_equal(
             drawn(lambda painter, c=colour: marks.thin_stroke(painter, path, c), ratio), plain
         )
+
+
+def test_many_anchors_and_handles_look_as_each_by_itself() -> None:
+    """Thousands of them share pens and brushes; what lies over what stays."""
+    kinds = [marks.Anchor(QPointF(8 + 4.3 * k, 40.2), k % 2 > 0, k % 3 > 0, k == 7) for k in range(15)]
+    discs = [(QPointF(8 + 4.3 * k, 60.7), k == 3) for k in range(15)]
+
+    def each(painter: QPainter) -> None:
+        for at, round_, filled, grown in kinds:
+            marks.anchor(painter, at, COLOUR, round_=round_, filled=filled, grown=grown)
+        for at, grown in discs:
+            marks.handle(painter, at, COLOUR, grown=grown)
+
+    def together(painter: QPainter) -> None:
+        marks.anchors(painter, kinds, COLOUR)
+        marks.handles(painter, discs, COLOUR)
+
+    assert np.array_equal(drawn(each), drawn(together))

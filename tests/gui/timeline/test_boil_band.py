@@ -16,6 +16,7 @@ from app.model.view_state import ViewState
 from app.timeline.boil_band import HEIGHT
 from app.timeline.keys.row_painter import DOUBT
 from app.timeline.marks import on_each_frame
+from app.timeline.scale import TimeScale
 from app.timeline.timeline import Timeline
 from roam_core.review.boil import BOILING, boil
 from roam_core.roto import Project, RotoShape
@@ -124,3 +125,12 @@ def test_what_was_measured_by_the_picture_stands_between_two_places_that_change(
     assert {frame for frame, pixels in shared(moved).tolist() if pixels != 1.5} == changed
     closed = replace(moved, closed=not moved.closed)
     assert shared(closed) == pytest.approx(boil(closed))
+
+
+def test_of_frames_that_share_a_pixel_the_one_that_boils_most_is_seen(timeline: Timeline, document: Document) -> None:
+    """Thousands of bars were painted over each other; the last one of a pixel hid the others."""
+    document.apply("Bend", document.project.with_shape(bent(document.project.shapes[0])))
+    band = timeline.boil
+    bars = band._bars(TimeScale(first=1001, pixels=0.1, clip=(1001, 1049)))
+    assert len(bars) <= 5 < len(band.most)
+    assert bars[:, 1].max() == band.most[:, 1].max()

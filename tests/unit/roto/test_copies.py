@@ -69,6 +69,25 @@ def test_a_duplicate_lies_in_the_layer_of_its_original(project: Project) -> None
     assert len({after.shape(copy).link for copy in copies}) == 1
 
 
+@pytest.mark.parametrize(
+    ("locked", "chosen", "tree"),
+    [
+        ("layer-2", "shape-3", "Arm Body(Leg 9 Foot(Toe) Toe 1)"),
+        ("layer-1", "shape-3", "Arm Body(Leg 9 Foot(Toe)) Toe 1"),
+        ("layer-1", "layer-2", "Arm Body(Leg 9 Foot(Toe)) Foot 1(Toe 1)"),
+    ],
+)
+def test_nothing_is_duplicated_into_a_locked_layer(project: Project, locked: str, chosen: str, tree: str) -> None:
+    """It comes beside it, where it is seen; it became a part of what nobody may change, and could not be moved."""
+    project = edit.set_properties(project, locked, locked=True)
+    after, (copy,) = duplicated(project, [chosen])
+    assert told(after.root) == tree
+    assert told(after.find(locked)) == told(project.find(locked))
+    assert not after.is_locked(copy)
+    shapes = after.find(copy).shapes() if isinstance(after.find(copy), Layer) else [after.shape(copy)]
+    assert np.allclose(places(after, next(iter(shapes)).id), places(project, "shape-3"))
+
+
 def test_what_is_taken_out_is_seen_where_it_was(project: Project) -> None:
     """Through the text of a project, as by a clipboard; a layer keeps its own motion where none is around it."""
     for chosen, tree in (("layer-1", "Body(Leg 9 Foot(Toe))"), ("layer-2", "Foot(Toe)"), ("shape-3", "Toe")):

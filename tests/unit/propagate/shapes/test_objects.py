@@ -11,6 +11,7 @@ import pytest
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import OBJECTS
+from roam_core.propagate.shapes import objects as module
 from roam_core.propagate.shapes.objects import Role, Unit, cuts, near, objects, stacked, units
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
 
@@ -215,3 +216,16 @@ def test_many_shapes_are_grouped_as_their_pairs_are(seed: int) -> None:
             place = [place[i] if each == place[j] else each for each in place]
     wanted = sorted([k for k, each in enumerate(place) if each == one] for one in set(place))
     assert objects(shapes, 20.0) == wanted
+
+
+def test_of_shapes_that_never_come_near_each_other_no_outline_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Hundreds of shapes in a long shot are drawn on frames of their own: each pair of them was flattened anew."""
+    shapes = [
+        square(100 * k, 0, 40, frame=1 + k).with_key(Keyframe(1000 + k, box(100 * k + 5, 0, 40, 40))) for k in range(9)
+    ]
+    shapes[8] = shapes[8].with_key(Keyframe(500, box(0, 0, 40, 40)))
+    asked = list[tuple[str, str]]()
+    belong = module._belong
+    monkeypatch.setattr(module, "_belong", lambda a, b, gap: asked.append((a.id, b.id)) or belong(a, b, gap))
+    assert objects(shapes, 20.0) == [[k] for k in range(9)]
+    assert asked == [(shape.id, shapes[8].id) for shape in shapes[:8]]
