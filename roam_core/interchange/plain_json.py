@@ -319,8 +319,8 @@ class JsonReader(ShapeReader):
             raise self._refusal(place, '"slopes" must be two numbers')
         return float(pair[0]), float(pair[1])
 
-    def _share(self, values: dict[str, Any], field: str, place: str) -> float:
-        value = self._number(values, field, place)
+    def _share(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
+        value = self._number(values, field, place, default)
         if not -ROUNDING <= value <= 1.0 + ROUNDING:
             raise self._refusal(place, f'"{field}" must lie between 0 and 1')
         return min(max(value, 0.0), 1.0)

@@ -9,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from roam_core.interchange.nuke.exporter import roto_script
 from roam_core.interchange.nuke.names import Names
 from roam_core.interchange.nuke.text import tcl_word
 from roam_core.interchange.protocol import ExportOptions
@@ -18,6 +17,7 @@ from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
 from tests.judges import nuke_grammar
 from tests.unit.interchange import nuke_judge, silhouette_judge, tcl
+from tests.unit.interchange.conftest import roto_script
 
 WITHIN = 0.01
 

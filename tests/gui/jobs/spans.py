@@ -49,6 +49,9 @@ class Engine:
         progress(0.5, "Half way")
         while not self.gate.acquire(timeout=0.01):
             token.check()
+        if token.is_cancelled:  # what is allowed is for who goes on
+            self.gate.release()
+            token.check()
         assert isinstance(images[start], np.ndarray)
         self.asked.append((start, stop, tuple(shape.id for shape in shapes if shape.id in asked)))
         stamps = Stamps(shapes, clip, SIZE)

@@ -12,14 +12,13 @@ import numpy as np
 import pytest
 
 from roam_core.interchange import ExportOptions, KeyChoice
-from roam_core.interchange.nuke.exporter import roto_script
 from roam_core.interchange.nuke.names import KNOB, LAYER_KNOB, Names, true_names
 from roam_core.interchange.nuke.python_script import python_document
 from roam_core.roto import Animated, Interpolation, Layer, Project, ValueKey
 from roam_core.roto.animated import mapped
 from tests.judges import nuke_grammar
 from tests.judges.scenes import SCENES
-from tests.unit.interchange.conftest import CLIP, animated
+from tests.unit.interchange.conftest import CLIP, animated, roto_script
 from tests.unit.interchange.nuke_judge import evaluate, judge
 
 

@@ -42,7 +42,7 @@ def judge(request: pytest.FixtureRequest, tmp_path: Path) -> Judge:
         if request.param == "natron":
             return natron_judge.judge(natron_script(project, options)[0], clip.size[1])[0]
         made = node_judge.ran(mask_script(project, options)[0], tmp_path)
-        return node_judge.masks(made, clip.fps, clip.first)
+        return node_judge.masks(made, clip.fps, clip.first + options.frame_offset)  # as a new composition counts
 
     return judged
 

@@ -10,10 +10,10 @@ import pytest
 from roam_core.interchange.after_effects.exporter import mask_script
 from roam_core.interchange.fusion.exporter import fusion_setting
 from roam_core.interchange.natron import natron_script
-from roam_core.interchange.nuke.exporter import roto_script
 from roam_core.interchange.silhouette.exporter import silhouette_document
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
 from tests.unit.interchange import lua_judge, natron_judge, node_judge, nuke_judge, silhouette_judge
+from tests.unit.interchange.conftest import roto_script
 
 EXAMPLES = Path(__file__).parents[3].parent / "shared" / "formats" / "examples"
 

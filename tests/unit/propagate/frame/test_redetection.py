@@ -52,22 +52,26 @@ def disc(column: float, row: float = ROW, radius: float = RADIUS) -> Bools:
     return np.asarray(np.hypot(x - column, y - row) < radius)
 
 
-def picture(*columns: float, post: bool = False, radius: float = RADIUS) -> UInt8:
+def picture(*columns: float, post: bool = False, radius: float = RADIUS, striped: bool = False) -> UInt8:
+    """The meadow with discs, and what hides them; `striped` discs have a texture."""
     image = meadow()
     for column in columns:
         image[disc(column, radius=radius)] = (225, 120, 40)
+        if striped:
+            stripe = (np.arange(SIZE[1]) - round(column)) // 3 % 2 == 0
+            image[disc(column, radius=radius) & stripe] = (200, 95, 25)
     if post:
         image[:, POST] = (110, 100, 105)
     return image
 
 
-def appearance(column: float = 60.0) -> tuple[AppearanceTemplate, LastSeen]:
+def appearance(column: float = 60.0, striped: bool = False) -> tuple[AppearanceTemplate, LastSeen]:
     whole = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 0.5)
     cover = whole.of(disc(column).astype(np.float32))
     region = Field(whole, (8.0 * (cover - 0.5)).astype(np.float32))
     area = np.pi * RADIUS**2
     last_seen = LastSeen(np.eye(3), area, np.array([column, ROW]), PARAMS, since=12)
-    return AppearanceTemplate(PreparedFrame(picture(column)), region, PARAMS, 2e-5), last_seen
+    return AppearanceTemplate(PreparedFrame(picture(column, striped=striped)), region, PARAMS, 2e-5), last_seen
 
 
 @pytest.mark.parametrize("column", [30.0, 61.0, 148.5, 220.0])
@@ -168,10 +172,11 @@ def test_of_two_alike_none_is_taken() -> None:
 
 
 def test_of_two_alike_that_which_the_key_shows_beside_the_object_is_background() -> None:
-    drawn, now = disc(60.0), PreparedFrame(picture(160.0, 210.0))
+    drawn, now = disc(60.0), PreparedFrame(picture(160.0, 210.0, striped=True))
     parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(drawn))
-    key = begin(PreparedFrame(picture(60.0, 210.0)), parts, replace(REGION, background=BackgroundParams())).key
-    eye, last_seen = appearance()
+    frame = PreparedFrame(picture(60.0, 210.0, striped=True))
+    key = begin(frame, parts, replace(REGION, background=BackgroundParams())).key
+    eye, last_seen = appearance(striped=True)
     assert eye.found(now, last_seen) is None
     placed = eye.found(now, last_seen, behind(key, now, replace(REGION, background=BackgroundParams())))
     assert placed is not None
