@@ -4631,7 +4631,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>The planar track stopped at frame {frame}; its frames were taken back.</source>
-        <translation>Flächen-Track bei Frame {frame} angehalten; seine Frames wurden zurückgenommen.</translation>
+        <translation>Der planare Track hielt bei Frame {frame} an; seine Frames wurden zurückgenommen.</translation>
     </message>
     <message>
         <source>The planar track stopped at frame {frame}; the finished frames stay.</source>

@@ -11,8 +11,6 @@ LEAST, SHARE, TALL_SHARE = 200, 0.22, 0.5
 """Pixels and share of the window's height that it has before it is dragged; its share while it is tall."""
 ROWS, MOST_SHARE = 2, 0.33
 """Key rows that have room in `LEAST` pixels; the share up to which more rows of an opened project make it higher."""
-FIRST_ROWS = 5
-"""Key rows that a clip has room for as it opens: what is drawn later makes the timeline no higher."""
 
 
 class TimelineHeight(QObject):
@@ -37,7 +35,7 @@ class TimelineHeight(QObject):
 
     def make_room(self, rows: int) -> None:
         """Have room for so many key rows, as far as the viewer can spare it, where it was not dragged."""
-        self._rows = max(rows, FIRST_ROWS)
+        self._rows = rows
         self._pull()
 
     def forget_drag(self) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from app.shell.laying_out.timeline_height import FIRST_ROWS, LEAST, MOST_SHARE, ROWS, SHARE
+from app.shell.laying_out.timeline_height import LEAST, MOST_SHARE, SHARE
 from app.shell.main_window import MainWindow
 from app.style import ROW_HEIGHT
 from roam_core.roto import Animated, Project, ValueKey, edit
@@ -52,24 +52,12 @@ def test_a_project_of_many_shapes_opens_with_more_rows_and_drawing_moves_nothing
         project, _ = edit.new_shape(project, SQUARE, CLIP.first)
     window.document.open(project, None)
     QApplication.processEvents()
-    assert few < height(window) <= round(MOST_SHARE * window._halves.height())
+    assert few + 3 * ROW_HEIGHT < height(window) <= round(MOST_SHARE * window._halves.height())
     assert rows.height() >= 5 * ROW_HEIGHT
     window.document.apply("Delete", Project(CLIP))
     assert height(window) > few
     window.document.open(Project(CLIP), None)
-    assert few < height(window) == LEAST + (FIRST_ROWS - ROWS) * ROW_HEIGHT
-
-
-def test_a_clip_has_room_for_some_rows_before_anything_is_drawn(window: MainWindow) -> None:
-    window.resize(1400, 900)
-    window.document.open(Project(CLIP), None)
-    project, opened = Project(CLIP), height(window)
-    for _ in range(FIRST_ROWS):
-        project, _ = edit.new_shape(project, SQUARE, CLIP.first)
-        window.document.apply("Draw", project)
-    QApplication.processEvents()
-    assert height(window) == opened
-    assert window.timeline.rows.height() >= FIRST_ROWS * ROW_HEIGHT
+    assert height(window) == few
 
 
 def test_rows_of_values_count_as_those_of_shapes_do(window: MainWindow) -> None:
