@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple
+from dataclasses import astuple, replace
 
 import numpy as np
 import pytest
@@ -10,6 +10,7 @@ import pytest
 from benchmarks import confidence, logistic, rated, shots
 from benchmarks.rated import Rated
 from benchmarks.shots import Shot
+from roam_core.params import CONFIDENCE
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, SpanFeatures, expected_overlap
 from tests.unit.propagate.figures import SIZE, body_and_sleeve
 
@@ -39,7 +40,7 @@ def test_the_model_is_that_of_the_engine() -> None:
     features = ConfidenceFeatures(0.1, 0.2, 0.05, 0.1, 0.6, 1.5, 0.4)
     weights = np.array([3.0, 2.0, 5.0, 0.3, 0.7, 0.1, 0.5, 2.0])
     assert logistic.expected(np.array(astuple(features)), weights) == pytest.approx(
-        expected_overlap(features, weights.tolist())
+        expected_overlap(features, replace(CONFIDENCE, features=tuple(weights.tolist())))
     )
 
 

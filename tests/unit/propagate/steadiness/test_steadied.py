@@ -151,7 +151,7 @@ def test_a_key_without_one_beside_it_stays(shot: Shot, trembling: RotoShape) -> 
     assert {key.frame for key in found.keys if key != alone.key_at(key.frame)} == {1002}
 
 
-def test_the_order_of_the_shapes_and_what_else_is_asked_for_change_nothing(shot: Shot, trembling: RotoShape) -> None:
+def test_the_order_of_the_shapes_changes_nothing(shot: Shot, trembling: RotoShape) -> None:
     rng = np.random.default_rng(9)
     other = replace(drawn(shot, {frame: rng.normal(0.0, 0.8, len(RADII)) for frame in FRAMES}), id="other")
     there = steadied(shot.read, [trembling, other], FRAMES, 1.0, STEADINESS)
@@ -159,7 +159,6 @@ def test_the_order_of_the_shapes_and_what_else_is_asked_for_change_nothing(shot:
     assert there == back[::-1] == steadied(shot.read, [trembling, other], FRAMES, 1.0, STEADINESS)
     alike = steadied(shot.read, [trembling, replace(other, id=trembling.id)], FRAMES, 1.0, STEADINESS)
     assert [shape.keys for shape in alike] == [shape.keys for shape in there]
-    assert steadied(shot.read, [other], FRAMES, 1.0, STEADINESS) == (there[1],)
 
 
 def test_a_part_of_the_frames_is_held_to_those_around_it(shot: Shot, trembling: RotoShape) -> None:
