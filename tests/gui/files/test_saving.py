@@ -121,12 +121,18 @@ def test_a_failed_save_arms_nothing(
     assert left == []
 
 
+def saved_states(qtbot: QtBot, window: MainWindow, path: Path, count: int) -> list[Project]:
+    """So many states, each saved at `path` in place of the one before."""
+    states = []
+    for _ in range(count):
+        states.append(draw(window))
+        saved(qtbot, window, path)
+    return states
+
+
 def test_older_versions_stay_beside_the_file(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
     window.files.backups = 2
-    states = []
-    for _ in range(4):
-        states.append(draw(window))
-        saved(qtbot, window, mine)
+    states = saved_states(qtbot, window, mine, 4)
     assert file.load(mine) == states[3]
     assert [file.load(mine.with_name(f"mine.roam.{number}")) for number in (1, 2)] == [states[2], states[1]]
     assert not mine.with_name("mine.roam.3").exists()
@@ -135,10 +141,7 @@ def test_older_versions_stay_beside_the_file(qtbot: QtBot, window: MainWindow, m
 def test_saving_again_takes_no_older_version_away(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
     """Ctrl+S, pressed five times, pushed all versions out that had another content."""
     window.files.backups = 2
-    states = []
-    for _ in range(3):
-        states.append(draw(window))
-        saved(qtbot, window, mine)
+    states = saved_states(qtbot, window, mine, 3)
     for _ in range(3):
         saved(qtbot, window, mine)
     assert [file.load(mine.with_name(f"mine.roam.{number}")) for number in (1, 2)] == [states[1], states[0]]

@@ -269,15 +269,6 @@ def test_a_run_that_an_edit_ends_says_of_what(
     assert finished.args == [Ending.CANCELLED, told]
 
 
-def test_a_run_that_ends_with_its_shape_says_so(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
-) -> None:
-    run_to_the_third_frame(qtbot, propagation, document, engine)
-    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
-        document.apply("Delete", edit.remove_items(document.project, ["shape-1"]))
-    assert finished.args[1].endswith("Shape 1 was deleted meanwhile.")
-
-
 @pytest.mark.parametrize("is_in_layer", [False, True])
 def test_locking_a_shape_under_work_ends_its_run(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, is_in_layer: bool
