@@ -198,7 +198,7 @@ class Tracking:
         elif shapes := self._trackable():
             begin = seen_from(self._view.frame, step, self._clip(), self._without_picture())
             begun = [shape for shape in shapes if _has_begun(shape, begin, step)]
-            left_out = [shape for shape in shapes if shape not in begun]
+            left_out = [shape for shape in shapes if not _has_begun(shape, begin, step)]
             if any(shape.exists_at(frame) for frame in frames[1:] for shape in begun):
                 lived = _as_long_as_any_exists(range(begin, stop, step), begun)
                 ids, alone = [shape.id for shape in begun], self.scope is Scope.ALONE

@@ -123,9 +123,9 @@ class TrackerPanel(QWidget):
         self.dials.pull()
 
     def _pull(self, _ids: object = None) -> None:
-        able = self._tracking.able()
-        left_out = [shape.name for shape in self._tracking.in_scope() if shape not in able]
-        self.scope.setToolTip(_scope_sentence([shape.name for shape in able], left_out))
+        able = {shape.id: shape.name for shape in self._tracking.able()}
+        left_out = [shape.name for shape in self._tracking.in_scope() if shape.id not in able]
+        self.scope.setToolTip(_scope_sentence(list(able.values()), left_out))
         frame = self._view.frame
         tracked = [
             (shape, key.confidence)
