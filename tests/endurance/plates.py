@@ -147,9 +147,12 @@ def peak() -> int:
 
 def peak_of_decoders() -> int:
     """The most bytes that one of the processes which this one started has held, of those that run."""
-    running = " ".join(path.read_text() for path in Path("/proc/self/task").glob("*/children"))
+    running: list[str] = []
+    for path in Path("/proc/self/task").glob("*/children"):
+        with suppress(OSError):  # the thread may end meanwhile
+            running += path.read_text().split()
     peaks = [0]
-    for process_id in running.split():
+    for process_id in running:
         with suppress(OSError):
             status = Path(f"/proc/{process_id}/status").read_text()
             peaks += [int(line.split()[1]) << 10 for line in status.splitlines() if line.startswith("VmHWM")]
