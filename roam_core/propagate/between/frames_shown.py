@@ -19,23 +19,28 @@ def frames_shown(
     """Those of `frames`, between the two keys of a gap, on which filling it gives `shape` a key.
 
     It passes over those without a picture, of which a part is damaged, and those that have gone blank
-    (`features.blank`): that show nothing where the pictures of both keys show something. Each is read whole, when it is
-    asked for; those of the keys as far as it takes.
+    (`features.blank`): that show nothing where the pictures of the keys show something. Each is read whole, when it is
+    asked for.
     """
-    key_points = [shape.at(frame).points for frame in gap]
-    try:
-        ends = [PreparedFrame(read(frame)) for frame in gap]
-        view = EngineView.of_key(ends[0], params)
-        pairs = zip(ends, key_points, strict=True)
-        are_plain = any(is_blank(view.picture(end), [view.points(points)], params.blank) for end, points in pairs)
-    except MissingFrame:
+    ends = [(picture, frame) for frame in gap if (picture := _whole(read, frame)) is not None]
+    if not ends:
         yield from frames  # filling the gap says what is wrong
         return
+    view = EngineView.of_key(ends[0][0], params)
+
+    def shows_nothing(picture: PreparedFrame, frame: int) -> bool:
+        return is_blank(view.picture(picture), [view.points(shape.at(frame).points)], params.blank)
+
+    are_plain = any(shows_nothing(*end) for end in ends)
     for frame in frames:
-        try:
-            picture = PreparedFrame(PreparedFrame(read(frame)).image)  # where its file is damaged shows now
-        except MissingFrame:
-            continue
-        outline = view.points(shape.at(frame).points)
-        if are_plain or not is_blank(view.picture(picture), [outline], params.blank):
+        picture = _whole(read, frame)
+        if picture is not None and (are_plain or not shows_nothing(picture, frame)):
             yield frame
+
+
+def _whole(read: ReadFrame, frame: int) -> PreparedFrame | None:
+    """The picture of a frame, read whole: where its file is damaged shows then. None where there is none."""
+    try:
+        return PreparedFrame(PreparedFrame(read(frame)).image)
+    except MissingFrame:
+        return None

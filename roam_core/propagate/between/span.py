@@ -73,7 +73,8 @@ def fill_span(
     ----------
     images : a mapping or function that gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is
         asked for about four times for every object, in no particular order, by one thread at a time. A `MissingFrame`
-        is passed over. A sequence holds one for each frame from `start` to `stop`.
+        is passed over, and where it is that of a key, what lies beside it is carried from the other key alone. A
+        sequence holds one for each frame from `start` to `stop`.
     only : the ids of the shapes that get keys; None: all. The others take part all the same.
     alone : each shape is filled as if there were no others.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
@@ -82,6 +83,8 @@ def fill_span(
     ------
     ValueError
         when an argument is not what it should be, such as an id in `only` that no shape has.
+    MissingFrame
+        when neither key of a gap has a picture.
     RoamError
         when no shape is wanted, or none of them has artist keys on two frames of the range, or one to be filled is
         open, a point, or has a point that lies nowhere near the image.
@@ -228,7 +231,7 @@ class Filling:
         self, shapes: Sequence[RotoShape], gap: tuple[int, int], asked: Sequence[int]
     ) -> dict[int, list[Keyframe]]:
         """The ENGINE keys in one gap of the shapes that are asked for, solved object by object."""
-        view = EngineView.of_key(self.read(gap[0]), self.params)
+        view = self._view(gap)
         stamps = Stamps(shapes, self.clip, view.size)
         made: dict[int, list[Keyframe]] = {}
         objects, length = sorted({stamps.filled_with(k, gap, self.alone) for k in asked}), gap[1] - gap[0]
@@ -253,6 +256,13 @@ class Filling:
                 ]
             made |= self._steadied({k: shapes[k] for k in members if made[k]}, made, gap)
         return {k: keys for k, keys in made.items() if k in asked}
+
+    def _view(self, gap: tuple[int, int]) -> EngineView:
+        """How the pictures of a gap are seen: by that of its first key, or where that has none, of its second."""
+        try:
+            return EngineView.of_key(self.read(gap[0]), self.params)
+        except MissingFrame:
+            return EngineView.of_key(self.read(gap[1]), self.params)
 
     def _steadied(
         self, shapes: Mapping[int, RotoShape], made: Mapping[int, list[Keyframe]], gap: tuple[int, int]
@@ -350,12 +360,15 @@ class Filling:
             return None
 
     def _begun(self, shapes: Sequence[RotoShape], key: Key, view: EngineView) -> Engine | None:
-        """The object on one of its keys; None where it has no outline there."""
+        """The object on one of its keys; None where it has no outline there, or its frame no picture."""
         if not key.drawn:
             return None
         there = [shapes[k] for k in key.members]
         made, order = units(there, near(view.size)), stacked(there, key.frame)
-        return begin(view.picture(self.read(key.frame)), key.drawn, self.finer, made, order)
+        try:
+            return begin(view.picture(self.read(key.frame)), key.drawn, self.finer, made, order)
+        except MissingFrame:  # where its file is damaged may show only when it is read there
+            return None
 
     def _directional_pass(
         self, shapes: Sequence[RotoShape], view: EngineView, engine: Engine | None, key: Key, frames: range

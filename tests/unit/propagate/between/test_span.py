@@ -14,10 +14,12 @@ from roam_core.arrays import UInt8
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte.compose import render_matte
+from roam_core.media.partial import reading
 from roam_core.media.source import MissingFrame
 from roam_core.params import CONFIGS
 from roam_core.params.steadiness import RESIDUAL
 from roam_core.propagate.between.endpoint_consistency import Span
+from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.between.merge import Merged, merged
 from roam_core.propagate.between.merged_region import Colours
 from roam_core.propagate.between.span import Reader, spans
@@ -141,17 +143,41 @@ def test_a_shape_that_ends_is_carried_to_its_end(shot: Shot) -> None:
 
 
 def test_a_missing_picture_is_passed_over(shot: Shot) -> None:
-    class Gappy(dict[int, UInt8]):
-        def __getitem__(self, frame: int) -> UInt8:
-            if frame == FIRST + 3:
-                raise MissingFrame("frame 1004 is missing")
-            return super().__getitem__(frame)
-
-    [filled] = fill_span(Gappy(pictures(shot)), [keyed(shot, FIRST, LAST)], FIRST, LAST)
+    [filled] = fill_span(Lacking(pictures(shot), FIRST + 3), [keyed(shot, FIRST, LAST)], FIRST, LAST)
     assert filled.key_at(FIRST + 3) is None
     assert filled.key_at(FIRST + 4) is not None
     black = pictures(shot) | {FIRST + 3: np.zeros_like(pictures(shot)[FIRST])}
     assert fill_span(black, [keyed(shot, FIRST, LAST)], FIRST, LAST) == [filled]
+
+
+class Lacking(dict[int, UInt8]):
+    """Pictures of a plate that lacks some."""
+
+    def __init__(self, pictures: dict[int, UInt8], *gone: int) -> None:
+        super().__init__(pictures)
+        self._gone = gone
+
+    def __getitem__(self, frame: int) -> UInt8:
+        if frame in self._gone:
+            raise MissingFrame(f"frame {frame} is missing")
+        return super().__getitem__(frame)
+
+
+@pytest.mark.parametrize("gone", [FIRST, LAST])
+def test_a_gap_whose_one_key_has_no_picture_is_filled_from_the_other(shot: Shot, gone: int) -> None:
+    plate, shape = Lacking(pictures(shot), gone), keyed(shot, FIRST, LAST)
+    [filled] = fill_span(plate, [shape], FIRST, LAST)
+    assert filled.artist_keys == shape.artist_keys
+    assert [key.frame for key in filled.keys] == [*range(FIRST, LAST + 1)]
+    for frame in BETWEEN:
+        assert outline_distance(filled.at(frame).points, shot.truth(frame)) < 1.5
+    lacking = [*BETWEEN]
+    assert list(frames_shown(reading(plate), shape, (FIRST, LAST), lacking, CONFIGS["best"])) == lacking
+
+
+def test_a_gap_without_a_picture_on_either_key_is_refused_with_the_frame(shot: Shot) -> None:
+    with pytest.raises(MissingFrame, match=f"frame {LAST} is missing"):
+        fill_span(Lacking(pictures(shot), FIRST, LAST), [keyed(shot, FIRST, LAST)], FIRST, LAST)
 
 
 def test_a_filled_key_is_stale_once_either_of_its_artist_keys_changes(shot: Shot) -> None:
@@ -208,17 +234,13 @@ def test_progress_is_told_by_one_thread_at_a_time_and_never_goes_back(shot: Shot
 
 @pytest.mark.parametrize("gone", [(), (FIRST + 3, FIRST + 4)], ids=["all there", "two missing"])
 def test_progress_is_that_of_all_objects(shot: Shot, gone: tuple[int, ...]) -> None:
-    class Plate(dict[int, UInt8]):
-        def __getitem__(self, frame: int) -> UInt8:
-            if frame in gone:
-                raise MissingFrame("it is not there")
-            return super().__getitem__(frame)
-
     seen: list[float] = []
     shape = keyed(shot, FIRST, LAST)
     ends = replace(keyed(shot, FIRST), id="ends", lifetime=(FIRST, FIRST + 4))  # no pass comes back to it
     apart = [replace(each, link=each.id) for each in (shape, replace(shape, id="another"), ends)]
-    fill_span(Plate(pictures(shot)), apart, FIRST, LAST, "baseline", progress=lambda part, _: seen.append(part))
+    fill_span(
+        Lacking(pictures(shot), *gone), apart, FIRST, LAST, "baseline", progress=lambda part, _: seen.append(part)
+    )
     assert seen == sorted(set(seen))
     assert seen[-1] == pytest.approx(1.0)
     assert np.diff([0.0, *seen]).max() < 0.2
