@@ -2221,8 +2221,8 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Tasten…</translation>
     </message>
     <message>
-        <source>Labels are hard and opaque, without the {left} of {name}.</source>
-        <translation>Labels sind hart und deckend, ohne {left} von {name}.</translation>
+        <source>Labels are hard and opaque, without the {left} of {name!r}.</source>
+        <translation>Labels sind hart und deckend, ohne {left} von {name!r}.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -5390,6 +5390,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>annehmen ja topologie</translation>
     </message>
     <message>
+        <source>add</source>
+        <translation>Addieren</translation>
+    </message>
+    <message>
         <source>again repeat</source>
         <translation>nochmals wiederholen</translation>
     </message>
@@ -5618,6 +5622,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>abwählen auswahl aufheben</translation>
     </message>
     <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
         <source>dissolve unparent folder</source>
         <translation>auflösen lösen ordner</translation>
     </message>
@@ -5794,6 +5802,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Footage interpretieren Farbraum fps Bildrate Pixelseitenverhältnis Ebene lesen Eigenschaften</translation>
     </message>
     <message>
+        <source>intersect</source>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
         <source>inversion</source>
         <translation>Invertierung</translation>
     </message>
@@ -5904,6 +5916,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>mattes alpha segmentation load</source>
         <translation>mattes alpha segmentierung laden</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>Max</translation>
     </message>
     <message>
         <source>memory {used} of {limit}</source>
@@ -6040,6 +6056,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>plate footage rgb image</source>
         <translation>plate material rgb bild</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>Plus</translation>
     </message>
     <message>
         <source>point mark begin work area range</source>
@@ -6260,6 +6280,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>stop halt</source>
         <translation>stopp halt</translation>
+    </message>
+    <message>
+        <source>subtract</source>
+        <translation>Subtrahieren</translation>
     </message>
     <message>
         <source>surface plane corner pin mocha hide show</source>

@@ -5,7 +5,18 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field
 
+from roam_core.roto import BlendMode
 from roam_core.translatable import Sentence, sentence
+
+MODE_WORDS = {
+    BlendMode.ADD: sentence("add"),
+    BlendMode.PLUS: sentence("plus"),
+    BlendMode.SUBTRACT: sentence("subtract"),
+    BlendMode.INTERSECT: sentence("intersect"),
+    BlendMode.DIFFERENCE: sentence("difference"),
+    BlendMode.MAX: sentence("max"),
+}
+"""How a sentence calls the modes: by the words of files and of the command line, in a window by its own."""
 
 MOST_NAMES = 6
 """Of shapes or layers that a sentence is true of besides the first; more are counted."""

@@ -33,12 +33,14 @@ from app.translation import (
     tr,
     translated,
 )
+from app.widgets.fields import BLENDS
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.interchange import ExportOptions
+from roam_core.interchange import EXPORTERS, ExportOptions
 from roam_core.interchange.nuke.names import Names
+from roam_core.interchange.protocol import LossyExport
 from roam_core.proposal.assist.cut_out import cut_box
-from roam_core.roto import Clip, Keyframe, RotoShape, edit
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, edit
 from roam_core.translatable import listed, sentence
 from tests.gui.windows import dialogs_of, opened_window, write_clip
 from tests.house.test_translations import of
@@ -83,8 +85,8 @@ def test_numbers_and_keys_go_with_the_language(german: None) -> None:
 
 
 def test_sentences_of_the_engine_are_translated_with_what_they_hold(german: None) -> None:
-    told = sentence("Labels are hard and opaque, without the {left} of {name}.", left=listed(
-        [sentence("feather"), sentence("opacity")]), name="'a'")  # fmt: skip
+    told = sentence("Labels are hard and opaque, without the {left} of {name!r}.", left=listed(
+        [sentence("feather"), sentence("opacity")]), name="a")  # fmt: skip
     assert told == "Labels are hard and opaque, without the feather and opacity of 'a'."
     assert translated(told) == "Labels sind hart und deckend, ohne weiche Kante und Deckkraft von 'a'."
     assert translated("put together of several") == "put together of several"
@@ -114,6 +116,21 @@ def test_what_is_listed_in_a_sentence_is_translated_too(german: None) -> None:
     assert "'Körper0' heißt 'Korper0', 'Körper1' heißt 'Korper1', " in told
     assert "'Korper5' und 2 weitere" in told
     assert "is called" not in told
+
+
+def test_the_modes_of_what_an_export_loses_are_called_as_in_the_window(german: None, tmp_path: Path) -> None:
+    """They stayed English: 'Modus 'subtract''."""
+    key = Keyframe(1, polygon_points([(0, 0), (9, 0), (9, 9)]))
+    shapes = tuple(
+        RotoShape(f"shape-{mode.value}", "Arm", (key,), blend=mode) for mode in BLENDS if mode is not BlendMode.ADD
+    )
+    project = Project(Clip(Path("plate"), 1, 9, (64, 48)), Layer("root", "Root", shapes))
+    with pytest.raises(LossyExport) as refused:
+        EXPORTERS["cvat"].export(project, tmp_path / "a.xml")
+    told = " ".join(map(translated, refused.value.losses))
+    words = {mode: tr(title) for mode, title in BLENDS.items()}
+    lost = (BlendMode.SUBTRACT, BlendMode.INTERSECT, BlendMode.DIFFERENCE)
+    assert [mode for mode in lost if f"'{words[mode]}'" not in told] == []
 
 
 def test_english_again(german: None) -> None:

@@ -19,6 +19,7 @@ import numpy as np
 from roam_core.atomic_write import write_atomically
 from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, runs_of
+from roam_core.interchange.labels.presence import is_dimmed
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.matte import render_matte
 from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
@@ -83,6 +84,7 @@ class _Writer(ShapeWriter):
             opacity = self._there(shape.opacity)
             if any(values_of(opacity)):
                 children.append(replace(shape, keys=keys, feather=0.0, opacity=opacity, motion_blur=None))
+        self._tell_dimmed(layer)
         return replace(layer, children=tuple(children), opacity=self._there(layer.opacity))
 
     def _there(self, opacity: Animatable) -> Animatable:
@@ -107,8 +109,11 @@ class _Writer(ShapeWriter):
             self.notes.append(
                 sentence("Objects are hard, without the {left} of {name!r}.", left=listed(left), name=shape.name)
             )
-        if any(0.0 < shape.opacity_at(frame) < 1.0 for frame in self.options.frames_of(self.clip)):
-            self.notes.append(sentence("Objects are opaque: the opacity of {name!r} is left out.", name=shape.name))
+        self._tell_dimmed(shape)
+
+    def _tell_dimmed(self, item: Item) -> None:
+        if item.visible and is_dimmed(item, self.options.frames_of(self.clip)):
+            self.notes.append(sentence("Objects are opaque: the opacity of {name!r} is left out.", name=item.name))
 
     def document(self, root: Layer, told_to: ExportOptions) -> dict[str, Any]:
         """The data set; `told_to` hears of each frame."""

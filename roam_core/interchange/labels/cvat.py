@@ -8,17 +8,19 @@ from 0, the clip's first. A polygon with `keyframe="1"` was set by somebody, CVA
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener
+from roam_core.interchange.labels.presence import is_dimmed, stretches
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import without_holds
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
-from roam_core.roto.animated import is_always
 from roam_core.translatable import N_, listed, sentence
 
 JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
@@ -81,22 +83,28 @@ def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
 class _Writer(ShapeWriter):
     tracks: list[tuple[str, ET.Element]] = field(default_factory=list)
 
-    def add(self, layer: Layer, label: str) -> None:
-        """The shapes of a layer and of those in it; `label` is "" in the root."""
-        mode = "" if layer.blend in JOINING else sentence("the mode {mode!r}", mode=layer.blend.value)
-        if lost := list(filter(None, (mode, sentence("the inversion") if layer.invert else ""))):
-            self.losses.append(
-                sentence("CVAT has no layers of masks: {name!r} loses {lost}.", name=layer.name, lost=listed(lost))
-            )
+    def add(self, layer: Layer, label: str, around: tuple[Layer, ...] = ()) -> None:
+        """The shapes of a layer, which lies in those `around` it, and of the layers in it; `label` is "" in the root."""
+        self._tell_layer(layer)
         for child in layer.children:
             if not layer.visible:
                 child = replace(child, visible=False)
             if isinstance(child, Layer):
-                self.add(child, label or child.name)
+                self.add(child, label or child.name, (*around, layer))
             else:
-                self._add_track(child, label or child.name)
+                self._add_track(child, label or child.name, (*around, layer))
 
-    def _add_track(self, shape: RotoShape, label: str) -> None:
+    def _tell_layer(self, layer: Layer) -> None:
+        mode = "" if layer.blend in JOINING else sentence("the mode {mode!r}", mode=MODE_WORDS[layer.blend])
+        lost = list(filter(None, (mode, sentence("the inversion") if layer.invert else "")))
+        if lost and layer.visible:
+            self.losses.append(
+                sentence("CVAT has no layers of masks: {name!r} loses {lost}.", name=layer.name, lost=listed(lost))
+            )
+        if is_dimmed(layer, self.options.frames_of(self.clip)):
+            self._tell_left([sentence("opacity")], layer.name)
+
+    def _add_track(self, shape: RotoShape, label: str, around: tuple[Layer, ...]) -> None:
         shape = self.begun(shape)
         if shape.point_count < (3 if shape.closed else 2):
             self.notes.append(sentence("{name!r} has too few points for CVAT: it is left out.", name=shape.name))
@@ -104,7 +112,7 @@ class _Writer(ShapeWriter):
         self._tell(shape)
         moving = without_holds(without_smooth_keys(shape))
         flattener, track = Flattener(moving), ET.Element("track", source="manual")
-        for frame, is_there in sorted(self._frames(moving).items()):
+        for frame, is_there in sorted(self._frames(moving, around).items()):
             places = flattener.places(moving.at(frame).points)
             values = {
                 "frame": str(frame - self.clip.first + self.options.frame_offset),
@@ -120,43 +128,45 @@ class _Writer(ShapeWriter):
         if len(track):
             self.tracks.append((label, track))
 
-    def _frames(self, shape: RotoShape) -> dict[int, bool]:
-        """The keyframes of a track, and whether the shape is there: within the clip, and within its lifetime."""
+    def _frames(self, shape: RotoShape, around: tuple[Layer, ...]) -> dict[int, bool]:
+        """The keyframes of a track, and whether the shape is there from each on: within the clip, where it is seen."""
         frames = self.options.frames_of(self.clip)
-        start, stop = (frames[0], frames[-1] + 1) if shape.lifetime is None else shape.lifetime
-        start, stop = max(start, frames[0]), min(stop, frames[-1] + 1)
-        if start >= stop:
+        found: dict[int, bool] = {}
+        for start, stop in stretches(shape, around, frames):
+            found.update(dict.fromkeys((frame for frame in shape.frames if start <= frame < stop), True))
+            found[start] = True
+            if shape.frames[0] < stop - 1 < shape.frames[-1]:
+                found[stop - 1] = True
+            if stop <= frames[-1]:
+                found[stop] = False
+        if not found:
             self.notes.append(
                 sentence("{name!r} does not exist on the frames that are written: it is left out.", name=shape.name)
             )
-            return {}
-        found = dict.fromkeys((frame for frame in shape.frames if start <= frame < stop), True)
-        found[start] = True
-        if shape.frames[0] < stop - 1 < shape.frames[-1]:
-            found[stop - 1] = True
-        if stop <= frames[-1]:
-            found[stop] = False
         return found
 
     def _tell(self, shape: RotoShape) -> None:
         name = f"{shape.name!r}"
-        if shape.closed and (shape.invert or shape.blend not in JOINING):
-            mode = sentence("mode {mode!r}", mode=shape.blend.value)
+        if shape.closed and shape.visible and (shape.invert or shape.blend not in JOINING):
+            mode = sentence("mode {mode!r}", mode=MODE_WORDS[shape.blend])
             what = sentence("inversion") if shape.invert else mode
             self.losses.append(
                 sentence("Polygons of CVAT only add: the {what} of {name} is lost.", what=what, name=name)
             )
-        dim, blurred = not is_always(shape.opacity, 1.0), shape.is_blurred
+        dim = is_dimmed(shape, self.options.frames_of(self.clip))
         kinds = (
             (sentence("feather"), is_feathered(shape)),
             (sentence("opacity"), dim),
-            (sentence("motion blur"), blurred),
+            (sentence("motion blur"), shape.is_blurred),
         )
         if left := [word for word, is_so in kinds if is_so]:
-            self.notes.append(
-                sentence("Labels are hard and opaque, without the {left} of {name}.", left=listed(left), name=name)
-            )
+            self._tell_left(left, shape.name)
         if not shape.visible:
             self.notes.append(
                 sentence("CVAT hides no tracks in a file: the invisible {name} is seen there.", name=name)
             )
+
+    def _tell_left(self, left: Sequence[str], name: str) -> None:
+        self.notes.append(
+            sentence("Labels are hard and opaque, without the {left} of {name!r}.", left=listed(left), name=name)
+        )

@@ -21,6 +21,7 @@ from roam_core.interchange.flatten import has_feather_curve
 from roam_core.interchange.labels.polygons import length_of_number
 from roam_core.interchange.naming import file_words
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.timing import without_holds
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always, values_of
@@ -82,7 +83,7 @@ class _Writer(ShapeWriter):
 
     def _tell_layer(self, layer: Layer) -> None:
         kinds = (
-            (sentence("the mode {mode!r}", mode=layer.blend.value), layer.blend is not BlendMode.ADD),
+            (sentence("the mode {mode!r}", mode=MODE_WORDS[layer.blend]), layer.blend is not BlendMode.ADD),
             (sentence("the opacity"), not is_always(layer.opacity, 1.0)),
             (sentence("the inversion"), layer.invert),
         )
@@ -114,7 +115,7 @@ class _Writer(ShapeWriter):
         operation = OPERATIONS.get(shape.blend)
         if operation is None:
             losses.append(
-                sentence("MLT has no mode {mode!r}: that of {name} is lost.", mode=shape.blend.value, name=name)
+                sentence("MLT has no mode {mode!r}: that of {name} is lost.", mode=MODE_WORDS[shape.blend], name=name)
             )
         elif self.texts:
             told.append(f"alpha operation {operation!r}")

@@ -262,6 +262,35 @@ def test_a_shape_in_a_hidden_layer_is_told_as_a_hidden_one_is(name: str, suffix:
     assert set(one) <= set(other)
 
 
+def test_what_has_no_opacity_on_a_frame_is_outside_in_cvat_there(tmp_path: Path) -> None:
+    """Of the shape itself, or of a layer around it; one that is never seen is no track. They were labelled all along."""
+    held = Interpolation.HOLD
+    off = Animated((ValueKey(1001, 1.0, held), ValueKey(1004, 0.0, held), ValueKey(1006, 1.0, held)))
+    inside = Layer("l", "Inside", (replace(blob("Other", 60.0, 60.0, 20.0, 20.0), id="o"),), opacity=off)
+    never = blob("Never", 200.0, 60.0, 20.0, 20.0, opacity=0.0)
+    path = tmp_path / "p.xml"
+    notes = EXPORTERS["cvat"].export(project(car(opacity=off), inside, never), path)
+    made = read_shapes(path, CLIP).layer
+    assert [shape.name for shape in made.shapes()] == ["Car", "Car", "Other", "Other"]
+    assert [shape.lifetime for shape in made.shapes()] == [(1001, 1004), (1006, 1013)] * 2
+    assert not any("opacity" in note for note in notes)
+    assert "'Never' does not exist on the frames that are written: it is left out." in notes
+
+
+@pytest.mark.parametrize("name", ["coco", "cvat"])
+def test_labels_tell_the_opacity_of_a_layer_too(name: str, tmp_path: Path) -> None:
+    told = EXPORTERS[name].export(project(Layer("l", "Body", (car(),), opacity=0.5)), tmp_path / "p.file")
+    assert sum("opacity of 'Body' is left out" in each or "opacity of 'Body'." in each for each in told) == 1
+
+
+def test_cvat_loses_nothing_of_what_is_hidden(tmp_path: Path) -> None:
+    """The difference of a hidden shape, or in a hidden layer, made the export refuse."""
+    hidden = car(blend=BlendMode.DIFFERENCE, visible=False)
+    off = Layer("l", "Off", (car(invert=True),), invert=True, visible=False)
+    told = EXPORTERS["cvat"].export(project(blob("Seen", 200.0, 90.0), hidden, off), tmp_path / "a.xml")
+    assert sum("is seen there" in each for each in told) == 1
+
+
 def test_images_of_cvat_become_shapes_of_a_frame(tmp_path: Path) -> None:
     path = tmp_path / "a.xml"
     path.write_text(IMAGES)
