@@ -87,9 +87,20 @@ class _Reader(ShapeReader):
         return self.finished(tuple(items), self._size(root))
 
     def _stop(self, root: Element) -> int:
-        """The frame after the last of the task, or of the clip where the file does not say."""
-        size = next((child.text for child in root.iter("size") if child.text and child.text.strip().isdigit()), None)
-        return self.clip.first + int(size) if size and len(size) < 9 else self.clip.last + 1
+        """The frame after the last of the task, or of the clip where the file does not say.
+
+        A task of a part of a film counts its frames in `size`, and numbers them from the film's first.
+        """
+        size, last = (self._count(root, word) for word in ("size", "stop_frame"))
+        stops = [self.clip.first + size] if size else []
+        if last is not None:
+            stops.append(self.clip.first + last + 1 - self.options.frame_offset)
+        return max(stops, default=self.clip.last + 1)
+
+    def _count(self, root: Element, word: str) -> int | None:
+        """The first whole number that an element of that name holds."""
+        texts = ((child.text or "").strip() for child in root.iter(word))
+        return next((int(text) for text in texts if re.fullmatch(r"[0-9]{1,8}", text)), None)
 
     def _size(self, root: Element) -> tuple[float, float] | None:
         told = root.find(".//original_size")

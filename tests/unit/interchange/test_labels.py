@@ -291,6 +291,18 @@ def test_cvat_loses_nothing_of_what_is_hidden(tmp_path: Path) -> None:
     assert sum("is seen there" in each for each in told) == 1
 
 
+def test_a_task_of_cvats_on_a_part_of_a_film_ends_with_its_last_frame(tmp_path: Path) -> None:
+    """Its frames are numbered from the film's first, its size counts its own: each shape lived for one frame."""
+    path = tmp_path / "a.xml"
+    polygon = '<polygon frame="5" keyframe="1" outside="0" points="10,10;90,10;90,90"/>'
+    path.write_text(
+        "<annotations><meta><task><size>3</size><start_frame>5</start_frame><stop_frame>7</stop_frame></task></meta>"
+        f'<track id="0" label="car">{polygon}</track></annotations>'
+    )
+    (shape,) = read_shapes(path, CLIP).layer.shapes()
+    assert shape.lifetime == (1006, 1009)
+
+
 def test_images_of_cvat_become_shapes_of_a_frame(tmp_path: Path) -> None:
     path = tmp_path / "a.xml"
     path.write_text(IMAGES)
