@@ -2397,6 +2397,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Luminanz</translation>
     </message>
     <message>
+        <source>MLT has no layers of masks: what {name!r} takes away within itself goes from all under it.</source>
+        <translation>MLT hat keine Maskenebenen: Was {name!r} in sich wegnimmt, fehlt auch allem darunter.</translation>
+    </message>
+    <message>
         <source>MLT has no layers of masks: {name!r} loses {lost}.</source>
         <translation>MLT hat keine Maskenebenen: {name!r} verliert {lost}.</translation>
     </message>
@@ -5410,6 +5414,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>alpha maske schwarz weiß</translation>
     </message>
     <message>
+        <source>alpha operation {operation!r}</source>
+        <translation>Alpha-Operation {operation!r}</translation>
+    </message>
+    <message>
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
     </message>
@@ -6899,6 +6907,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{pixels:g} px</source>
         <translation>{pixels:g} px</translation>
+    </message>
+    <message>
+        <source>{program} counts from 0, the clip&apos;s first frame: an offset of {offset} numbers frames below that, which it does not show.</source>
+        <translation>{program} zählt ab 0, dem ersten Frame des Clips: Ein Versatz von {offset} nummeriert Frames darunter, die es nicht zeigt.</translation>
     </message>
     <message>
         <source>{rate:.0f} of </source>

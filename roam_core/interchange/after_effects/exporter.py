@@ -32,6 +32,7 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.keys.reduction import Motion
 from roam_core.interchange.literals import javascript_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
+from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import beside_zeros, opacity_keys, straight_keys, tangent_notes
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
@@ -225,7 +226,7 @@ class _Writer(ShapeWriter):
                 sentence(
                     "Masks cannot be hidden in After Effects: {name!r} has the mode None instead of {blend}.",
                     name=shape.name,
-                    blend=shape.blend,
+                    blend=MODE_WORDS[shape.blend],
                 )
             )
 

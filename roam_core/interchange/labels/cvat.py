@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener
-from roam_core.interchange.labels.presence import is_dimmed, stretches
+from roam_core.interchange.labels.presence import below_zero, is_dimmed, stretches
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.text_exporter import TextExporter
@@ -73,7 +73,7 @@ def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
         track.set("id", str(number))
         track.set("label", xml_text(name))
         root.append(track)
-    writer.notes.append(BELONG)
+    writer.notes += [BELONG, *below_zero("CVAT", clip, options)]
     ET.indent(root, " ")
     text = ET.tostring(root, encoding="unicode", xml_declaration=False)
     return f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n{text}\n', writer.notes, writer.losses
@@ -84,7 +84,7 @@ class _Writer(ShapeWriter):
     tracks: list[tuple[str, ET.Element]] = field(default_factory=list)
 
     def add(self, layer: Layer, label: str, around: tuple[Layer, ...] = ()) -> None:
-        """The shapes of a layer, which lies in those `around` it, and of the layers in it; `label` is "" in the root."""
+        """The shapes of a layer, which lies in those `around` it, and of layers in it; `label` is "" in the root."""
         self._tell_layer(layer)
         for child in layer.children:
             if not layer.visible:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
-from roam_core.roto import Layer, RotoShape
+from roam_core.interchange.protocol import ExportOptions
+from roam_core.roto import Clip, Layer, RotoShape
+from roam_core.translatable import sentence
 
 
 def is_dimmed(item: Layer | RotoShape, frames: range) -> bool:
@@ -26,3 +28,17 @@ def stretches(shape: RotoShape, around: Sequence[Layer], frames: range) -> Itera
         if seen:
             first, *rest = stretch
             yield first, (rest[-1] if rest else first) + 1
+
+
+def below_zero(program: str, clip: Clip, options: ExportOptions) -> list[str]:
+    """A sentence where an offset numbers frames below 0, for programs that count from the clip's first; else none."""
+    if options.frames_of(clip)[0] - clip.first + options.frame_offset >= 0:
+        return []
+    return [
+        sentence(
+            "{program} counts from 0, the clip's first frame: an offset of {offset} numbers frames below that, "
+            "which it does not show.",
+            program=program,
+            offset=options.frame_offset,
+        )
+    ]

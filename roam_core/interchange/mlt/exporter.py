@@ -8,7 +8,7 @@ always closed; an object gives splines by frames, counted from the filter's firs
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -17,13 +17,14 @@ import numpy as np
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.flatten import has_feather_curve
+from roam_core.interchange.flatten import TAKING, Branch, branched, has_feather_curve, hidden_notes, takes_part
 from roam_core.interchange.labels.polygons import length_of_number
+from roam_core.interchange.labels.presence import below_zero
 from roam_core.interchange.naming import file_words
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.timing import without_holds
-from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Project, RotoShape
 from roam_core.roto.animated import is_always, values_of
 from roam_core.translatable import N_, listed, sentence
 
@@ -37,6 +38,10 @@ OPERATIONS = {
 """The filter's `alpha_operation`; of hard shapes the matte is the same."""
 
 
+CUTTING = (*TAKING, BlendMode.DIFFERENCE)
+"""Modes that change what lies under a shape."""
+
+
 class MltExporter:
     """Writes each closed shape as a spline of its own; a filter for each, in their order, makes the matte."""
 
@@ -46,9 +51,12 @@ class MltExporter:
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `path` where there is one shape, else a file for each beside it, its name before `.json`."""
-        writer = _Writer(project.require_clip(), options, len(project.shapes))
-        writer.add(readied(project, options).root)
-        told = settled(writer.notes, writer.losses, options)
+        clip = project.require_clip()
+        writer = _Writer(clip, options, len(project.shapes), notes=below_zero("MLT", clip, options))
+        root = branched(readied(project, options))
+        writer.tell_joined(root)
+        writer.add(root)
+        told = settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
         for place, text in zip(self.files(project, path, options), writer.texts, strict=True):
             write_atomically(place, text.encode("ascii"))
         return told
@@ -69,28 +77,37 @@ class MltExporter:
 @dataclass
 class _Writer(ShapeWriter):
     texts: list[str] = field(default_factory=list)
+    lies_lowest: bool = True
+    """Whether no filter yet shows anything."""
 
-    def add(self, layer: Layer) -> None:
-        if layer.visible:
-            self._tell_layer(layer)
-        for child in layer.children:
-            if not layer.visible:
-                child = replace(child, visible=False)
-            if isinstance(child, Layer):
-                self.add(child)
-            else:
-                self._add_shape(child)
+    def add(self, branch: Branch) -> None:
+        """The shapes of a branch and of those in it, in the order of their filters."""
+        for item in branch.items:
+            if isinstance(item, RotoShape):
+                self._add_shape(item)
+                continue
+            if not self.tell_joined(item) and any(takes_part(each) and each.blend in CUTTING for each in item.items):
+                self.losses.append(
+                    sentence(
+                        "MLT has no layers of masks: what {name!r} takes away within itself goes from all under it.",
+                        name=item.name,
+                    )
+                )
+            self.add(item)
 
-    def _tell_layer(self, layer: Layer) -> None:
+    def tell_joined(self, branch: Branch) -> bool:
+        """Tell what is lost of how the joint matte of a branch is shown; false where nothing is."""
         kinds = (
-            (sentence("the mode {mode!r}", mode=MODE_WORDS[layer.blend]), layer.blend is not BlendMode.ADD),
-            (sentence("the opacity"), not is_always(layer.opacity, 1.0)),
-            (sentence("the inversion"), layer.invert),
+            (sentence("the mode {mode!r}", mode=MODE_WORDS[branch.blend]), branch.blend is not BlendMode.ADD),
+            (sentence("the opacity"), not is_always(branch.opacity, 1.0)),
+            (sentence("the inversion"), branch.invert),
         )
-        if lost := [word for word, is_so in kinds if is_so]:
+        lost = [word for word, is_so in kinds if is_so]
+        if lost:
             self.losses.append(
-                sentence("MLT has no layers of masks: {name!r} loses {lost}.", name=layer.name, lost=listed(lost))
+                sentence("MLT has no layers of masks: {name!r} loses {lost}.", name=branch.name, lost=listed(lost))
             )
+        return bool(lost)
 
     def _add_shape(self, shape: RotoShape) -> None:
         shape = self.begun(shape)
@@ -98,6 +115,7 @@ class _Writer(ShapeWriter):
             self.notes.append(sentence("MLT's splines are closed: the open {name!r} is left out.", name=shape.name))
             return
         self._tell_shape(shape)
+        self.lies_lowest &= not shape.visible
         moving = without_holds(without_smooth_keys(shape))
         size = np.array(self.clip.size, dtype=np.float64)
         start = self.clip.first - self.options.frame_offset
@@ -110,17 +128,17 @@ class _Writer(ShapeWriter):
         self.texts.append("{\n" + ",\n".join(lines) + "\n}\n")
 
     def _tell_shape(self, shape: RotoShape) -> None:
-        name, told = f"{shape.name!r}", []
+        name, told = f"{shape.name!r}", list[str]()
         losses = self.losses if shape.visible else list[str]()  # what is hidden has no matte to lose
         operation = OPERATIONS.get(shape.blend)
         if operation is None:
             losses.append(
                 sentence("MLT has no mode {mode!r}: that of {name} is lost.", mode=MODE_WORDS[shape.blend], name=name)
             )
-        elif self.texts:
-            told.append(f"alpha operation {operation!r}")
+        elif not self.lies_lowest:
+            told.append(sentence("alpha operation {operation!r}", operation=operation))
         if shape.invert:
-            told.append("inversion")
+            told.append(sentence("inversion"))
         width = max(map(abs, values_of(shape.feather)))
         if width:
             told.append(sentence("a feather of about {width}, which is a blur", width=max(round(width / 2), 1)))
@@ -129,7 +147,7 @@ class _Writer(ShapeWriter):
                 sentence(
                     "A spline is a path alone; give the filter of {name}: {settings}.",
                     name=name,
-                    settings=", ".join(told),
+                    settings=listed(told),
                 )
             )
         if not is_always(shape.opacity, 1.0):

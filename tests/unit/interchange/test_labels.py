@@ -1,4 +1,4 @@
-"""COCO, CVAT and MLT: what is written is what their own code and ours read back."""
+"""COCO and CVAT: what is written is what their own code and ours read back."""
 
 from __future__ import annotations
 
@@ -245,7 +245,8 @@ def test_what_varies_outside_of_a_shapes_own_keys_is_told(name: str, tmp_path: P
     ],
 )
 def test_only_what_a_layer_has_is_said_to_be_lost(name: str, values: Any, lost: str, tmp_path: Path) -> None:
-    layered = project(car(), Layer("layer", "Body", (car(),), **values))
+    inside = (replace(car(), id="one"), replace(blob("Other", 60.0, 60.0), id="other"))
+    layered = project(car(), Layer("layer", "Body", inside, **values))
     with pytest.raises(LossyExport) as refusal:
         EXPORTERS[name].export(layered, tmp_path / "p.file")
     assert f"{name.upper()} has no layers of masks: 'Body' {lost}" in refusal.value.losses
@@ -263,7 +264,7 @@ def test_a_shape_in_a_hidden_layer_is_told_as_a_hidden_one_is(name: str, suffix:
 
 
 def test_what_has_no_opacity_on_a_frame_is_outside_in_cvat_there(tmp_path: Path) -> None:
-    """Of the shape itself, or of a layer around it; one that is never seen is no track. They were labelled all along."""
+    """Of the shape itself, or of a layer around it; one that is never seen is no track. They were labelled."""
     held = Interpolation.HOLD
     off = Animated((ValueKey(1001, 1.0, held), ValueKey(1004, 0.0, held), ValueKey(1006, 1.0, held)))
     inside = Layer("l", "Inside", (replace(blob("Other", 60.0, 60.0, 20.0, 20.0), id="o"),), opacity=off)
@@ -341,45 +342,7 @@ def test_a_coco_mask_of_no_size_is_left_out_and_told(tmp_path: Path, size: Any) 
     assert any("its size must be a height and a width" in note for note in made.notes)
 
 
-# ---- MLT, and which JSON it is ---------------------------------------------------------------------------------------
-
-
-def test_mlts_splines_come_back_with_their_keys(tmp_path: Path) -> None:
-    made = back("mlt", project(car()), tmp_path)
-    (shape,) = made.layer.shapes()
-    assert shape.frames == (1001, 1006, 1012)
-    for frame in (1001, 1004, 1012):
-        np.testing.assert_allclose(shape.at(frame).points, car().at(frame).points, atol=1e-5)
-    text = json.loads((tmp_path / "p.json").read_text())
-    first = text["00"][0]
-    np.testing.assert_allclose(np.array(first) * SIZE, car().keys[0].points[0][[1, 0, 2]], atol=1e-5)
-
-
-@pytest.mark.parametrize(
-    "point", [[[0.1, 0.2], [0.3, 0.4]], [[0.1, 0.2], [0.3, 0.4], [0.5]], [[0, 1], [2, "x"], [3, 4]], 7]
-)
-def test_a_spline_of_mlt_with_a_point_that_is_none_is_refused(tmp_path: Path, point: Any) -> None:
-    good = [[0.1, 0.2], [0.3, 0.4], [0.5, 0.6]]
-    path = tmp_path / "a.json"
-    path.write_text(json.dumps({"00": [good, good, point]}))
-    with pytest.raises(RoamError, match="each point must be a handle, a point and a handle of two numbers"):
-        read_shapes(path, CLIP)
-
-
-def test_mlt_writes_a_file_a_shape_and_says_what_its_filter_needs(tmp_path: Path) -> None:
-    cut = blob("Cut", 120.0, 120.0, 20.0, 20.0, blend=BlendMode.SUBTRACT, feather=8.0)
-    exporter = EXPORTERS["mlt"]
-    notes = exporter.export(project(car(), cut), tmp_path / "p.json")
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["p.Car.json", "p.Cut.json"]
-    assert any("'Cut': alpha operation 'sub', a feather of about 4" in note for note in notes)
-
-
-@pytest.mark.parametrize(
-    ("named", "written"), [("hero", "hero.Car.json"), ("hero.v2", "hero.v2.Car.json"), ("p.JSON", "p.Car.JSON")]
-)
-def test_files_of_mlt_always_bear_the_suffix_by_which_programs_know_them(named: str, written: str) -> None:
-    two = project(car(), blob("Cut", 120.0, 120.0, 20.0, 20.0))
-    assert EXPORTERS["mlt"].files(two, Path(named))[0] == Path(written)  # type: ignore[attr-defined]
+# ---- which JSON it is ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("text", ["[]", "{}", "3", '{"a": 1}', '{"images": 3, "annotations": []}', '{"format": "x"}'])
@@ -429,11 +392,3 @@ def test_a_group_of_cvat_is_a_compound(tmp_path: Path) -> None:
     )
     shapes = read_shapes(path, CLIP).layer.shapes()
     assert [shape.compound for shape in shapes] == ["compound-1", "compound-1", "", "", "compound-2", "compound-2"]
-
-
-def test_mlt_loses_nothing_of_what_is_hidden(tmp_path: Path) -> None:
-    """Its filter is to be switched off, and that is told; a mode of it refused the whole export."""
-    hidden = car(blend=BlendMode.DIFFERENCE, opacity=0.5, visible=False)
-    off = Layer("l", "Off", (blob("Other", 60.0, 60.0),), visible=False, invert=True)
-    told = EXPORTERS["mlt"].export(project(blob("Seen", 200.0, 90.0), hidden, off), tmp_path / "a.json")
-    assert any(note.startswith("A spline is always there: switch off or cut the filter of 'Car'") for note in told)
