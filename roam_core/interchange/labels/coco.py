@@ -167,7 +167,7 @@ class _Writer(ShapeWriter):
         shapes = _side_by_side(item)
         if shapes is None or any(_exists(cutter, frame) for cutter in cutters):
             return self._runs(item, cutters, frame)
-        polygons = []
+        polygons, seen = [], []
         for shape in shapes:
             if not shape.exists_at(frame) or shape.opacity_at(frame) == 0.0:
                 continue
@@ -177,15 +177,22 @@ class _Writer(ShapeWriter):
             places = places.round(DIGITS)
             if len(places) > 2 and area(places) > 0.0:
                 polygons.append(places)
+                seen.append(shape)
         if not polygons:
             return None
         every = np.concatenate(polygons)
         (left, top), (right, bottom) = every.min(axis=0), every.max(axis=0)
         return {
             "segmentation": [places.ravel().tolist() for places in polygons],
-            "area": round(sum(area(places) for places in polygons), DIGITS),
+            "area": round(area(polygons[0]) if len(polygons) == 1 else self._joint_area(seen, frame), DIGITS),
             "bbox": [round(float(value), DIGITS) for value in (left, top, right - left, bottom - top)],
         }
+
+    def _joint_area(self, shapes: list[RotoShape], frame: int) -> float:
+        """The area of the union: shapes of one object may overlap."""
+        alone = tuple(replace(shape, blend=BlendMode.MAX) for shape in shapes)
+        matte = render_matte(Layer("object", "", alone), frame, (self.clip.size[1], self.clip.size[0]))
+        return float(matte.sum(dtype=np.float64))
 
     def _runs(self, item: Item, cutters: tuple[Item, ...], frame: int) -> dict[str, Any] | None:
         height, width = self.clip.size[1], self.clip.size[0]

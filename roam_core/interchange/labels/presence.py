@@ -21,8 +21,10 @@ def stretches(shape: RotoShape, around: Sequence[Layer], frames: range) -> Itera
     It is seen within its lifetime, where neither its own opacity nor that of a layer `around` it is 0.
     """
 
+    items: tuple[Layer | RotoShape, ...] = (shape, *around)
+
     def is_seen(frame: int) -> bool:
-        return shape.exists_at(frame) and all(item.opacity_at(frame) > 0.0 for item in (shape, *around))
+        return shape.exists_at(frame) and all(item.opacity_at(frame) > 0.0 for item in items)
 
     for seen, stretch in groupby(frames, is_seen):
         if seen:

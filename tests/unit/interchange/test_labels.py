@@ -128,6 +128,15 @@ def test_a_foreign_data_set_is_read_by_its_names(tmp_path: Path) -> None:
     assert "640 x 480" in made.notes[0]
 
 
+def test_the_area_of_a_coco_object_counts_what_its_shapes_share_once() -> None:
+    """An arm lies over its body in most objects: the areas of both were added."""
+    arm, body = (replace(blob(name, 120.0, 120.0, 70.0, 50.0), id=name) for name in ("Arm", "Body"))
+    alone, both = (
+        coco_document(project(item))[0]["annotations"][0]["area"] for item in (arm, Layer("l", "Man", (body, arm)))
+    )
+    assert both == pytest.approx(alone, rel=0.005)
+
+
 def test_runs_of_pixels_go_both_ways() -> None:
     mask = np.random.default_rng(3).random((7, 5)) > 0.5
     np.testing.assert_array_equal(mask_of(runs_of(mask), 7, 5), mask)
