@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from pathlib import Path
 
@@ -94,6 +95,8 @@ def run(arguments: argparse.Namespace) -> int:
 def given_project(path: Path, clip: str | None) -> Project:
     """The project at `path`; where none is there and a clip is named, an empty one for that."""
     if clip is None:
+        if not os.path.lexists(path):
+            raise RoamError(f"{path} does not exist; name its plate, by --clip, and a project is made for that.")
         return loaded(path)
     if path.is_dir():
         raise RoamError(f"{path} is a folder; name the project, a file whose name ends in .roam.")

@@ -56,6 +56,13 @@ def test_shapes_come_back_from_a_file_without_a_suffix(roam: Roam, project: Path
     assert "suffix" not in with_suffix.err
 
 
+def test_a_project_that_is_not_there_is_told_with_what_makes_one(roam: Roam, project: Path) -> None:
+    middle, none = project.with_suffix(".nk"), project.with_name("none.roam")
+    roam("export", project, middle, "--to", "nuke")
+    require_refusal(roam("import", middle, "--into", none), f"{none} does not exist; name its plate, by --clip")
+    assert not none.exists()
+
+
 def test_what_is_so_with_many_shapes_is_told_once(roam: Roam, tmp_path: Path) -> None:
     shapes = [
         RotoShape(f"shape-{k}", f"Arm {k}", (Keyframe(1001, points(1)),), blend=BlendMode.SUBTRACT) for k in range(20)
