@@ -70,6 +70,8 @@ class _Writer(ShapeWriter):
         """The layer with the keys that are to be written, hard and opaque; what that leaves out is told."""
         children: list[Item] = []
         for child in layer.children:
+            if not layer.visible:
+                child = replace(child, visible=False)
             if isinstance(child, Layer):
                 children.append(self.prepared(child))
                 continue

@@ -261,7 +261,7 @@ def test_only_what_a_layer_has_is_said_to_be_lost(name: str, values: Any, lost: 
     assert f"{name.upper()} has no layers of masks: 'Body' {lost}" in refusal.value.losses
 
 
-@pytest.mark.parametrize(("name", "suffix"), [("cvat", "xml"), ("mlt", "json")])
+@pytest.mark.parametrize(("name", "suffix"), [("coco", "json"), ("cvat", "xml"), ("mlt", "json")])
 def test_a_shape_in_a_hidden_layer_is_told_as_a_hidden_one_is(name: str, suffix: str, tmp_path: Path) -> None:
     inner = Layer("l2", "Inner", (car(),))
     one, other = (
