@@ -69,7 +69,7 @@ def run(arguments: argparse.Namespace) -> int:
     with opened(str(project.require_clip().path), project.clip) as plate:
         first = arguments.start
         if first is None:
-            first = first_key(project, picking, backward=arguments.backward)
+            first = first_key(arguments.project, project, picking, plate.source.frames, backward=arguments.backward)
         frames = frame_range(plate.source.frames, first, arguments.end, backward=arguments.backward)
         if len(frames) < 2:
             raise RoamError(f"There is no frame to track to from {frames[0]}; name another with --start or --end.")

@@ -388,6 +388,11 @@ def takes_part(shape: RotoShape, gap: tuple[int, int]) -> bool:
     return any(keyed) and shape.closed and shape.exists_at(gap[0]) != shape.exists_at(gap[1])
 
 
+def has_begun(shape: RotoShape, frame: int, forward: bool) -> bool:
+    """Whether a run in this direction that begins on `frame` finds a key of a shape there, or behind it."""
+    return shape.frames[0] <= frame if forward else shape.frames[-1] >= frame
+
+
 def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
     """The artist's key that a run in this direction carries to `frame`: the nearest one it passes, or None."""
     keys = shape.artist_keys
