@@ -130,13 +130,7 @@ class SelectTool(GestureTool):
         if pointer.holds(Modifier.ControlModifier) and self._has_handles(found.shape_id):
             grab = grab_point(self.document.project, view, found.shape_id, found.index)
             return PullOut(self.document, view, pointer, grab, tr("Pull out handles"), (found.index, OUT))
-        count = len(view.selection.points)
-        return self._move(
-            pointer,
-            tr("Move point") if count == 1 else tr("Move {count} points", count=count),
-            view.selection,
-            after_click,
-        )
+        return self._move(pointer, view.selection, after_click)
 
     def _has_handles(self, shape_id: str) -> bool:
         """False of a B-spline, whose control points have none."""
@@ -155,17 +149,22 @@ class SelectTool(GestureTool):
         is_alone = view.selection == Selection(frozenset({shape_id}))
         clicked = self._next_below(pointer, shape_id) if is_alone else shape_id
         after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({clicked}))
-        text = tr("Move shape") if len(shapes) == 1 else tr("Move {count} shapes", count=len(shapes))
-        return self._move(pointer, text, Selection(shapes), after_click)
+        return self._move(pointer, Selection(shapes), after_click)
 
     def _next_below(self, pointer: Pointer, shape_id: str) -> str:
         """The shape below this one whose outline lies under the pointer, after the lowest the uppermost."""
         here = outlines_under(self.document.project, self.view_state.frame, pointer.position, pointer.pixel)
         return here[(here.index(shape_id) + 1) % len(here)]
 
-    def _move(self, pointer: Pointer, text: str, moving: Selection, after_click: Selection) -> Gesture:
+    def _move(self, pointer: Pointer, moving: Selection, after_click: Selection) -> Gesture:
         view = self.view_state
         grab = grab_selection(self.document.project, view, moving)
+        if moving.points:
+            count = grab.point_count
+            text = tr("Move point") if count == 1 else tr("Move {count} points", count=count)
+        else:
+            count = len(grab.start)
+            text = tr("Move shape") if count == 1 else tr("Move {count} shapes", count=count)
 
         def click() -> None:
             view.select(after_click.shapes, after_click.points)
