@@ -10,6 +10,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.roto import edit
 from roam_core.roto.control_points import points_of
+from roam_core.roto.placement import carried, matrix_at
 from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
 
 Change = Callable[[Outline], Outline]
@@ -50,7 +51,8 @@ def reshape(
     With auto-key, or on a frame that holds an artist key, the changed outline becomes an artist key there (a change
     that changes nothing makes none). Without auto-key a frame between keys gets none: the artist keys before and after
     it take the change, so that the motion between them goes through the outline as edited and no other key is
-    disturbed. With ripple all keys in the range take the change too.
+    disturbed. In layers that move they take it as the layers carry it from `frame` to their own. With ripple all keys
+    in the range take the change too, as it is on the plate.
 
     Artist keys that are reached stay artist keys. Engine keys that lie among reached ones move along, so that the shape
     does not jump there, but stay what the engine made: their stamps no longer fit the artist's keys, so they show as
@@ -59,11 +61,14 @@ def reshape(
     reached = set() if keying.ripple is None else {key for key in shape.frames if key in keying.ripple}
     here = _held(shape.at(frame)) if start is None else start
     is_keyed = keying.auto or frame in shape.artist_frames
-    if not is_keyed:
-        reached |= _around(shape, frame)
-    else:
+    around: set[int] = set() if is_keyed else _around(shape, frame)
+    if is_keyed:
         reached.discard(frame)
-    result = shape.with_keys(_changed(shape, key, change) for key in shape.keys if key.frame in reached)
+    result = shape.with_keys(
+        _changed_along(shape, key, frame, change) if key.frame in around else _changed(shape, key, change)
+        for key in shape.keys
+        if key.frame in reached | around
+    )
     return _with_key(result, frame, here, change(here), keying.points) if is_keyed else result
 
 
@@ -107,6 +112,23 @@ def _around(shape: RotoShape, frame: int) -> set[int]:
 def _changed(shape: RotoShape, key: Keyframe, change: Change) -> Keyframe:
     after = change(_held(Outline(key.points, key.feather, shape.closed, shape.spline)))
     return replace(key, points=points_of(after.points, shape.spline, shape.closed), feather=after.feather)
+
+
+def _changed_along(shape: RotoShape, key: Keyframe, frame: int, change: Change) -> Keyframe:
+    """The key with a change that is made as its outline lies at `frame`, where the layers above the shape carry it.
+
+    What does not change stays bit by bit.
+    """
+    if not shape.placement:
+        return _changed(shape, key, change)
+    way = matrix_at(shape.placement, frame) @ np.linalg.inv(matrix_at(shape.placement, key.frame))
+    points, feather = carried(key.points, key.feather, way)
+    there = replace(key, points=points, feather=feather)
+    untouched, changed = _changed(shape, there, lambda outline: outline), _changed(shape, there, change)
+    points, feather = carried(changed.points, changed.feather, np.linalg.inv(way))
+    if is_same(untouched.feather, changed.feather):
+        feather = key.feather
+    return replace(key, points=np.where(changed.points == untouched.points, key.points, points), feather=feather)
 
 
 def is_same(a: Array | None, b: Array | None) -> bool:
