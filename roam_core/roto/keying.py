@@ -84,7 +84,8 @@ def _held(outline: Outline) -> Outline:
 def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline, by_points: bool) -> RotoShape:
     """The shape with `after` as an artist key at `frame`; without a new key where it equals `before`.
 
-    A key that the artist set some points of stays one, and so begins a new one that is keyed `by_points`.
+    A key that the artist set some points of stays one, and so begins a new one that is keyed `by_points`: with those that
+    moved or, where none did, whose feather was pulled.
     """
     if is_same(before.points, after.points) and is_same(before.feather, after.feather):
         return shape
@@ -92,7 +93,9 @@ def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline, by_
     held = old.set_points if old is not None and old.origin is Origin.ARTIST else None
     chosen: tuple[int, ...] = ()
     if held or (held is None and by_points):
-        moved = np.flatnonzero((before.points != after.points).any(axis=(1, 2))).tolist()
+        moved = _differing(before.points, after.points)
+        if not held and not moved:
+            moved = _differing(before.feather, after.feather)
         chosen = tuple(sorted({*(held or ()), *moved}))
     keyed = edit.set_control_points(shape, frame, after.points)
     key = keyed.key_at(frame)
@@ -129,6 +132,15 @@ def _changed_along(shape: RotoShape, key: Keyframe, frame: int, change: Change) 
     if is_same(untouched.feather, changed.feather):
         feather = key.feather
     return replace(key, points=np.where(changed.points == untouched.points, key.points, points), feather=feather)
+
+
+def _differing(a: Array | None, b: Array | None) -> list[int]:
+    """The points of which two arrays `(P, 3, 2)` say something else; None is a feather of nothing."""
+    if a is None and b is None:
+        return []
+    a = np.zeros_like(b) if a is None else a
+    b = np.zeros_like(a) if b is None else b
+    return [int(index) for index in np.flatnonzero((a != b).any(axis=(1, 2)))]
 
 
 def is_same(a: Array | None, b: Array | None) -> bool:
