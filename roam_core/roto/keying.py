@@ -84,8 +84,8 @@ def _held(outline: Outline) -> Outline:
 def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline, by_points: bool) -> RotoShape:
     """The shape with `after` as an artist key at `frame`; without a new key where it equals `before`.
 
-    A key that the artist set some points of stays one, and so begins a new one that is keyed `by_points`: with those that
-    moved or, where none did, whose feather was pulled.
+    A key that the artist set some points of stays one, and so begins a new one that is keyed `by_points`: with those
+    that moved or, where none did, whose feather was pulled.
     """
     if is_same(before.points, after.points) and is_same(before.feather, after.feather):
         return shape
