@@ -378,3 +378,15 @@ def test_nudges_in_two_viewers_are_two_steps(
     Hand(second).key(Key.Key_Right, ALT)
     assert document.undo_stack.count() == 2
     second.deleteLater()
+
+
+@pytest.mark.parametrize("switch", [{"locked": True}, {"visible": False}])
+def test_a_layer_that_keeps_a_shape_from_being_edited_is_named(
+    canvas: CanvasView, document: Document, view_state: ViewState, square: str, switch: dict[str, bool]
+) -> None:
+    """To unlock the shape, which is not locked, would not help."""
+    project, layer = grouped(document.project, [square])
+    document.open(edit.set_properties(project, layer.id, name="Body", **switch), None)
+    view_state.select(frozenset({square}))
+    canvas.points.smooth()
+    assert view_state.message.startswith("'Shape 1' lies in 'Body', which is locked or hidden")
