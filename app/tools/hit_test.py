@@ -16,7 +16,7 @@ from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Project, RotoShape
 
-from ..model.shown import editable_shapes
+from ..model.shown import editable_shapes, shown_shapes
 from ..model.view_state import Selection
 
 Vector = tuple[float, float]
@@ -110,6 +110,12 @@ def hit_outline(
 def outlines_under(project: Project, frame: int, position: Vector, pixel: Vector) -> list[str]:
     """The ids of all shapes whose outlines lie within reach, the upper before the lower."""
     return [s.id for s in reversed(editable_shapes(project, frame)) if _on_outline(s, frame, position, pixel)]
+
+
+def locked_under(project: Project, frame: int, position: Vector, pixel: Vector) -> RotoShape | None:
+    """The uppermost shape in sight that is locked and whose outline lies within reach; or None."""
+    locked = (shown.shape for shown in reversed(shown_shapes(project, frame)) if shown.locked)
+    return next((shape for shape in locked if _on_outline(shape, frame, position, pixel)), None)
 
 
 def shape_around(project: Project, frame: int, selection: Selection, position: Vector) -> str | None:

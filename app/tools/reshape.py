@@ -48,6 +48,11 @@ class Grab:
         """The same, reaching no keys by ripple: on its own frame the edit looks the same."""
         return replace(self, keying=replace(self.keying, ripple=None))
 
+    @property
+    def point_count(self) -> int:
+        """How many points follow wholly: those that were grabbed, without what soft selection takes along."""
+        return sum(int((weights == 1.0).sum()) for weights in self.weights.values())
+
     def is_held(self, project: Project) -> bool:
         """False when an edit meanwhile took a shape away, locked it, or gave it another number of points."""
         counts = {shape.id: shape.point_count for shape in editable_shapes(project, self.frame)}

@@ -113,7 +113,20 @@ class ShapeVerbs:
                 self._view.say(told)
 
     def toggle_lock(self) -> None:
-        toggle(self._document, "locked", self._rows())
+        """Lock or unlock the selected layers and shapes; of one that a layer around it keeps locked, that is said."""
+        rows = self._rows()
+        toggle(self._document, "locked", rows)
+        project = self._document.project
+        for item in map(project.find, rows):
+            around = next((layer for layer in project.layers_above(item.id) if layer.locked), None)
+            if around is not None:
+                told = tr(
+                    "{name!r} lies in {layer!r}, which is locked: unlock that layer in the list.",
+                    name=item.name,
+                    layer=around.name,
+                )
+                self._view.say(told)
+                return
 
     def hide(self) -> None:
         project = self._document.project
