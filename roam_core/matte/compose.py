@@ -10,7 +10,7 @@ from roam_core.arguments import moment, size_of
 from roam_core.arrays import Matte
 from roam_core.matte.rasterise import Patch, has_area, shape_patch
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
-from roam_core.roto.shape import shapes_of
+from roam_core.roto.given import shapes_of
 
 Draw = Callable[[RotoShape, float, tuple[int, int]], Patch]
 """Fills one shape at one frame in a picture of `(h, w)`: `shape_patch`, or what remembers its answers."""
