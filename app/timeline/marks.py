@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from roam_core.arrays import Array, Int64
-from roam_core.params import is_doubtful
+from roam_core.params import DOUBTFUL
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Interpolation, Origin, Project, RotoShape
 from roam_core.roto.imported import is_import
@@ -57,7 +57,7 @@ def key_marks(shape: RotoShape, stale_frames: Sequence[int]) -> KeyMarks:
     first, stop = shape.lifetime or (-math.inf, math.inf)
     is_there, stale = (frames >= first) & (frames < stop), np.zeros(len(frames), dtype=bool)
     stale[np.searchsorted(frames, _frames(stale_frames))] = True
-    doubtful = np.array([is_doubtful(key.confidence) for key in keys], dtype=bool) & is_there
+    doubtful = (trust < DOUBTFUL) & is_there
     drawn = shape.artist_keys
     return KeyMarks(
         frames[by_hand],

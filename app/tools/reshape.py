@@ -173,7 +173,7 @@ def keys_changed(before: Project, after: Project, shape_ids: Iterable[str]) -> i
 
 def selected_indices(shape: RotoShape, selection: Selection) -> list[int]:
     """The selected points of one shape, in order."""
-    return sorted(index for owner, index in selection.points if owner == shape.id and index < shape.point_count)
+    return [index for index in selection.indices_of(shape.id) if index < shape.point_count]
 
 
 def with_point_inserted(shape: RotoShape, segment: int, t: float) -> RotoShape:

@@ -59,7 +59,9 @@ def told_keys(shape: RotoShape) -> Int64:
 
 def boil_of(found: list[Triple], closed: bool) -> Array:
     """The boil `(K,)` on the middle one of each three frames."""
-    return np.concatenate([_boil_of(found[k : k + BLOCK], closed) for k in range(0, len(found), BLOCK)] or [[]])
+    return np.concatenate(
+        [_boil_of(found[k : k + BLOCK], closed) for k in range(0, len(found), BLOCK)] or [np.empty(0)]
+    )
 
 
 def _boil_of(found: list[Triple], closed: bool) -> Array:
