@@ -173,7 +173,7 @@ def _candidates(project: Project, frame: int, selection: Selection, chosen: bool
 def _grabbable(points: Array, shape_id: str, selection: Selection) -> Bools:
     """Which of the parts `(P, 3)` can be seen: all anchors, and the drawn-out handles of selected points."""
     parts = np.zeros(points.shape[:2], dtype=bool)
-    chosen = [index for owner, index in selection.points if owner == shape_id and index < len(points)]
+    chosen = [index for index in selection.indices_of(shape_id) if index < len(points)]
     parts[chosen] = (points[chosen] != points[chosen][:, ANCHOR, None]).any(axis=2)
     parts[:, ANCHOR] = True
     return parts

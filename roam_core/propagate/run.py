@@ -20,7 +20,7 @@ from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
-from roam_core.roto.shape import shapes_of
+from roam_core.roto.given import shapes_of
 from roam_core.threads import each
 from roam_core.translatable import sentence
 

@@ -142,13 +142,13 @@ class ShapeVerbs:
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
         """Do it with each of the selected shapes that are not locked; says of the first why it cannot be done."""
-        project, refused = self._document.project, ""
+        project, refused, edited = self._document.project, "", list[RotoShape]()
         for shape_id in self._free(self._selected()):
             try:
-                project = project.with_shape(verb(project.shape(shape_id)))
+                edited.append(verb(project.shape(shape_id)))
             except RoamError as error:
                 refused = refused or sentence_of(error)
-        self._document.apply(text, project)
+        self._document.apply(text, project.with_shapes(edited))
         if refused:
             self._view.say(refused)
 

@@ -38,7 +38,7 @@ from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
-from roam_core.roto.shape import shapes_of
+from roam_core.roto.given import shapes_of
 from roam_core.threads import each
 from roam_core.translatable import sentence
 
