@@ -274,6 +274,7 @@ class Files(QObject):
             count = 0 if is_there else max(kept, 1) if anyway else kept
             warnings: list[str] = []
             file.save(project, path, before_replacing=lambda: warnings.append(_rotated(path, count)))
+            self.claim.renew(path)
             self._last = project
             self._written = Fingerprint.of(path)
             report.partial(self._written)

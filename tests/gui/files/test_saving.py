@@ -287,6 +287,33 @@ def test_a_lock_is_taken_with_the_file_follows_it_and_goes(
     qtbot.waitUntil(lambda: not project_lock.lock_path(tmp_path / "other.roam").exists(), timeout=WAIT)
 
 
+def test_a_lock_that_went_meanwhile_is_taken_again_with_the_next_save(
+    qtbot: QtBot, window: MainWindow, mine: Path
+) -> None:
+    """With its folder, or with a second window that had the project open all the same and was closed."""
+    draw(window)
+    saved(qtbot, window, mine)
+    project_lock.lock_path(mine).unlink()
+    draw(window)
+    saved(qtbot, window, mine)
+    assert json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))["process"] == os.getpid()
+    window.files.new()
+    qtbot.waitUntil(lambda: not project_lock.lock_path(mine).exists(), timeout=WAIT)
+
+
+def test_a_lock_that_another_took_stays_theirs(
+    qtbot: QtBot, window: MainWindow, mine: Path, other_process: int
+) -> None:
+    draw(window)
+    saved(qtbot, window, mine)
+    hold(mine, other_process)
+    draw(window)
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        window.files.save(mine, anyway=True)
+    qtbot.waitUntil(lambda: window.saver.is_idle, timeout=WAIT)
+    assert json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))["mark"] == "theirs"
+
+
 def test_closing_the_window_gives_the_lock_back(qtbot: QtBot, mine: Path, tmp_path: Path) -> None:
     with opened_window(qtbot, None, tmp_path / "journal") as window:
         saved(qtbot, window, mine)
