@@ -30,7 +30,6 @@ from roam_core.roto import Project, RotoShape
 from roam_core.roto.following import followed, with_moving_layer
 from roam_core.roto.surfaces import LeaveOut, adjusted_frames, covering, covers_at, legs_of, outlines_at
 
-LAYER_NAME = "Planar"
 WAYS = tuple(way.value for way in LeaveOut if way is not LeaveOut.CHOSEN)
 
 
@@ -118,7 +117,7 @@ def follow(
     shapes, covers = work
     ids = [shape.id for shape in shapes]
     legs = legs_of(frames, adjusted_frames(project, ids))
-    project, layer = with_moving_layer(project, ids, frames[0], LAYER_NAME)
+    project, layer = with_moving_layer(project, ids, frames[0])
     least, began = (1.0, frames[-1]), time.perf_counter()
     plate.ahead_of(frames[0], frames)
     with bar(1.0) as shown:

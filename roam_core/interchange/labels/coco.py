@@ -18,7 +18,7 @@ import numpy as np
 
 from roam_core.atomic_write import write_atomically
 from roam_core.interchange.flatten import is_feathered
-from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, runs_of
+from roam_core.interchange.labels.polygons import JOINING, STRAYING, Flattener, area, clipped, runs_of
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.matte.compose import Draw, cut_patch
 from roam_core.matte.rasterise import Patch, shape_patch
@@ -27,9 +27,6 @@ from roam_core.roto.animated import Animatable, value_at, values_of
 from roam_core.translatable import N_, listed, sentence
 
 Item = Layer | RotoShape
-
-JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
-"""Modes that leave hard objects side by side."""
 
 CUTTING = {BlendMode.SUBTRACT, BlendMode.INTERSECT}
 """Modes of what changes the objects under it and is none itself."""
@@ -134,7 +131,7 @@ class _Writer(ShapeWriter):
                     kind = names.index(item.name) + 1
                     ids = {"id": len(annotations) + 1, "image_id": number, "category_id": kind, "track_id": track}
                     annotations.append({**ids, **found, "iscrowd": 0})
-        self.notes.append(BELONG)
+        self.notes.append(STRAYING)
         categories = [{"id": k, "name": name, "supercategory": ""} for k, name in enumerate(names, start=1)]
         return {
             "info": {"description": "Shapes from ROAM", "version": "1.0"},

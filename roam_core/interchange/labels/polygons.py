@@ -9,13 +9,16 @@ import numpy as np
 from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
 from roam_core.kernels.flattening import step_counts
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.translatable import sentence
 
 TOLERANCE = 0.1
 """Pixels by which a polygon's side may stray from the curve."""
 
-BELONG = sentence(
+JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
+"""Modes that leave hard shapes side by side, as labels are."""
+
+STRAYING = sentence(
     "Curves are written as polygons that stray from them by at most {tolerance:g} px.", tolerance=TOLERANCE
 )
 
