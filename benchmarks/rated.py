@@ -99,7 +99,7 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
         groups = sorted({stamps.filled_with(k, (start, stop)) for k in gaps[0][2]})
         view = EngineView.of_key(filling.read(start), filling.params)
         made = [
-            (group, filling.passed(group, (start, stop), view))
+            (group, filling.passed(group, (start, stop), view, (start, stop)))
             for group in ([shapes[k] for k in members] for members in groups)
         ]
         for frame in range(start + 1, stop):

@@ -12,7 +12,7 @@ import secrets
 import stat
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -28,12 +28,21 @@ _swept: set[Path] = set()
 """Folders that this process looked through already."""
 
 
-def write_atomically(path: Path, content: bytes | Iterable[bytes], *, flushes: bool = True) -> None:
+def write_atomically(
+    path: Path,
+    content: bytes | Iterable[bytes],
+    *,
+    flushes: bool = True,
+    before_replacing: Callable[[], object] | None = None,
+) -> None:
     """Put `content`, whole or in pieces, at `path`: at every moment the old file is there, or the new one.
 
     A symbolic link stays, and what it points to is replaced. The file keeps its permissions. File and folder are
     flushed to the disk, unless it is said that this takes too long (`flushes`). The first call for a folder removes
     what killed processes left there.
+
+    `before_replacing` is called when all of the content lies beside its place, as to keep the old file as a backup: a
+    write that fails before has changed nothing. What it raises ends the write, and the old file stays.
 
     Raises
     ------
@@ -49,6 +58,8 @@ def write_atomically(path: Path, content: bytes | Iterable[bytes], *, flushes: b
         _write(temporary, [content] if isinstance(content, bytes) else content, flushes)
         if target.exists():
             temporary.chmod(stat.S_IMODE(target.stat().st_mode) & 0o777)
+        if before_replacing is not None:
+            before_replacing()
         temporary.replace(target)
         if flushes:
             flush_folder(target.parent)

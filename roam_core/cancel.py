@@ -48,3 +48,23 @@ class CancelToken:
         """Raise `Cancelled` if `cancel` was called."""
         if self._event.is_set():
             raise Cancelled
+
+
+class Reporting:
+    """What the options of a long job have in common: the channels to whoever waits for it.
+
+    Attributes
+    ----------
+    progress : called with the finished fraction and a few words; None where nobody asks.
+    token : cancels the job at its next safe point; None where nobody does.
+    """
+
+    progress: Progress | None
+    token: CancelToken | None
+
+    def advance(self, fraction: float, text: str) -> None:
+        """A safe point: give up here when cancelled, otherwise tell how far the job has come."""
+        if self.token is not None:
+            self.token.check()
+        if self.progress is not None:
+            self.progress(fraction, text)

@@ -395,8 +395,8 @@ class CanvasView(PointedWidget):
             self.update()
             self.in_hand.used.emit(self, None)
         elif name in NUDGES and not self._is_pressed:
-            # All repeats of a held key are one undo step.
-            self.points.nudge(*NUDGES[name], merge_key=f"nudge {self._key_presses}")
+            # All repeats of a held key are one undo step; each viewer counts its own keys.
+            self.points.nudge(*NUDGES[name], merge_key=f"nudge {id(self)} {self._key_presses}")
         else:
             event.ignore()
 

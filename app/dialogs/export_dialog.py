@@ -37,9 +37,10 @@ from ..jobs.runner import Ending
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
 from ..translation import N_, tr, translated
-from ..widgets.controls import dense_form, form_label, measure_field, number_field, side_by_side, weak_label
+from ..widgets.controls import dense_form, form_label, measure_field, side_by_side, weak_label
 from ..widgets.floating import resize_on_screen
 from . import questions
+from .frame_range import FrameRange
 from .matte_form import MatteForm
 
 KEYS = {
@@ -115,13 +116,8 @@ class ExportDialog(QDialog):
         self.tolerance = measure_field(tr(" px"), 0.5, 0.01, 100.0, 0.1, tr(STRAYING))
         self.smoothing = measure_field(tr(" px"), 0.0, 0.0, 100.0, 0.1, tr(SMOOTHING))
         self.smoothing.setSpecialValueText(tr("Off"))
-        self.first, self.last = (
-            number_field(tr("The first frame to export")),
-            number_field(tr("The last frame to export")),
-        )
-        for number in (self.first, self.last):
-            number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
-        self.all_frames, self.in_out = QPushButton(tr("All")), QPushButton(tr("In to out"))
+        self.frames = FrameRange(self._view, tr("The first frame to export"), tr("The last frame to export"))
+        self.all_frames = QPushButton(tr("All"))
         self.mattes = MatteForm()
         self.mattes.setSizePolicy(_kept(self.mattes.sizePolicy()))
         self.target, self.browse = QLineEdit(), QPushButton(tr("Browse…"))
@@ -152,7 +148,9 @@ class ExportDialog(QDialog):
         form.addRow(self._smoothing_label, side_by_side(self.smoothing, self._smoothing_word, None))
         form.addRow(
             form_label(tr("Frames")),
-            side_by_side(self.first, QLabel(tr("to")), self.last, self.all_frames, self.in_out, None),
+            side_by_side(
+                self.frames.first, QLabel(tr("to")), self.frames.last, self.all_frames, self.frames.in_out, None
+            ),
         )
         right = QVBoxLayout()
         right.setSpacing(6)
@@ -183,11 +181,10 @@ class ExportDialog(QDialog):
         self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
         self.target.textChanged.connect(lambda _: self._pull_target())
         self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
-        self.first.valueChanged.connect(lambda _: self._pull_hint())
-        for field in (self.first, self.last):
+        self.frames.first.valueChanged.connect(lambda _: self._pull_hint())
+        for field in (self.frames.first, self.frames.last):
             field.valueChanged.connect(lambda _: self._look_ahead())
         self.all_frames.clicked.connect(self._take_all_frames)
-        self.in_out.clicked.connect(self._take_range)
         self.browse.clicked.connect(self._browse)
         self.start.clicked.connect(self._start)
         self.stop.clicked.connect(lambda: self._export.stop(self._number))
@@ -216,7 +213,7 @@ class ExportDialog(QDialog):
     @property
     def options(self) -> ExportOptions:
         """The options as they stand in the fields."""
-        clip, frames = self._document.project.clip, range(self.first.value(), self.last.value() + 1)
+        clip, frames = self._document.project.clip, self.frames.chosen
         return ExportOptions(
             keys=KeyChoice(self.keys.currentData()),
             tolerance=self.tolerance.value(),
@@ -247,10 +244,7 @@ class ExportDialog(QDialog):
     def _pull_project(self) -> None:
         """Another project: its frames, and a name for what is written of it."""
         clip = self._document.project.clip
-        for field, value in ((self.first, clip.first if clip else 1), (self.last, clip.last if clip else 1)):
-            if clip is not None:
-                field.setRange(clip.first, clip.last)
-            field.setValue(value)
+        self.frames.pull(clip)
         self.target.clear()
         self._targets.clear()
         if self.formats.currentItem() is None:
@@ -323,20 +317,14 @@ class ExportDialog(QDialog):
         elif not has_shapes:
             self.hint.setText(tr("No shape is selected; select some, or export all."))
         elif self._is_folder:
-            first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
+            first = f"matte.{self.frames.chosen.start}{self.mattes.chosen.suffix}"
             self.hint.setText(tr("A folder; its pictures are {first} and so on.", first=first))
         else:
             self.hint.setText(tr("Replaces the file that is there.") if questions.is_file(self.path) else "")
 
     def _take_all_frames(self) -> None:
         if (clip := self._document.project.clip) is not None:
-            self.first.setValue(clip.first)
-            self.last.setValue(clip.last)
-
-    def _take_range(self) -> None:
-        first, stop = self._view.play_range
-        self.first.setValue(first)
-        self.last.setValue(stop - 1)
+            self.frames.take(clip.frame_range)
 
     # ---- what would be lost
 

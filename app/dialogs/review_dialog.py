@@ -35,6 +35,7 @@ from ..model.viewing import ViewMode
 from ..translation import N_, sentence_of, tr
 from ..widgets.controls import dense_form, form_label, measure_field, number_field, side_by_side, weak_label
 from . import questions
+from .frame_range import FrameRange
 
 OUTPUTS = {Output.MOVIE: N_("Movie"), Output.PICTURES: N_("Pictures (PNG)"), Output.SHEET: N_("Contact sheet")}
 VIEWS = {ReviewView.OVERLAY: N_("Outlines on the plate"), ReviewView.CUTOUT: N_("Cut-out")}
@@ -99,10 +100,7 @@ class ReviewDialog(QDialog):
         self.which.setEditable(True)
         self.which.addItems([tr(word) for word in WHICH.values()])
         self.which.setToolTip(tr(HINT))
-        self.first, self.last = number_field(tr("The first frame")), number_field(tr("The last frame"))
-        for number in (self.first, self.last):
-            number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
-        self.in_out = QPushButton(tr("In to out"))
+        self.frames = FrameRange(self._view, tr("The first frame"), tr("The last frame"))
         least, most = (100.0 * scale for scale in SCALES)
         self.scale = measure_field(tr(" %"), 100.0, least, most, 25.0, tr("Size of the pictures"))
         self.fps = measure_field(tr(" fps"), 24.0, *SPEEDS, 1.0, tr("Frames a second of the movie"))
@@ -124,7 +122,10 @@ class ReviewDialog(QDialog):
         form.addRow(form_label(tr("Show")), side_by_side(self.view, weak_label(tr("on")), self.ground, None))
         form.addRow(form_label(tr("On it")), side_by_side(*self.burns.values(), None))
         form.addRow(form_label(tr("Frames")), side_by_side(self.which, None))
-        form.addRow(form_label(tr("Range")), side_by_side(self.first, QLabel(tr("to")), self.last, self.in_out, None))
+        form.addRow(
+            form_label(tr("Range")),
+            side_by_side(self.frames.first, QLabel(tr("to")), self.frames.last, self.frames.in_out, None),
+        )
         form.addRow(form_label(tr("Size")), side_by_side(self.scale, weak_label(tr("of the plate")), None))
         form.addRow(form_label(tr("Speed")), side_by_side(self.fps, None))
         form.addRow(
@@ -143,11 +144,10 @@ class ReviewDialog(QDialog):
         self.output.currentIndexChanged.connect(lambda _: self._pull_output())
         self.view.currentIndexChanged.connect(lambda _: self._pull_hint())
         self.which.currentTextChanged.connect(lambda _: self._pull_hint())
-        for field in (self.first, self.last, self.columns, self.rows):
+        for field in (self.frames.first, self.frames.last, self.columns, self.rows):
             field.valueChanged.connect(lambda _: self._pull_hint())
         self.scale.valueChanged.connect(lambda _: self._pull_hint())
         self.target.textChanged.connect(lambda _: self._pull_hint())
-        self.in_out.clicked.connect(self._take_range)
         self.browse.clicked.connect(self._browse)
         self.start.clicked.connect(self._start)
         self.stop.clicked.connect(self._writing.stop)
@@ -189,10 +189,9 @@ class ReviewDialog(QDialog):
             raise RoamError(tr("Say where to write it."))
         if output_of(self.path, is_sheet=output is Output.SHEET) is not output:
             raise RoamError(tr("A movie ends in {suffixes}; pictures go to a folder.", suffixes=", ".join(ENCODERS)))
-        within = range(self.first.value(), self.last.value() + 1)
         return ReviewRequest(
             project,
-            chosen_frames(project, self.which_words, within),
+            chosen_frames(project, self.which_words, self.frames.chosen),
             output,
             self.path,
             ReviewLook(
@@ -210,10 +209,7 @@ class ReviewDialog(QDialog):
     def _pull_project(self) -> None:
         """Another project: its frames, its speed, and a name for what is written of it."""
         clip = self._document.project.clip
-        for field, value in ((self.first, clip.first if clip else 1), (self.last, clip.last if clip else 1)):
-            if clip is not None:
-                field.setRange(clip.first, clip.last)
-            field.setValue(value)
+        self.frames.pull(clip)
         self.fps.setValue(clip.fps if clip is not None else 24.0)
         self.target.clear()
         self._pull_output()
@@ -256,11 +252,6 @@ class ReviewDialog(QDialog):
             said = tr("{frames}, {width} x {height}", frames=said, width=width, height=height)
         self.hint.setText(said)
         self.start.setEnabled(True)
-
-    def _take_range(self) -> None:
-        first, stop = self._view.play_range
-        self.first.setValue(first)
-        self.last.setValue(stop - 1)
 
     # ---- the work
 

@@ -6,13 +6,18 @@ from collections.abc import Mapping, Sequence
 from itertools import takewhile
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from roam_core.arrays import Array, Bools
 from roam_core.review.boil import boil_of, told_keys
 from roam_core.roto import Keyframe, RotoShape
 
 from ..model.document import Document
+
+AT_ONCE = 100_000
+"""Points of keys that are measured in one go: the window answers in between."""
+LOOKED_AT = 8
+"""Points that are measured in the time that it takes to see that a key is what it was."""
 
 
 class BoilOf(QObject):
@@ -23,7 +28,7 @@ class BoilOf(QObject):
 
     Signals
     -------
-    changed() : shapes were measured by the picture.
+    changed() : shapes were measured, by the picture or of those that `so_far` left for later.
     """
 
     changed = Signal()
@@ -32,7 +37,47 @@ class BoilOf(QObject):
         super().__init__(document)
         self._shapes: dict[str, tuple[RotoShape, Array]] = {}
         """What is known of each shape, and of which value of it."""
-        document.replaced.connect(self._shapes.clear)
+        self._left: list[RotoShape] = []
+        self._later = QTimer(self, interval=0)
+        self._later.timeout.connect(self._go_on)
+        document.replaced.connect(self._forget)
+
+    def so_far(self, shapes: Sequence[RotoShape]) -> list[tuple[RotoShape, Array]]:
+        """Those of the shapes whose boil is known, each with it; a few are measured now, the others in idle moments.
+
+        Hundreds of shapes on thousands of frames take seconds. `changed` tells that all are known.
+        """
+        self._left = self._measured_some([shape for shape in shapes if not self._is_known(shape)])
+        if self._left:
+            self._later.start()
+        else:
+            self._later.stop()
+        return [(shape, self(shape)) for shape in shapes if self._is_known(shape)]
+
+    def _is_known(self, shape: RotoShape) -> bool:
+        known = self._shapes.get(shape.id)
+        return known is not None and known[0] is shape
+
+    def _measured_some(self, shapes: list[RotoShape]) -> list[RotoShape]:
+        """Measure as many of the shapes as go at once, at least one; those that are left."""
+        points = 0
+        for place, shape in enumerate(shapes):
+            if points >= AT_ONCE:
+                return shapes[place:]
+            points += len(shape.keys) * (LOOKED_AT if shape.id in self._shapes else shape.point_count)
+            self(shape)
+        return []
+
+    def _go_on(self) -> None:
+        self._left = self._measured_some(self._left)
+        if not self._left:
+            self._later.stop()
+            self.changed.emit()
+
+    def _forget(self) -> None:
+        self._shapes.clear()
+        self._left = []
+        self._later.stop()
 
     def __call__(self, shape: RotoShape) -> Array:
         """What is known of a shape, or measured now."""

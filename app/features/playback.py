@@ -29,7 +29,7 @@ class Playback(QObject):
     """Moves the playhead through the play range at `fps`, times `speed` (negative: backward).
 
     The frame follows from the clock, not from the number of ticks: a slow picture costs frames, never time. `clock`
-    gives seconds.
+    gives seconds. It stops where the artist takes something into the hand; what was half done before goes on.
 
     Signals
     -------
@@ -53,6 +53,7 @@ class Playback(QObject):
         self._start_time, self._start_frame, self._last_shown = 0.0, 0, 0
         self._shown_at: deque[float] = deque()
         self._pictured, self._told = 0, 0.0
+        self._was_in_use = False
         self._timer = QTimer(self, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 
@@ -113,7 +114,14 @@ class Playback(QObject):
     # ---- frames
 
     def tick(self) -> None:
-        """Show the frame that is due now; scrubbing in between starts anew from where it led."""
+        """Show the frame that is due now; scrubbing in between starts anew from where it led.
+
+        What the artist takes into the hand stands still: the frame on which it was grabbed stays.
+        """
+        was_in_use, self._was_in_use = self._was_in_use, self._view.is_in_use
+        if self._was_in_use and not was_in_use:
+            self.pause()
+            return
         if self._view.frame != self._last_shown:
             self._begin_here()
         steps = int((self._clock() - self._start_time) * self.fps * abs(self._speed))
@@ -160,6 +168,7 @@ class Playback(QObject):
             return
         if not self._speed:
             self._rewind(forward=speed > 0)
+            self._was_in_use = self._view.is_in_use
         self._speed, self._view.is_playing = speed, bool(speed)
         self._begin_here()
         if speed:

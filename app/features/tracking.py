@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
-from roam_core.propagate.shapes.provenance import MIN_POINTS, known_params
+from roam_core.propagate.shapes.provenance import MIN_POINTS, has_begun, known_params
 from roam_core.review.findings import Finding, boiling_frames, worst_of_stretches
 from roam_core.roto import Layer, Project, RotoShape
 
@@ -140,7 +140,7 @@ class Tracking:
     def to_next_key(self) -> None:
         """Track up to the next artist key, on the clip, of the shapes that are tracked; to the end if there is none."""
         frame, clip = self._view.frame, self._clip()
-        begun = [shape for shape in self.able() if _has_begun(shape, frame, 1)] or self.able()
+        begun = [shape for shape in self.able() if has_begun(shape, frame, forward=True)] or self.able()
         later = [key for shape in begun for key in shape.artist_frames if key > frame and key in clip]
         if not later:
             self.forward()
@@ -197,8 +197,8 @@ class Tracking:
             self._view.say(tr(CLIP_ENDS if step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
             begin = seen_from(self._view.frame, step, self._clip(), self._without_picture())
-            begun = [shape for shape in shapes if _has_begun(shape, begin, step)]
-            left_out = [shape for shape in shapes if not _has_begun(shape, begin, step)]
+            begun = [shape for shape in shapes if has_begun(shape, begin, step > 0)]
+            left_out = [shape for shape in shapes if not has_begun(shape, begin, step > 0)]
             if any(shape.exists_at(frame) for frame in frames[1:] for shape in begun):
                 lived = _as_long_as_any_exists(range(begin, stop, step), begun)
                 ids, alone = [shape.id for shape in begun], self.scope is Scope.ALONE
@@ -315,11 +315,6 @@ class Tracking:
         else:
             none = tr("No doubtful frame after frame {frame}.", frame=here)
             self._view.say(none if step > 0 else tr("No doubtful frame before frame {frame}.", frame=here))
-
-
-def _has_begun(shape: RotoShape, frame: int, step: int) -> bool:
-    """Whether a run in this direction finds a key of a shape on its first frame, or behind it."""
-    return shape.frames[0] <= frame if step > 0 else shape.frames[-1] >= frame
 
 
 def seen_from(here: int, step: int, clip: range, lacking: Collection[int]) -> int:

@@ -31,6 +31,12 @@ class Claim(QObject):
         """Take the lock of this project whoever holds it: the artist said so."""
         self._anyway, self._path = path, None
 
+    def renew(self, path: Path) -> None:
+        """On the worker, when the project was saved there: lock it again where its lock went meanwhile."""
+        held_path, mine = self._held or (path, None)
+        if path == self._path == held_path and (renewed := project_lock.renewed(path, mine)) is not None:
+            self._held = path, renewed
+
     def close(self) -> None:
         """Let go of the lock; the worker has ended."""
         self._let_go()

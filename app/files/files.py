@@ -271,12 +271,14 @@ class Files(QObject):
             # What is written over against a warning is kept in any case.
             # Saved again as it is, it takes no backup away.
             is_there = (project is self._last or not is_modified) and file.is_saved(project, path)
-            warning = "" if is_there else _rotated(path, max(kept, 1) if anyway else kept)
-            file.save(project, path)
+            count = 0 if is_there else max(kept, 1) if anyway else kept
+            warnings: list[str] = []
+            file.save(project, path, before_replacing=lambda: warnings.append(_rotated(path, count)))
+            self.claim.renew(path)
             self._last = project
             self._written = Fingerprint.of(path)
             report.partial(self._written)
-            return tr("Saved {name}. {warning}", name=path.name, warning=warning).rstrip()
+            return tr("Saved {name}. {warning}", name=path.name, warning=" ".join(warnings)).rstrip()
 
         def end(ending: Ending, sentence: str) -> None:
             last = told[-1] if told else None

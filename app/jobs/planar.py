@@ -30,7 +30,6 @@ from .solving.run import told_of
 ReadFrame = Callable[[int], Any]
 Vertices = frozenset[tuple[str, int]]
 """Points of shapes by (shape id, index)."""
-LAYER_NAME = "Planar"
 _run_numbers = itertools.count(1)
 
 
@@ -276,11 +275,11 @@ def _following(run: _Run, project: Project, found: Found) -> Callable[[Project],
     """
     first = not run.layer_id
     if first:
-        run.layer_id = with_moving_layer(project, run.shape_ids, run.start, LAYER_NAME)[1]
+        run.layer_id = with_moving_layer(project, run.shape_ids, run.start)[1]
 
     def change(before: Project) -> Project:
         if first:
-            before, _ = with_moving_layer(before, run.shape_ids, run.start, LAYER_NAME)
+            before, _ = with_moving_layer(before, run.shape_ids, run.start)
             if run.points is not None:
                 areas = run.points.pattern, run.points.search
                 before = with_points(before, run.layer_id, run.start, np.array(run.points.places), areas)

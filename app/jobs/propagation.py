@@ -260,14 +260,10 @@ class Propagation(QObject):
         before = self._document.project
         for shape_id in filter(before.has, made):
             run.note(before.shape(shape_id), made[shape_id])
-        project = _with_engine_keys(before, made)
+        put_in = partial(_with_engine_keys, made=made, known={})
+        project = put_in(before)
         run.expected = {shape_id: project.shape(shape_id) for shape_id in run.expected}
-        self._document.amend(
-            tr(run.verb),
-            lambda project: _with_engine_keys(project, made),
-            run.merge_key,
-            keeps_undone=run.keeps_undone,
-        )
+        self._document.amend(tr(run.verb), put_in, run.merge_key, keeps_undone=run.keeps_undone)
 
     def _follow(self, run: Run, frame: int) -> None:
         """Take the playhead along, unless the artist went to look at another frame, plays, or is busy on this one."""
@@ -413,11 +409,18 @@ def _is_solved(key: Keyframe) -> bool:
     return key.origin is Origin.ENGINE or bool(key.set_points)
 
 
-def _with_engine_keys(project: Project, made: Mapping[str, Sequence[Keyframe]]) -> Project:
-    """The project with the engine's keys in those of the shapes that it holds."""
-    for shape_id, keys in made.items():
-        if project.has(shape_id):
-            project = project.with_shape(edit.set_engine_keys(project.shape(shape_id), keys))
+def _with_engine_keys(
+    project: Project, made: Mapping[str, Sequence[Keyframe]], known: dict[int, tuple[RotoShape, RotoShape]]
+) -> Project:
+    """The project with the engine's keys in those of the shapes that it holds.
+
+    `known` has what became of each shape: what two projects share, the steps of undo go on sharing.
+    """
+    for shape in project.shapes:
+        if shape.id in made:
+            if id(shape) not in known:
+                known[id(shape)] = shape, edit.set_engine_keys(shape, made[shape.id])
+            project = project.with_shape(known[id(shape)][1])
     return project
 
 

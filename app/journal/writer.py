@@ -74,8 +74,8 @@ class _Reached:
 class JournalWriter:
     """Takes states of the project from the window and never lets it wait.
 
-    `refused(sentence)` is called, on the writer's thread, when the journal cannot be written; once, until it can again.
-    Then `restored(sentence)` is.
+    `refused(sentence)` is called, on the writer's thread, when the journal cannot be written; once for
+    each journal, until it can again. Then `restored(sentence)` is.
     """
 
     def __init__(self, session: Session, refused: Callable[[str], object], restored: Callable[[str], object]) -> None:
@@ -85,7 +85,7 @@ class JournalWriter:
         self._superseded: list[tuple[_Open, str]] = []
         self._beginning = Beginning(Project())
         self._waiting: _State | None = None
-        self._is_refused = False
+        self._is_refused = self._is_told = False
         self._thread = threading.Thread(target=self._run, name="roam-journal", daemon=True)
         self._thread.start()
 
@@ -165,6 +165,7 @@ class JournalWriter:
             self._change(wish)
 
     def _change(self, wish: _Change) -> None:
+        self._is_told = False  # as after a save, whose own sentence stands now where that of the journal stood
         if wish.state is None:
             self._end(wish.why)
             self._beginning = wish.beginning
@@ -190,7 +191,7 @@ class JournalWriter:
         else:
             self._waiting = None
             if self._is_refused:
-                self._is_refused = False
+                self._is_refused = self._is_told = False
                 self._restored(tr("The journal is written again; it holds all your edits."))
             self._end_superseded()
 
@@ -200,8 +201,9 @@ class JournalWriter:
         self._superseded = []
 
     def _refuse(self, error: Exception) -> None:
-        if not self._is_refused:
-            self._is_refused = True
+        self._is_refused = True
+        if not self._is_told:
+            self._is_told = True
             log.error("the journal cannot be written", exc_info=error)
             reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
             self._refused(

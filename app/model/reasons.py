@@ -30,6 +30,14 @@ def why_kept(project: Project, shapes: Iterable[RotoShape], frames: range) -> st
         return ""
     if not any(kept.exists_at(frame) for frame in frames):
         return does_not_exist(kept, frames[0])
+    above = project.layers_above(kept.id) if kept.visible and not kept.locked else ()
+    around = next((layer for layer in above if layer.locked or not layer.visible), None)
+    if around is not None:
+        return tr(
+            "{name!r} lies in {layer!r}, which is locked or hidden; unlock and show that layer to edit it.",
+            name=kept.name,
+            layer=around.name,
+        )
     return tr("{name!r} is locked or hidden; unlock and show it to edit it.", name=kept.name)
 
 

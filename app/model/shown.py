@@ -26,6 +26,11 @@ def shown_shapes(project: Project, frame: int) -> list[Shown]:
     return [shown for shown in _below(project.plate_root, project.root.locked) if shown.shape.exists_at(frame)]
 
 
+def visible_shapes(project: Project) -> list[RotoShape]:
+    """The shapes that are in sight on the frames of their lifetimes, bottom first."""
+    return [shown.shape for shown in _below(project.plate_root, project.root.locked)]
+
+
 def editable_shapes(project: Project, frame: int) -> list[RotoShape]:
     """The shapes that may be grabbed at `frame`, bottom first."""
     return editable_in(project, range(frame, frame + 1))

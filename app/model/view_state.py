@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -20,6 +21,18 @@ class Selection:
 
     shapes: frozenset[str] = frozenset()
     points: frozenset[tuple[str, int]] = frozenset()
+
+    def indices_of(self, shape_id: str) -> Sequence[int]:
+        """The selected points of one shape, in order."""
+        return self._by_shape.get(shape_id, ())
+
+    @cached_property
+    def _by_shape(self) -> dict[str, list[int]]:
+        """Each shape is asked about in turn: of hundreds all have thousands of points selected."""
+        found: dict[str, list[int]] = {}
+        for shape_id, index in sorted(self.points):
+            found.setdefault(shape_id, []).append(index)
+        return found
 
 
 class ViewState(QObject):

@@ -70,7 +70,7 @@ class Onion:
     before, after : how many of them.
     step : frames from one to the next.
     only_keys : the artist's keys before and after, in place of every `step`-th frame.
-    all_shapes : of all shapes in sight, also while some are selected.
+    all_shapes : of all visible shapes, also while some are selected.
     before_colour, after_colour : `#rrggbb`.
     """
 

@@ -68,7 +68,7 @@ def paint_feather_points(
     marks.arms(painter, [QLineF(spots[index][ANCHOR], spots[index][part]) for index, part in handles], colour)
     for index, part in handles:
         marks.handle(painter, spots[index][part], colour, grown=hover == (shape.id, index, part))
-    picked = {index for owner, index in selection.points if owner == shape.id}
+    picked = set(selection.indices_of(shape.id))
     for index, spot in enumerate(spots):
         grown = hover == (shape.id, index, ANCHOR)
         triangle(painter, spot[ANCHOR], colour, filled=index in picked, grown=grown)
@@ -76,7 +76,7 @@ def paint_feather_points(
 
 def feather_handles(shape_id: str, line: Array, selection: Selection) -> list[tuple[int, int]]:
     """The handles of the feather curve `line (P, 3, 2)` that are seen: those of selected points, where drawn out."""
-    chosen = sorted(index for owner, index in selection.points if owner == shape_id and index < len(line))
+    chosen = [index for index in selection.indices_of(shape_id) if index < len(line)]
     parts = ((index, part) for index in chosen for part in (IN, OUT))
     return [(index, part) for index, part in parts if not np.array_equal(line[index, part], line[index, ANCHOR])]
 

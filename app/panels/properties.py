@@ -255,10 +255,8 @@ class PropertiesPanel(QWidget):
     def push_each(self, text: str, verb: Verb, merge_key: str = "", works_locked: bool = False) -> None:
         """Put `verb(shape)` in the place of every selected shape that is not locked, as one undo step."""
         project = self._document.project
-        for shape in self._selected():
-            if (works_locked or not project.is_locked(shape.id)) and (edited := verb(shape)) != shape:
-                project = project.with_shape(edited)
-        self._document.apply(text, project, merge_key and f"{merge_key} {text}")
+        edited = (verb(shape) for shape in self._selected() if works_locked or not project.is_locked(shape.id))
+        self._document.apply(text, project.with_shapes(edited), merge_key and f"{merge_key} {text}")
         self._pull()
 
     def _push_name(self, name: str) -> None:

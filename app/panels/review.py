@@ -152,7 +152,8 @@ class ReviewPanel(QWidget):
         project = self._document.project
         shapes = shapes_in_hand(project, self._view.selection)
         notes = (Entry(mark.frame, Listed.NOTE, _line(mark.text) or tr("marked")) for mark in project.marks)
-        found = [*doubtful(shapes), *(each for shape in shapes for each in boiling_frames(shape, self._boil(shape)))]
+        boiling = (each for shape, boil in self._boil.so_far(shapes) for each in boiling_frames(shape, boil))
+        found = [*doubtful(shapes), *boiling]
         worth = (
             Entry(each.frame, Listed.DOUBT, each.name, tr("{value:.2f}", value=each.value), each.shape)
             if each.kind is FindingKind.DOUBT

@@ -1,4 +1,4 @@
-"""The desk: what lies around the work - palette, keys, settings, help, messages - opened when it is asked for."""
+"""What lies around the work - palette, keys, settings, help, messages - opened when it is asked for."""
 
 from __future__ import annotations
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+import pyqtgraph as pg
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
@@ -96,6 +97,18 @@ class TimeAxis(QObject):
 
     def _follow(self) -> None:
         self.set_scale(self._scale.showing(self.view_state.frame))
+
+
+def place_playhead(line: pg.InfiniteLine, axis: TimeAxis) -> None:
+    """The playhead's line of a plot, which is on a frame's middle and away while there is no clip."""
+    line.setVisible(axis.has_clip)
+    line.setPos(axis.view_state.frame + 0.5)
+
+
+def show_frames(box: pg.ViewBox, axis: TimeAxis, width: float) -> None:
+    """The frames of a plot so many pixels wide: those of the ruler above it."""
+    scale = axis.scale
+    box.setXRange(scale.first, scale.first + max(width, 1) / scale.pixels, padding=0)
 
 
 def paint_playhead(painter: QPainter, axis: TimeAxis, widget: QWidget) -> None:

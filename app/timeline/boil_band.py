@@ -60,8 +60,8 @@ class BoilBand(TippedWidget):
     def tip_at(self, at: QPointF) -> str:
         """What is said of the frame under the pointer."""
         frame = self._axis.scale.frame(at.x())
-        values = [(dict(self._boil(shape).tolist()).get(frame), shape.name) for shape in self._shown()]
-        known = sorted(((value, name) for value, name in values if value is not None), reverse=True)
+        told = [(boil[boil[:, 0] == frame, 1].tolist(), shape.name) for shape, boil in self._boil.so_far(self._shown())]
+        known = sorted(((value, name) for values, name in told for value in values), reverse=True)
         lines = [
             tr("{pixels:.1f} px  {name}, boils", pixels=value, name=name)
             if value >= BOILING
@@ -98,7 +98,7 @@ class BoilBand(TippedWidget):
         return on_each_frame(np.maximum, [np.column_stack([x, values[seen]])])
 
     def _pull(self, _ids: object = None) -> None:
-        self._most = on_each_frame(np.maximum, [self._boil(shape) for shape in self._shown()])
+        self._most = on_each_frame(np.maximum, [boil for _, boil in self._boil.so_far(self._shown())])
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolTip, QWidget
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from roam_core.arrays import Array
 from roam_core.params import DOUBTFUL
@@ -17,7 +17,8 @@ from ..model.document import Document
 from ..model.view_state import shapes_in_hand
 from ..translation import number, tr
 from ..widgets.broad_line import BroadLine
-from .axis import TimeAxis
+from ..widgets.tipped import tells
+from .axis import TimeAxis, place_playhead, show_frames
 from .marks import KeyMarks, MarksOf, on_each_frame
 from .scale import LABEL_WIDTH
 
@@ -147,13 +148,11 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         self._curves[shape_id].setData(*_with_gaps(marks.confidence))
 
     def _pull_time(self) -> None:
-        scale = self._axis.scale
-        self._box.setXRange(scale.first, scale.first + max(self.width(), 1) / scale.pixels, padding=0)
+        show_frames(self._box, self._axis, self.width())
         self._pull_playhead()
 
     def _pull_playhead(self) -> None:
-        self._playhead.setVisible(self._axis.has_clip)
-        self._playhead.setPos(self._axis.view_state.frame + 0.5)
+        place_playhead(self._playhead, self._axis)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -198,11 +197,11 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             view.say(doubt_sentence(shape, view.frame))
 
     def viewportEvent(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            frame = self._axis.scale.frame(event.pos().x() + LABEL_WIDTH)
-            QToolTip.showText(event.globalPos(), self.tip(frame), self.viewport())
-            return True
-        return bool(super().viewportEvent(event))
+        return tells(event, self.viewport(), self.tip_at) or bool(super().viewportEvent(event))
+
+    def tip_at(self, at: QPointF) -> str:
+        """What is told of the frame under the pointer."""
+        return self.tip(self._axis.scale.frame(at.x() + LABEL_WIDTH))
 
     def tip(self, frame: int) -> str:
         """The confidence of every shown shape on a frame, the least first."""

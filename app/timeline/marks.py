@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from roam_core.arrays import Array, Int64
-from roam_core.params import is_doubtful
+from roam_core.params import DOUBTFUL
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Interpolation, Origin, Project, RotoShape
 from roam_core.roto.imported import is_import
@@ -47,16 +47,17 @@ class KeyMarks:
         return next((kind for kind in kinds if frame in getattr(self, kind)), "")
 
 
-def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
-    """The marks of a shape of the project that the stamps are of."""
+def key_marks(shape: RotoShape, stale_frames: Sequence[int]) -> KeyMarks:
+    """The marks of a shape whose keys on these frames are stale."""
     keys = shape.keys
     frames = _frames([key.frame for key in keys])
     by_hand = np.array([key.origin is Origin.ARTIST for key in keys], dtype=bool)
     trust = np.array([1.0 if key.confidence is None else key.confidence for key in keys], dtype=np.float64)
     read = np.array([is_import(key) for key in keys], dtype=bool)  # nobody looked for it in the plate
     first, stop = shape.lifetime or (-math.inf, math.inf)
-    is_there, stale = (frames >= first) & (frames < stop), np.isin(frames, stamps.stale_frames(shape))
-    doubtful = np.array([is_doubtful(key.confidence) for key in keys], dtype=bool) & is_there
+    is_there, stale = (frames >= first) & (frames < stop), np.zeros(len(frames), dtype=bool)
+    stale[np.searchsorted(frames, _frames(stale_frames))] = True
+    doubtful = (trust < DOUBTFUL) & is_there
     drawn = shape.artist_keys
     return KeyMarks(
         frames[by_hand],
@@ -80,27 +81,42 @@ def on_each_frame(worst: np.ufunc, values: Sequence[Array]) -> Array:
     return np.column_stack([pairs[starts, 0], worst.reduceat(pairs[:, 1], starts)])
 
 
-def _frames(numbers: list[int]) -> Int64:
+def _frames(numbers: Sequence[int]) -> Int64:
     return np.asarray(numbers, dtype=np.int64)
 
 
+@dataclass(frozen=True, eq=False)
+class _Known:
+    """The marks of a shape, and what they were told from."""
+
+    shape: RotoShape
+    together: tuple[RotoShape, ...]
+    stale: list[int]
+    marks: KeyMarks
+
+
 class MarksOf:
-    """The marks of each shape, made anew only where it, or another one of its object, is another value than before."""
+    """The marks of each shape, made anew only where it, or what of it is stale, is another than before.
+
+    An edit of one shape of an object asks of all its shapes what of them is stale now: of hundreds few become others.
+    """
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self._known: dict[str, tuple[tuple[RotoShape, ...], KeyMarks]] = {}
+        self._known: dict[str, _Known] = {}
         self._stamps: tuple[Project, Stamps] | None = None
         document.replaced.connect(self._known.clear)
 
     def __call__(self, shape: RotoShape, preview: Project | None = None) -> KeyMarks:
         """The marks of a shape of the document's project, or of one that is shown in its place meanwhile."""
         stamps = self._of(preview or self._document.project)
-        together = stamps.together(shape)
-        known = self._known.get(shape.id)
-        if known is None or not _are_same(known[0], together):
-            known = self._known[shape.id] = (together, key_marks(shape, stamps))
-        return known[1]
+        together, known = stamps.together(shape), self._known.get(shape.id)
+        if known is None or not _are_same(known.together, together):
+            stale = stamps.stale_frames(shape)
+            is_told = known is not None and known.shape is shape and known.stale == stale
+            marks = known.marks if known is not None and is_told else key_marks(shape, stale)
+            known = self._known[shape.id] = _Known(shape, together, stale, marks)
+        return known.marks
 
     def _of(self, project: Project) -> Stamps:
         if self._stamps is None or self._stamps[0] is not project:

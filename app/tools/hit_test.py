@@ -16,7 +16,7 @@ from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Project, RotoShape
 
-from ..model.shown import editable_shapes
+from ..model.shown import editable_shapes, shown_shapes
 from ..model.view_state import Selection
 
 Vector = tuple[float, float]
@@ -112,6 +112,12 @@ def outlines_under(project: Project, frame: int, position: Vector, pixel: Vector
     return [s.id for s in reversed(editable_shapes(project, frame)) if _on_outline(s, frame, position, pixel)]
 
 
+def locked_under(project: Project, frame: int, position: Vector, pixel: Vector) -> RotoShape | None:
+    """The uppermost shape in sight that is locked and whose outline lies within reach; or None."""
+    locked = (shown.shape for shown in reversed(shown_shapes(project, frame)) if shown.locked)
+    return next((shape for shape in locked if _on_outline(shape, frame, position, pixel)), None)
+
+
 def shape_around(project: Project, frame: int, selection: Selection, position: Vector) -> str | None:
     """The id of the uppermost selected shape, if it is closed, inside of which a position lies; or None."""
     for shape in _selected(project, frame, selection):
@@ -167,7 +173,7 @@ def _candidates(project: Project, frame: int, selection: Selection, chosen: bool
 def _grabbable(points: Array, shape_id: str, selection: Selection) -> Bools:
     """Which of the parts `(P, 3)` can be seen: all anchors, and the drawn-out handles of selected points."""
     parts = np.zeros(points.shape[:2], dtype=bool)
-    chosen = [index for owner, index in selection.points if owner == shape_id and index < len(points)]
+    chosen = [index for index in selection.indices_of(shape_id) if index < len(points)]
     parts[chosen] = (points[chosen] != points[chosen][:, ANCHOR, None]).any(axis=2)
     parts[:, ANCHOR] = True
     return parts

@@ -48,6 +48,11 @@ class Grab:
         """The same, reaching no keys by ripple: on its own frame the edit looks the same."""
         return replace(self, keying=replace(self.keying, ripple=None))
 
+    @property
+    def point_count(self) -> int:
+        """How many points follow wholly: those that were grabbed, without what soft selection takes along."""
+        return sum(int((weights == 1.0).sum()) for weights in self.weights.values())
+
     def is_held(self, project: Project) -> bool:
         """False when an edit meanwhile took a shape away, locked it, or gave it another number of points."""
         counts = {shape.id: shape.point_count for shape in editable_shapes(project, self.frame)}
@@ -67,11 +72,10 @@ class Grab:
 
     def changed(self, project: Project, change_of: Callable[[str], Change]) -> Project:
         """The project with each shape changed as `change_of(shape id)` says, from where it began."""
-        before = project  # no shape's change touches another: to ask each new project for all its shapes takes long
-        for shape_id, start in self.start.items():
-            shape = reshape(before.shape(shape_id), self.frame, change_of(shape_id), self.keying, start)
-            project = project.with_shape(shape)
-        return project
+        return project.with_shapes(
+            reshape(project.shape(shape_id), self.frame, change_of(shape_id), self.keying, start)
+            for shape_id, start in self.start.items()
+        )
 
 
 Tangent = Callable[[Array, int, int, Vector], Array]
@@ -174,7 +178,7 @@ def keys_changed(before: Project, after: Project, shape_ids: Iterable[str]) -> i
 
 def selected_indices(shape: RotoShape, selection: Selection) -> list[int]:
     """The selected points of one shape, in order."""
-    return sorted(index for owner, index in selection.points if owner == shape.id and index < shape.point_count)
+    return [index for index in selection.indices_of(shape.id) if index < shape.point_count]
 
 
 def with_point_inserted(shape: RotoShape, segment: int, t: float) -> RotoShape:

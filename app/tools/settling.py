@@ -19,10 +19,12 @@ def settled(before: Project, after: Project, shape_ids: Iterable[str], frame: in
     """
     ids = [shape_id for shape_id in shape_ids if after.shape(shape_id) is not before.shape(shape_id)]
     is_rippled = keying.ripple is not None and frame in keying.ripple
-    for shape_id in ids:
-        shape = after.shape(shape_id)
-        if not is_rippled and not is_same(before.shape(shape_id).at(frame).feather, shape.at(frame).feather):
-            after = after.with_shape(feather.carried_on(shape, frame))
+    if not is_rippled:
+        after = after.with_shapes(
+            feather.carried_on(after.shape(shape_id), frame)
+            for shape_id in ids
+            if not is_same(before.shape(shape_id).at(frame).feather, after.shape(shape_id).at(frame).feather)
+        )
     return after if keying.ripple is None else restamped(before, after, ids, keying.ripple)
 
 

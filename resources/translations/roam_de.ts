@@ -6729,6 +6729,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} ist offen; vor dem Tracken schließen (C).</translation>
     </message>
     <message>
+        <source>{name!r} lies in {layer!r}, which is locked or hidden; unlock and show that layer to edit it.</source>
+        <translation>{name!r} liegt in {layer!r}, einer gesperrten oder ausgeblendeten Ebene; diese entsperren und einblenden, um die Form zu bearbeiten.</translation>
+    </message>
+    <message>
+        <source>{name!r} lies in {layer!r}, which is locked: unlock that layer in the list.</source>
+        <translation>{name!r} liegt in {layer!r}, einer gesperrten Ebene: diese in der Liste entsperren.</translation>
+    </message>
+    <message>
         <source>{name!r} needs at least one key; delete the shape instead.</source>
         <translation>{name!r} braucht mindestens einen Keyframe; stattdessen die Form löschen.</translation>
     </message>

@@ -88,7 +88,10 @@ def keyed_shapes(project: Project, path: Path, frame: int, names: Sequence[str] 
     clip = project.require_clip()
     if not clip.first <= frame <= clip.last:
         raise RoamError(f"--frame {frame} lies outside the clip's frames {clip.first}-{clip.last}.")
-    keyed = [shape for shape in picked(project, names) if shape.closed and shape.key_at(frame) is not None]
+    closed = [shape for shape in picked(project, names) if shape.closed]
+    keyed = [shape for shape in closed if shape.key_at(frame) is not None]
+    if closed and not keyed and not any(shape.exists_at(frame) for shape in closed):
+        raise RoamError(f"Frame {frame} lies outside the lifetime of every closed shape asked for; choose another.")
     if not keyed:
         raise RoamError(
             f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first. Frames whose "

@@ -106,8 +106,9 @@ def run(arguments: argparse.Namespace) -> int:
                 shown = [frame for frame in frames if not any(first < frame < last for first, last in failed)]
                 write_mattes(plate, project, shown, arguments.matte)
     if arguments.json:
-        for frame in frames:
-            print_json(line_of(project, frame, shares.get(frame, 0.0) + filled.seconds.get(frame, 0.0)))
+        found = (set(gaps) - set(wanted)) | set(filled.gaps)
+        for frame in sorted({frame for first, last in found for frame in range(first, last + 1)}):
+            print_json(line_of(project, frame, shares.get(frame, 0.0) + filled.seconds.get(frame, 0.0), picking))
     elif filled.gaps or not wanted:
         count = len(apart) + len(filled.gaps)
         print(f"Filled {count} gap(s)" + (f"; {there} already filled." if there else "."), file=sys.stderr)
@@ -183,9 +184,9 @@ def _filled(
     return [shape for shape in filled if shape.id in asked]
 
 
-def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:
-    """What a line of JSON says of a frame: how long it took now, its confidence, and whether it is doubted."""
-    alive = [shape for shape in trackable(project) if shape.exists_at(frame)]
+def line_of(project: Project, frame: int, seconds: float, picking: Picking) -> dict[str, object]:
+    """What a line of JSON says of a frame: how long it took now, the confidence of what is picked, and any doubt."""
+    alive = [shape for shape in trackable(project, picking) if shape.exists_at(frame)]
     keyed = [(shape, key) for shape in alive if (key := shape.key_at(frame))]
     if any(key.origin is Origin.ENGINE for _, key in keyed):
         rated = [(shape, 1.0 if key.origin is Origin.ARTIST else key.confidence or 0.0) for shape, key in keyed]

@@ -37,19 +37,25 @@ def project_writer(target: Path, read: Path | None = None) -> Callable[[Project]
     known = Fingerprint.of(target) if is_as_read else None
 
     def write(project: Project) -> bool:
-        nonlocal known, is_as_read
+        nonlocal known
         is_contested = False
-        if is_as_read and known is not None and known.is_of(target) and not file.is_saved(project, target):
-            is_as_read = False
-            _keep_read(target)
-        if (known is None or not known.is_of(target)) and (kept := kept_aside(target)) is not None:
-            if known is None:
-                said = f"The project that was {target} is kept as {kept.name}."
-            else:
-                is_contested = True
-                said = f"roam: {target} was changed by somebody else meanwhile; what it held is kept as {kept.name}."
-            print(said, file=sys.stderr)
-        file.save(project, target)
+
+        def keep() -> None:
+            nonlocal is_as_read, is_contested
+            if is_as_read and known is not None and known.is_of(target) and not file.is_saved(project, target):
+                is_as_read = False
+                _keep_read(target)
+            if (known is None or not known.is_of(target)) and (kept := kept_aside(target)) is not None:
+                if known is None:
+                    said = f"The project that was {target} is kept as {kept.name}."
+                else:
+                    is_contested = True
+                    said = (
+                        f"roam: {target} was changed by somebody else meanwhile; what it held is kept as {kept.name}."
+                    )
+                print(said, file=sys.stderr)
+
+        file.save(project, target, before_replacing=keep)
         known = Fingerprint.of(target)
         return is_contested
 

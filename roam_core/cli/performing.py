@@ -142,8 +142,8 @@ def _kept(
     if task.result:
         content = Path(task.made).read_bytes()
         known = None if before is None else str(before.outcome.get("result", ""))
-        _keep_others(Path(task.result), known)
-        write_atomically(Path(task.result), content)
+        result = Path(task.result)
+        write_atomically(result, content, before_replacing=lambda: _keep_others(result, known))
         told["result"] = digest_of(Path(task.result))
     Record(task.settings, tuple(inputs), outputs, told).write(Path(task.record))
     return {**more, "outputs": sorted(outputs)}

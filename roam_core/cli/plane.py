@@ -30,7 +30,6 @@ from roam_core.roto import Project, RotoShape
 from roam_core.roto.following import followed, with_moving_layer
 from roam_core.roto.surfaces import LeaveOut, adjusted_frames, covering, covers_at, legs_of, outlines_at
 
-LAYER_NAME = "Planar"
 WAYS = tuple(way.value for way in LeaveOut if way is not LeaveOut.CHOSEN)
 
 
@@ -69,7 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
     with opened(str(project.require_clip().path), project.clip) as plate:
         first = arguments.start
         if first is None:
-            first = first_key(project, picking, backward=arguments.backward)
+            first = first_key(arguments.project, project, picking, plate.source.frames, backward=arguments.backward)
         frames = frame_range(plate.source.frames, first, arguments.end, backward=arguments.backward)
         if len(frames) < 2:
             raise RoamError(f"There is no frame to track to from {frames[0]}; name another with --start or --end.")
@@ -118,7 +117,7 @@ def follow(
     shapes, covers = work
     ids = [shape.id for shape in shapes]
     legs = legs_of(frames, adjusted_frames(project, ids))
-    project, layer = with_moving_layer(project, ids, frames[0], LAYER_NAME)
+    project, layer = with_moving_layer(project, ids, frames[0])
     least, began = (1.0, frames[-1]), time.perf_counter()
     plate.ahead_of(frames[0], frames)
     with bar(1.0) as shown:

@@ -21,15 +21,15 @@ from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
+from roam_core.interchange.flatten import TAKING
 from roam_core.interchange.matte_style import SUFFIXES, MatteStyle, Parts
 from roam_core.interchange.mattes.exporter import NAME, planned, require_places, style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
-from roam_core.roto import BlendMode, Project
+from roam_core.roto import Project
 from roam_core.roto.relinking import numbers_now, other_content_now
 
-TAKING = (BlendMode.SUBTRACT, BlendMode.INTERSECT)
 MOST_NAMED = 12
 """Frames that a message names."""
 

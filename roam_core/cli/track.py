@@ -15,6 +15,7 @@ from tqdm import tqdm
 
 from roam_core.bounded import require_regular
 from roam_core.cli.configuring import configured
+from roam_core.cli.joining import Joining
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
@@ -98,14 +99,14 @@ def run(arguments: argparse.Namespace) -> int:
             given = imported_project(init, plate)
         start = arguments.start
         if start is None:
-            start = first_key(given, picking, backward=arguments.backward)
-            require_in_clip(start, init, plate.source.frames)
+            start = first_key(init, given, picking, plate.source.frames, backward=arguments.backward)
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(init, given, plate, frames[0])
         if given is None and arguments.start is None:
             tell_of_number(init, plate.source.frames, frames[0])
         wanted = trackable(project, picking)  # refuses a name that no shape of the mask has
-        tell(plain_start(plate.read(frames[0]), wanted, frames[0]))
+        joining = Joining.of(wanted, frames)
+        tell(plain_start(plate.read(frames[0]), filter(joining.begins_with, wanted), frames[0]))
         if arguments.save is not None:
             require_target(arguments.save)
         rewritten = init if _is_project(init) else None
@@ -115,7 +116,8 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=rewritten,
         )
-        tell(kept_nowhere(arguments))
+        for sentence in (kept_nowhere(arguments), *joining.told()):
+            tell(sentence)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
         landmarks = LandmarkPaths()
@@ -140,7 +142,7 @@ def run(arguments: argparse.Namespace) -> int:
                 keep=write,
             )
     if not arguments.json:
-        count = len(trackable(project, picking))
+        count = sum(map(joining.is_taken, wanted))
         print(f"Tracked {count} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
     return 0
 
@@ -175,17 +177,21 @@ def track_project(
 ) -> Project:
     """Track the closed, unlocked shapes of a project, or those picked, through `frames` of its plate.
 
+    A shape whose keys all lie ahead joins on the first of them, unless that holds for all (`joining`).
     `report` is called with the first frame, as it was given, and with each solved one; `mattes` is a folder for a PNG
     of each frame, written as it is solved. `keep` is given what is finished, as the run goes and however it ends.
     """
     shapes = [shape for shape in project.shapes if shape.closed]
-    asked = {shape.id for shape in trackable(project, picking)}
+    wanted = trackable(project, picking)
+    joining = Joining.of(wanted, frames)
+    asked = {shape.id for shape in wanted if joining.is_taken(shape)}
     stamp = clip_stamp(project.clip)
     warm_up(config)
     pictures = None if mattes is None else Mattes(plate, mattes)
 
     def finished(solved: FrameResult) -> None:
         nonlocal project
+        solved = joining.joined(solved)
         project = with_results(project, solved)
         plate.ahead_of(solved.frame, frames)  # not before something was looked at of the first: the same is decoded
         keeper.offer(project)
@@ -305,22 +311,38 @@ def imported_project(init: Path, plate: Plate) -> Project:
     return project
 
 
-def require_in_clip(frame: int | None, init: Path, frames: tuple[int, ...]) -> None:
-    """Refuse to begin where a file has its first key, if the clip has no such frame."""
-    if frame is not None and not frames[0] <= frame <= frames[-1]:
+def first_key(
+    path: Path, project: Project | None, picking: Picking, frames: tuple[int, ...], *, backward: bool
+) -> int | None:
+    """Where a run begins that passes every key of the artist's: on the first one, or backward on the last one.
+
+    Of those only that lie on `frames`, of which the clip has pictures; that others are passed over is told. None where
+    there is no key.
+
+    Raises
+    ------
+    RoamError
+        when the clip has a picture of none of them.
+    """
+    shapes = [] if project is None else trackable(project, picking)
+    keyed = sorted({frame for shape in shapes for frame in shape.artist_frames or shape.frames}, reverse=backward)
+    if not keyed:
+        return None
+    shown = set(frames)
+    start = next((frame for frame in keyed if frame in shown), None)
+    if start is not None:
+        if start != keyed[0]:
+            tell(f"The run begins on frame {start}: the clip has no picture of frame {keyed[0]}, where a key lies.")
+        return start
+    if not frames[0] <= keyed[0] <= frames[-1]:
         raise RoamError(
-            f"The keys of {init} begin on frame {frame}, outside the clip's frames {frames[0]}-{frames[-1]}; name "
+            f"The keys of {path} begin on frame {keyed[0]}, outside the clip's frames {frames[0]}-{frames[-1]}; name "
             "another clip, or the frame to begin on with --start."
         )
-
-
-def first_key(project: Project | None, picking: Picking, *, backward: bool) -> int | None:
-    """The frame from which a run passes every key of the artist's: the first one's, or backward the last one's."""
-    shapes = [] if project is None else trackable(project, picking)
-    frames = [frame for shape in shapes for frame in shape.artist_frames or shape.frames]
-    if not frames:
-        return None
-    return max(frames) if backward else min(frames)
+    raise RoamError(
+        f"The clip has no picture of frame {keyed[0]}, where the keys of {path} begin; set one where it has, or name "
+        "the frame to begin on with --start."
+    )
 
 
 def initial_project(init: Path, given: Project | None, plate: Plate, start: int) -> Project:

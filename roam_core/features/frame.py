@@ -103,6 +103,7 @@ class PreparedFrame:
         self._deriving = threading.Lock()
         self._levelled: dict[bytes, PreparedFrame] = {}
         self._resized: dict[tuple[int, int], PreparedFrame] = {}
+        self._cropped: dict[Region, PreparedFrame] = {}
 
     @property
     def plate(self) -> PreparedFrame:
@@ -191,6 +192,15 @@ class PreparedFrame:
             rows, columns = region.shifted(-self._grey_box.x0, -self._grey_box.y0).slices
             return self._grey[rows, columns]
 
+    def cropped(self, window: Region) -> PreparedFrame:
+        """The part of the picture in a window, as a picture of its own."""
+        if window == Region(0, 0, self.size[1], self.size[0]):
+            return self
+        with self._deriving:
+            if window not in self._cropped:
+                self._cropped[window] = _CroppedFrame(self, window)
+            return self._cropped[window]
+
     def resized(self, size: tuple[int, int]) -> PreparedFrame:
         """The same picture at another size (h, w), bicubic."""
         if size == self.size:
@@ -267,6 +277,18 @@ class _MappedFrame(PreparedFrame):
     def _of(self, pixels: NDArray[Any]) -> PreparedFrame:
         # Levels first: a few values that are made finer and then stretched stay a few.
         return _MappedFrame(self.plate.resized((pixels.shape[0], pixels.shape[1])), self._table, pixels=pixels)
+
+
+class _CroppedFrame(PreparedFrame):
+    """What a window of another frame shows, which is looked at where it is."""
+
+    def __init__(self, whole: PreparedFrame, window: Region) -> None:
+        super().__init__(np.empty((1, 1, 3), np.uint8))
+        self.size = window.y1 - window.y0, window.x1 - window.x0
+        self._whole, self._window = whole, window
+
+    def within(self, region: Region) -> UInt8:
+        return self._whole.within(region.shifted(*self._window.origin))
 
 
 def _kept(image: NDArray[Any]) -> UInt8:

@@ -7,7 +7,6 @@ something is taken from one, a Merge node with what is white everywhere cuts it 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -31,8 +30,8 @@ from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import lifetime_steps, moments, straight_keys, tangent_notes
-from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
-from roam_core.roto.animated import Animatable, ValueKey, value_at, values_of
+from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.animated import values_of
 from roam_core.translatable import N_, sentence
 
 OPERATORS = {
@@ -139,7 +138,7 @@ class _Writer(ShapeWriter):
         if branch.invert:
             taken = {"name": whole(branch.name), "parts": inner, "operation": "stencil", "mix": [1.0, []]}
             inner = [self.part("Everything", [self._everything()]), taken]
-        mix = self._keyed(branch.opacity, straight_keys(branch.opacity))
+        mix = self.value_rows(branch.opacity, straight_keys(branch.opacity))
         return {"name": whole(branch.name), "parts": inner, "operation": OPERATIONS[branch.blend], "mix": mix}
 
     def children(self, layer: Layer) -> list[dict[str, Any]]:
@@ -179,9 +178,9 @@ class _Writer(ShapeWriter):
             "inverted": shape.invert,
             "operator": OPERATORS[shape.blend if mode is None else mode],
             "color": list(shape.colour),
-            "opacity": self._keyed(shape.opacity, straight_keys(shape.opacity)),
-            "feather": self._keyed(shape.feather, straight_keys(shape.feather)),
-            "activated": [[self._frame(frame), is_active] for frame, is_active in lifetime_steps(shape)],
+            "opacity": self.value_rows(shape.opacity, straight_keys(shape.opacity)),
+            "feather": self.value_rows(shape.feather, straight_keys(shape.feather)),
+            "activated": [[self.numbered(frame), is_active] for frame, is_active in lifetime_steps(shape)],
             "blur": None if blur is None or not blur.is_seen else [blur.samples, blur.shutter, blur.phase],
             "keys": [
                 [
@@ -195,19 +194,11 @@ class _Writer(ShapeWriter):
             ],
         }
 
-    def _keyed(self, value: Animatable, keys: Sequence[ValueKey]) -> list[Any]:
-        """A number, and keys as frame, number and whether it holds."""
-        held = [[self._frame(key.frame), key.value, key.interpolation is Interpolation.HOLD] for key in keys]
-        return [value_at(value, self.clip.first), held]
-
     def _rows(self, points: Array) -> list[list[float]]:
         """Each point as x, y, left x, left y, right x, right y; y up."""
         upright = np.array([0.0, self.clip.size[1]]) + points[:, [ANCHOR, IN, OUT]] * np.array([1.0, -1.0])
         rows: list[list[float]] = (np.round(upright.reshape(-1, 6), DECIMALS) + 0.0).tolist()
         return rows
-
-    def _frame(self, frame: int) -> int:
-        return frame + self.options.frame_offset
 
 
 PROGRAM = """\

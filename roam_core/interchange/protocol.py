@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import pairwise
 from pathlib import Path
-from typing import ClassVar, Protocol, runtime_checkable
+from typing import Any, ClassVar, Protocol, runtime_checkable
 
 from roam_core.arguments import shown
-from roam_core.cancel import CancelToken, Progress
+from roam_core.cancel import CancelToken, Progress, Reporting
 from roam_core.errors import RoamError
 from roam_core.interchange.bake_layers import BY_LAYER, bake_layers
 from roam_core.interchange.keys.reduction import Motion, Slopes, reduced
@@ -20,6 +20,7 @@ from roam_core.interchange.out_of_sight import without_points
 from roam_core.interchange.telling import gathered
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
+from roam_core.roto.animated import Animatable, ValueKey, value_at
 from roam_core.roto.bounds import is_near
 from roam_core.roto.control_points import is_of_its_kind
 from roam_core.roto.value_curves import opacity_as_seen
@@ -38,7 +39,7 @@ class KeyChoice(StrEnum):
 
 
 @dataclass(frozen=True)
-class ExportOptions:
+class ExportOptions(Reporting):
     """What an artist may choose, and the channels to whoever waits.
 
     Attributes
@@ -99,13 +100,6 @@ class ExportOptions:
         if self.frame is not None and self.frame not in clip.frame_range:
             raise RoamError(f"Frame {self.frame} lies outside of the clip's, which are {clip.first} to {clip.last}.")
         return frames[0] if self.frame is None else self.frame
-
-    def advance(self, fraction: float, text: str) -> None:
-        """A safe point: give up here when cancelled, otherwise tell how far the export has come."""
-        if self.token is not None:
-            self.token.check()
-        if self.progress is not None:
-            self.progress(fraction, text)
 
 
 STANDARD = ExportOptions()
@@ -215,6 +209,15 @@ class ShapeWriter:
         reduction = reduced(shape, self.options.tolerance, motion, self.options.token)
         self.notes.append(reduction.report())
         return reduction.shape, reduction.slopes
+
+    def numbered(self, frame: int) -> int:
+        """A frame of the plate under its number in the file."""
+        return frame + self.options.frame_offset
+
+    def value_rows(self, value: Animatable, keys: Sequence[ValueKey]) -> list[Any]:
+        """For scripts: the number on the clip's first frame, and the keys as frame, number and whether it holds."""
+        rows = [[self.numbered(key.frame), key.value, key.interpolation is Interpolation.HOLD] for key in keys]
+        return [value_at(value, self.clip.first), rows]
 
     def _tell_of_b_spline(self, name: str) -> None:
         """One note for all of them, where the first one's stands: what is lost is read."""

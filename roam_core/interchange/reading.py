@@ -14,7 +14,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from roam_core.bounded import bounded_bytes
-from roam_core.cancel import CancelToken, Progress
+from roam_core.cancel import CancelToken, Progress, Reporting
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key
 from roam_core.interchange.protocol import MAX_FRAMES, KeyChoice
@@ -73,7 +73,7 @@ class MaskOptions:
 
 
 @dataclass(frozen=True)
-class ImportOptions:
+class ImportOptions(Reporting):
     """What an artist may choose, and the channels to whoever waits.
 
     Attributes
@@ -90,13 +90,6 @@ class ImportOptions:
     masks: MaskOptions = field(default_factory=MaskOptions)
     progress: Progress | None = None
     token: CancelToken | None = None
-
-    def advance(self, fraction: float, text: str) -> None:
-        """A safe point: give up here when cancelled, otherwise tell how far the reading has come."""
-        if self.token is not None:
-            self.token.check()
-        if self.progress is not None:
-            self.progress(fraction, text)
 
 
 PLAIN = ImportOptions()

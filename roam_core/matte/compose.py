@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -10,10 +10,13 @@ from roam_core.arguments import moment, size_of
 from roam_core.arrays import Matte
 from roam_core.matte.rasterise import Patch, has_area, shape_patch
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
-from roam_core.roto.shape import shapes_of
+from roam_core.roto.given import shapes_of
 
 Draw = Callable[[RotoShape, float, tuple[int, int]], Patch]
 """Fills one shape at one frame in a picture of `(h, w)`: `shape_patch`, or what remembers its answers."""
+
+Place = tuple[slice, slice]
+"""Rows and columns of a picture."""
 
 
 def _add(under: Matte, matte: Matte) -> Matte:
@@ -92,8 +95,42 @@ def render_matte(
     return _join(shapes_of(shapes), frame, size, drawn)
 
 
-def _layer_matte(layer: Layer, frame: float, size: tuple[int, int], drawn: Draw) -> Matte:
-    matte = _join(layer.children, frame, size, drawn)
+def cut_patch(
+    item: Layer | RotoShape, cutters: Sequence[Layer | RotoShape], frame: float, size: tuple[int, int], drawn: Draw
+) -> Patch:
+    """An item in plate space and what above it only takes away from it, as `render_matte` joins them.
+
+    Stored in the rectangle that the item reaches: of hundreds of small items in a large picture each costs little.
+    """
+    place = _reach(item, frame, size, drawn)
+    return Patch(place[0].start, place[1].start, _join((item, *cutters), frame, size, drawn, place))
+
+
+def _reach(item: Layer | RotoShape, frame: float, size: tuple[int, int], drawn: Draw) -> Place:
+    """The rectangle beside which an item is black."""
+    whole, nothing = (slice(0, size[0]), slice(0, size[1])), (slice(0, 0), slice(0, 0))
+    if not item.visible:
+        return nothing
+    if isinstance(item, Layer):
+        reached = [] if item.invert else [_reach(child, frame, size, drawn) for child in item.children]
+        some = [place for place in reached if place[0].start < place[0].stop and place[1].start < place[1].stop]
+        if not some:
+            return whole if item.invert else nothing
+        rows, columns = zip(*some, strict=True)
+        return _around(rows), _around(columns)
+    if not has_area(item, frame):
+        return nothing
+    patch = drawn(item, frame, size)
+    return patch.place if patch.outside == 0.0 else whole
+
+
+def _around(ranges: Iterable[slice]) -> slice:
+    starts, stops = zip(*((each.start, each.stop) for each in ranges), strict=True)
+    return slice(min(starts), max(stops))
+
+
+def _layer_matte(layer: Layer, frame: float, size: tuple[int, int], drawn: Draw, place: Place | None = None) -> Matte:
+    matte = _join(layer.children, frame, size, drawn, place)
     if layer.invert:
         np.subtract(np.float32(1.0), matte, out=matte)
     opacity = layer.opacity_at(frame)
@@ -102,15 +139,20 @@ def _layer_matte(layer: Layer, frame: float, size: tuple[int, int], drawn: Draw)
     return matte
 
 
-def _join(items: Iterable[Layer | RotoShape], frame: float, size: tuple[int, int], drawn: Draw) -> Matte:
-    matte: Matte = np.zeros(size, dtype=np.float32)
+def _join(
+    items: Iterable[Layer | RotoShape], frame: float, size: tuple[int, int], drawn: Draw, place: Place | None = None
+) -> Matte:
+    """Items joined in a picture of `size`, or in that part of it which is its `place`."""
+    rows, columns = place or (slice(0, size[0]), slice(0, size[1]))
+    matte: Matte = np.zeros((rows.stop - rows.start, columns.stop - columns.start), dtype=np.float32)
     for item in items:
         if not item.visible:
             continue
         if isinstance(item, Layer):
-            matte = BLENDS[item.blend](matte, _layer_matte(item, frame, size, drawn))
+            matte = BLENDS[item.blend](matte, _layer_matte(item, frame, size, drawn, place))
         elif has_area(item, frame):
-            _put(drawn(item, frame, size), item.blend, matte)
+            patch = drawn(item, frame, size)
+            _put(patch if place is None else patch.seen_in(rows, columns), item.blend, matte)
     return matte
 
 

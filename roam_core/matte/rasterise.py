@@ -40,6 +40,17 @@ class Patch:
         height, width = self.values.shape
         return slice(self.top, self.top + height), slice(self.left, self.left + width)
 
+    def seen_in(self, rows: slice, columns: slice) -> Patch:
+        """The patch in a part of its picture, told from that part's corner; empty where it does not reach there."""
+        (above, below), (left, right) = (
+            (max(own.start, part.start), min(own.stop, part.stop))
+            for own, part in zip(self.place, (rows, columns), strict=True)
+        )
+        if above >= below or left >= right:
+            return Patch(0, 0, np.zeros((0, 0), dtype=np.float32), self.outside)
+        values = self.values[above - self.top : below - self.top, left - self.left : right - self.left]
+        return Patch(above - rows.start, left - columns.start, values, self.outside)
+
     def whole(self, size: tuple[int, int]) -> Matte:
         """The matte `(h, w)` of the whole picture."""
         matte = np.full(size, self.outside, dtype=np.float32)

@@ -10,7 +10,7 @@ from roam_core.arguments import shown
 from roam_core.dials import DIALS, turn
 from roam_core.errors import RoamError
 from roam_core.params.appearance import AppearanceParams
-from roam_core.params.evidence import BackgroundParams, ExposureParams, LevelsParams, TextureParams
+from roam_core.params.evidence import BackgroundParams, BarsParams, ExposureParams, LevelsParams, TextureParams
 from roam_core.params.landmarks import LandmarkParams
 from roam_core.params.patches import PatchParams
 from roam_core.params.paths import changed, no_such
@@ -61,6 +61,7 @@ CONFIGS: dict[str, RoamParams] = {
             background=BackgroundParams(),
             exposure=ExposureParams(),
             levels=LevelsParams(),
+            bars=BarsParams(),
             texture=TextureParams(),
         ),
     ),

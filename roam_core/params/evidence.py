@@ -123,6 +123,22 @@ class LevelsParams:
 
 
 @dataclass(frozen=True)
+class BarsParams:
+    """Parameters of black bars around what a picture shows (`features.active_area`).
+
+    Attributes
+    ----------
+    black : luma, of 255, up to which a pixel is black. stray : share of a line of a bar that may be brighter.
+    lit : share of the first line beyond a bar that is. soft : lines between them that are neither.
+    """
+
+    black: int = 24
+    stray: float = 0.02
+    lit: float = 0.5
+    soft: int = 3
+
+
+@dataclass(frozen=True)
 class BlankParams:
     """Parameters of frames that show nothing (`features.blank`).
 

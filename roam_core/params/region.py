@@ -9,6 +9,7 @@ from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import ContourFitParams
 from roam_core.params.evidence import (
     BackgroundParams,
+    BarsParams,
     ComponentsParams,
     ExposureParams,
     LabelPropagationParams,
@@ -88,6 +89,7 @@ class RegionParams:
     exposure : of how much brighter the picture has become since the key (`proposal.cues.exposure`); None: it is not
         asked.
     levels : of how a picture of little contrast is stretched (`features.levels`); None: it is seen as it is.
+    bars : of black bars around the picture (`features.active_area`); None: they are taken for a part of it.
     texture : of what tells the object's texture from that of its surroundings (`appearance.texture_model`); None: it is
         not asked. texture_weight : of what it says.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
@@ -159,6 +161,7 @@ class RegionParams:
     background: BackgroundParams | None = later(None)
     exposure: ExposureParams | None = later(None)
     levels: LevelsParams | None = later(None)
+    bars: BarsParams | None = later(None)
     texture: TextureParams | None = later(None)
     texture_weight: float = later(1.0)
     pose_steady: float = later(1.4)

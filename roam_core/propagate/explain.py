@@ -11,6 +11,7 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams
+from roam_core.propagate.between.frames_shown import keys_shown
 from roam_core.propagate.engines.protocol import Account, Step
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.group import GroupTracker
@@ -68,7 +69,8 @@ def explain(
 
     What the engine knew when it came to the frame is worked out anew from the artist's keys, as in
     `propagate.memory.take_up`, for all shapes that it solved together. A frame that was filled from both sides is
-    explained by the run from the nearer of its artist keys. `only` are the ids of those that are asked for.
+    explained by the run from the nearer of its artist keys, of those that show something. `only` are the ids of those
+    that are asked for.
 
     Raises
     ------
@@ -87,7 +89,7 @@ def explain(
         if key.origin is Origin.ARTIST:
             found[index] = _given(shape, key)
         else:
-            runs.setdefault(_run_of(stamps, index, key), []).append(index)
+            runs.setdefault(_run_of(read, stamps, index, key), []).append(index)
     for run, asked in runs.items():
         found.update(_explained(read, stamps, asked, frame, run, token))
     return _with_edges(read, shapes, frame, [found[index] for index in sorted(found)])
@@ -112,9 +114,10 @@ def _given(shape: RotoShape, key: Keyframe) -> Explanation:
     return Explanation(shape, key, "", Account.at(NodeMap.of(key.points, RoamParams(), 1.0), key.points))
 
 
-def _run_of(stamps: Stamps, k: int, key: Keyframe) -> _Run:
+def _run_of(read: ReadPicture, stamps: Stamps, k: int, key: Keyframe) -> _Run:
     made, shape = Stamp.read(key.inputs), stamps.shapes[k]
-    if provenance.known_params(made.config) is None:
+    params = provenance.known_params(made.config)
+    if params is None:
         raise RoamError(
             f"The key of {shape.name!r} on frame {key.frame} does not say which configuration made it; track it again."
         )
@@ -128,7 +131,7 @@ def _run_of(stamps: Stamps, k: int, key: Keyframe) -> _Run:
         members = stamps.solved_with(k, made.begun, made.forward, made.alone)
         return _Run(made.config, made.forward, made.begun, members)
     first, last = made.gap
-    ends = [frame for frame in made.gap if frame in shape.artist_frames]
+    ends = [frame for frame in keys_shown(read, [shape], made.gap, params) if frame in shape.artist_frames]
     begun = min(ends, key=lambda frame: (abs(frame - key.frame), frame))
     together = stamps.filled_with(k, (first, last), made.alone)
     members = tuple(j for j in together if begun in stamps.shapes[j].artist_frames)

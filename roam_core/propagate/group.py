@@ -130,10 +130,10 @@ class GroupTracker:
     ) -> tuple[TrackResult, ...]:
         """Carry the shapes to `frame`. A shape that holds an artist's key there is taken as the artist made it.
 
-        A frame that shows nothing, all black or white, is passed over like one whose picture is missing; where the one
-        before is as plain, the shapes are carried on, and not trusted at all. Of a key that the artist set some points
-        of the others are solved; from there the run begins anew. A shape that does not exist on the frame gets no key
-        there; the others still know it.
+        A frame that shows nothing, all black or white, is passed over like one whose picture is missing, what the
+        artist keyed there, too: nothing can be learned from it. Where the one before is as plain, the shapes are
+        carried on, and not trusted at all. Of a key that the artist set some points of the others are solved; from
+        there the run begins anew. A shape that does not exist on the frame gets no key there; the others still know it.
 
         Raises
         ------
@@ -156,15 +156,17 @@ class GroupTracker:
             )
         given = [_artist_key(shape, frame) for shape in standing.shapes]
         set_in_part = [_is_set_in_part(shape, frame) for shape in standing.shapes]
+        seen, outlines = standing.view.picture(picture), self._outlines
+        shows_nothing = is_blank(seen, outlines, self.params.blank)
+        if shows_nothing and went_blank(seen, standing.engine.frame, outlines, self.params.blank):
+            return tuple(
+                _as_given(shape, frame, 0.0, None) if key else _passed_over(shape, frame)
+                for shape, key in zip(standing.shapes, given, strict=True)
+            )
         if all(given):
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(replace(result, seconds=seconds) for result in self.given())
-        seen, outlines = standing.view.picture(picture), self._outlines
-        shows_nothing = is_blank(seen, outlines, self.params.blank)
-        is_free = not any(given) and not any(set_in_part)
-        if shows_nothing and is_free and went_blank(seen, standing.engine.frame, outlines, self.params.blank):
-            return self.skip(frame)
         step = standing.view.step(standing.engine, picture, stacked(standing.shapes, frame), token)
         # Curves find no edge there, and say so; they see faint pictures as they are, in which there may be some.
         is_unseen = shows_nothing and self.params.region is not None
@@ -214,7 +216,7 @@ class GroupTracker:
 
     def skip(self, frame: int) -> tuple[TrackResult, ...]:
         """Pass over a frame whose picture is missing, or blank: no key is made there, the next step bridges the gap."""
-        return tuple(TrackResult(frame, s, 0.0, {}, Termination.MISSING_FRAME) for s in self.standing.shapes)
+        return tuple(_passed_over(shape, frame) for shape in self.standing.shapes)
 
     def correct(self, shapes: Sequence[RotoShape]) -> None:
         """Take over the artist's edits on the current frame; the next step starts from them.
@@ -292,6 +294,11 @@ def _as_given(shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks
     elif key is not None and key.origin is Origin.ENGINE and key.confidence is not None:
         sure, termination = key.confidence, Termination.of(key.confidence)
     return TrackResult(frame, shape, sure, {}, termination, seconds, landmarks=landmarks)
+
+
+def _passed_over(shape: RotoShape, frame: int) -> TrackResult:
+    """That a frame shows nothing to go by: the shape is as it was."""
+    return TrackResult(frame, shape, 0.0, {}, Termination.MISSING_FRAME)
 
 
 def _as_solved(

@@ -55,19 +55,28 @@ class Beginning:
     members: tuple[int, ...]
 
 
-def begins(stamps: Stamps, k: int, frame: int, config: str, *, forward: bool, alone: bool = False) -> Beginning:
+def begins(
+    stamps: Stamps,
+    k: int,
+    frame: int,
+    config: str,
+    *,
+    forward: bool,
+    alone: bool = False,
+    shows: Callable[[int], bool] = lambda frame: True,
+) -> Beginning:
     """Where the run began that goes on from `frame` with shape `k`, as if it had not been stopped there.
 
     Where the artist corrected a shape of its object on the frame, what the engine left of the others there is out of
     date and is solved anew. Where the shape is otherwise neither the artist's nor as this engine leaves it, the run
-    begins with what is there.
+    begins with what is there. A key on a frame that `shows` nothing begins no run where an earlier one does.
     """
     key, here = stamps.shapes[k].key_at(frame), stamps.solved_with(k, frame, forward, alone)
     begun = None
     is_corrected = any(frame in stamps.shapes[j].artist_frames for j in here)
     if key is not None and is_corrected and (key.origin is Origin.ARTIST or _is_of(key, config, forward, alone)):
         left = {_left_by(stamps, j, frame, config, forward, alone) for j in here} - {None}
-        begun = left.pop() if len(left) == 1 else _last_given(stamps, here, frame, forward)
+        begun = left.pop() if len(left) == 1 else _last_given(stamps, here, frame, forward, shows)
     elif key is not None:
         begun = _left_by(stamps, k, frame, config, forward, alone)
     if begun is None or (begun != frame and not is_known(stamps.shapes[k], begun, forward)):
@@ -136,8 +145,12 @@ def _is_of(key: Keyframe, config: str, forward: bool, alone: bool) -> bool:
     return (made.config, made.forward, made.alone) == (config, forward, alone) and made.gap is None
 
 
-def _last_given(stamps: Stamps, members: Sequence[int], frame: int, forward: bool) -> int | None:
-    """The last frame on the way to `frame`, itself included, on which the artist keyed all members; or None."""
+def _last_given(
+    stamps: Stamps, members: Sequence[int], frame: int, forward: bool, shows: Callable[[int], bool]
+) -> int | None:
+    """The last frame on the way to `frame`, itself included, that shows something and on which the artist keyed all
+    members; or None.
+    """
     common = set.intersection(*(set(stamps.shapes[k].artist_frames) for k in members))
     passed = [each for each in common if (each <= frame if forward else each >= frame)]
-    return (max(passed) if forward else min(passed)) if passed else None
+    return next((each for each in sorted(passed, reverse=forward) if shows(each)), None)

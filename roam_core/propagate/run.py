@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 
 from roam_core.arguments import frame_number, names_of, shown
 from roam_core.cancel import CancelToken
@@ -20,7 +20,7 @@ from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
-from roam_core.roto.shape import shapes_of
+from roam_core.roto.given import shapes_of
 from roam_core.threads import each
 from roam_core.translatable import sentence
 
@@ -78,15 +78,27 @@ def track(
     if len(frames) == 0:
         raise RoamError(sentence("There is no frame to track; name the one to begin on, and those to go to."))
     first = PreparedFrame(read(frames[0]))
-    begun_with = [shapes[k].at(frames[0]).points for k in asked]
-    if not any(shapes[k].key_at(frames[0]) for k in asked) and is_blank(first, begun_with, params_for(config).blank):
+
+    @cache
+    def shows(frame: int) -> bool:
+        """Whether a frame has a picture, and that shows something."""
+        outlines = [shapes[k].at(frame).points for k in asked]
+        try:
+            picture = first if frame == frames[0] else PreparedFrame(read(frame))
+            return not is_blank(picture, outlines, params_for(config).blank)
+        except MissingFrame:
+            if frame == frames[0]:
+                raise
+            return False
+
+    if not any(shapes[k].key_at(frames[0]) for k in asked) and not shows(frames[0]):
         raise MissingFrame(sentence("Frame {frame} shows nothing; track from a frame that does.", frame=frames[0]))
     stamps = Stamps(shapes, clip, first.size)
     forward = frames.step > 0 if isinstance(frames, range) else frames[-1] >= frames[0]
     runs: dict[Beginning, _Run] = {}
     name = params_for(config).config
     for k in asked:
-        beginning = begins(stamps, k, frames[0], name, forward=forward, alone=alone)
+        beginning = begins(stamps, k, frames[0], name, forward=forward, alone=alone, shows=shows)
         if beginning not in runs:
             runs[beginning] = _Run(GroupTracker(config, clip, alone=alone), beginning.members, ())
         runs[beginning] = replace(runs[beginning], asked=(*runs[beginning].asked, k))

@@ -19,6 +19,8 @@ PLACES = 4
 """Places that are looked at on each segment of a curve."""
 LEAST_POINTS = 3
 """Points of a curve from which something is left beyond a motion as one piece, which has four numbers."""
+BLOCK = 500
+"""Frames whose outlines are in memory at one time."""
 NOTHING = 1e-9
 """Pixels, or their square, that stand for none where they divide."""
 
@@ -57,9 +59,15 @@ def told_keys(shape: RotoShape) -> Int64:
 
 def boil_of(found: list[Triple], closed: bool) -> Array:
     """The boil `(K,)` on the middle one of each three frames."""
-    if not found:
-        return np.empty(0)
-    before, here, after = (_places([keys[k] for keys in found], closed) for k in range(3))
+    return np.concatenate(
+        [_boil_of(found[k : k + BLOCK], closed) for k in range(0, len(found), BLOCK)] or [np.empty(0)]
+    )
+
+
+def _boil_of(found: list[Triple], closed: bool) -> Array:
+    keys = {id(key): key for triple in found for key in triple}
+    places, row = _places(list(keys.values()), closed), {name: k for k, name in enumerate(keys)}
+    before, here, after = (places[[row[id(triple[k])] for triple in found]] for k in range(3))
     return _across(here, here - 0.5 * (before + after))
 
 

@@ -42,8 +42,11 @@ def backup_path(path: Path, number: int) -> Path:
 def rotate(path: Path, count: int, is_ours: Callable[[Path], bool] = lambda _: True) -> Path | None:
     """Keep the file at `path` as its backup 1; the backups before it move up by one, and the one after `count` goes.
 
-    Call it before the file is replaced. `path` itself is never moved: at every moment it is there, whole. Of a symbolic
-    link the file behind it is kept, beside that file. What has the name of a backup and is not ours is passed over.
+    Call it just before the file is replaced, when all that takes its place is written: else a save that fails, as on a
+    full disk, takes the oldest backup away. `path` itself is never moved: at every moment it is there, whole. Of a
+    symbolic link the file behind it is kept, beside that file. What has the name of a backup and is not ours is passed
+    over.
+
     Returns where the file is kept; None, and nothing happens, where there is no file, where `count` is below 1, or
     where the newest backup holds the same already: a save that failed had it kept.
 

@@ -8,7 +8,7 @@ import json
 import math
 import re
 import stat
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -53,10 +53,11 @@ class DamagedProject(RoamError):
     """A file that was a project, and of which something is missing or wrong."""
 
 
-def save(project: Project, path: str | Path) -> None:
+def save(project: Project, path: str | Path, before_replacing: Callable[[], object] | None = None) -> None:
     """Write `project` to `path`: to a temporary file beside it, flushed, then put in place in one step.
 
-    A file that is there is replaced. Paths of media below its folder are written relative to it.
+    A file that is there is replaced; `before_replacing` is called when all is written, just before that. Paths of media
+    below its folder are written relative to it.
 
     Raises
     ------
@@ -65,7 +66,8 @@ def save(project: Project, path: str | Path) -> None:
         was there is then still there, whole.
     """
     path = path_of(path)
-    write_atomically(path, _limited(_encoded(pieces(project, path.parent))))
+    content = _limited(_encoded(pieces(project, path.parent)))
+    write_atomically(path, content, before_replacing=before_replacing)
 
 
 def is_saved(project: Project, path: Path) -> bool:

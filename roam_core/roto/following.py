@@ -17,16 +17,19 @@ from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import Origin, RotoShape
 from roam_core.translatable import sentence
 
+LAYER_NAME = "Planar"
+"""Of a layer that is made for a track; the first one is numbered 1."""
 
-def with_moving_layer(project: Project, shape_ids: Collection[str], frame: int, name: str) -> tuple[Project, str]:
+
+def with_moving_layer(project: Project, shape_ids: Collection[str], frame: int) -> tuple[Project, str]:
     """A layer around shapes that a track can move, and its id: the one that holds just these, or a new one.
 
     A layer that moves already is taken up again where it holds exactly these shapes; so a track can be gone on with, in
-    either direction. Otherwise a new one named `name 1`, `name 2`, ... stands still on `frame`.
+    either direction. Otherwise a new one named "Planar 1", "Planar 2", ... stands still on `frame`.
     """
     if (there := moving_layer(project, shape_ids)) is not None:
         return project, there.id
-    project, layer = grouped(project, set(shape_ids), project.free_name(name))
+    project, layer = grouped(project, set(shape_ids), project.free_name(LAYER_NAME))
     begun = replace(LayerTransform.of({frame: projective.IDENTITY}), adjusted=(frame,))
     return _with_transform(project, layer.id, begun), layer.id
 

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from roam_core.arguments import frame_number, shown
+
 EVER = 10_000_000
 """Frame that stands for "always" at an open end of a lifetime; files for other programs can number it, offset too."""
 
@@ -25,3 +29,18 @@ def open_ends(lifetime: tuple[int, int]) -> tuple[int | None, int | None]:
     assert since is not None
     assert until is not None
     return None if start == since[0] else start, None if stop == until[1] else stop
+
+
+def given_lifetime(pair: Any, name: str) -> tuple[int, int] | None:
+    """What a shape was given as its lifetime, as two plain frame numbers; None for always.
+
+    One that ends before it begins holds no frame.
+    """
+    try:
+        start, stop = (None if end is None else frame_number(end) for end in pair)
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"the lifetime of {name!r} is a first frame and the frame after the last, not {shown(pair)}"
+        ) from None
+    lifetime = lifetime_of(start, stop)
+    return None if lifetime is None else (lifetime[0], max(lifetime))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -186,12 +186,7 @@ class Project:
 
     def find(self, item_id: str) -> Layer | RotoShape:
         """The layer or shape with this id."""
-        if item_id == self.root.id:
-            return self.root
-        for item in self.root.items():
-            if item.id == item_id:
-                return item
-        raise KeyError(item_id)
+        return self._found[item_id][0]
 
     def shape(self, shape_id: str) -> RotoShape:
         """The shape with this id, in plate space."""
@@ -203,10 +198,15 @@ class Project:
 
     def layers_above(self, item_id: str) -> tuple[Layer, ...]:
         """The layers that an item lies in, the root first; of the root itself none."""
-        path = _path(self.root, item_id)
-        if path is None:
-            raise KeyError(item_id)
-        return path
+        return self._found[item_id][1]
+
+    @cached_property
+    def _found(self) -> dict[str, tuple[Layer | RotoShape, tuple[Layer, ...]]]:
+        """By its id each item, and the layers that it lies in: commands ask for hundreds, one by one."""
+        found: dict[str, tuple[Layer | RotoShape, tuple[Layer, ...]]] = {self.root.id: (self.root, ())}
+        for item, above in _with_layers(self.root, ()):
+            found.setdefault(item.id, (item, above))
+        return found
 
     def is_locked(self, item_id: str) -> bool:
         """Whether a layer or a shape is locked, or lies in a layer that is."""
@@ -246,7 +246,7 @@ class Project:
 
     def has(self, item_id: str) -> bool:
         """True when a layer or shape has this id."""
-        return any(item.id == item_id for item in self.root.items())
+        return item_id in self._found and item_id != self.root.id
 
     def free_id(self, kind: str) -> str:
         """The next unused id of a kind: `shape-1`, `layer-3`. Deterministic, so that equal work gives equal files."""
@@ -262,11 +262,12 @@ class Project:
 
     def with_shape(self, shape: RotoShape) -> Project:
         """The project with `shape`, in plate space, in place of the one of the same id."""
-        if not any(layer.transform for layer in self.layers_above(shape.id)):
-            stays = replace(shape, placement=()) if shape.placement else shape
-            return self.map_item(shape.id, lambda _: stays)
-        stored = self.stored(shape, self.layers_above(shape.id)[-1].id)
-        return self.map_item(shape.id, lambda _: stored)
+        return self.with_shapes((shape,))
+
+    def with_shapes(self, shapes: Iterable[RotoShape]) -> Project:
+        """The project with each of `shapes`, in plate space, in place of the one of the same id."""
+        stored = {shape.id: self.stored(shape, self.layers_above(shape.id)[-1].id) for shape in shapes}
+        return replace(self, root=_with_items(self.root, stored)) if stored else self
 
     def map_item(self, item_id: str, function: Callable[[Any], Layer | RotoShape]) -> Project:
         """The project with the layer or shape `item_id` replaced by `function(item)`."""
@@ -286,15 +287,27 @@ class Project:
         return self.clip
 
 
-def _path(layer: Layer, item_id: str) -> tuple[Layer, ...] | None:
-    if layer.id == item_id:
-        return ()
+def _with_layers(layer: Layer, above: tuple[Layer, ...]) -> Iterator[tuple[Layer | RotoShape, tuple[Layer, ...]]]:
+    """What lies in a layer that lies in those `above` it, parents before children, each with the layers around it."""
+    around = (*above, layer)
     for child in layer.children:
-        if child.id == item_id:
-            return (layer,)
-        if isinstance(child, Layer) and (below := _path(child, item_id)) is not None:
-            return (layer, *below)
-    return None
+        yield child, around
+        if isinstance(child, Layer):
+            yield from _with_layers(child, around)
+
+
+def _with_items(layer: Layer, items: dict[str, RotoShape]) -> Layer:
+    """The layer with these shapes, which are taken out of `items`, in place of the lowest of their ids.
+
+    A layer without any of them is the very same.
+    """
+    children = tuple(
+        _with_items(child, items) if isinstance(child, Layer) else items.pop(child.id, child)
+        for child in layer.children
+    )
+    if all(a is b for a, b in zip(children, layer.children, strict=True)):
+        return layer
+    return replace(layer, children=children)
 
 
 def _map_item(layer: Layer, item_id: str, function: Callable[[Any], Layer | RotoShape]) -> tuple[Layer, bool]:

@@ -81,6 +81,15 @@ def take(path: Path, *, anyway: bool = False) -> Holder | None:
     return mine
 
 
+def renewed(path: Path, mine: Holder | None) -> Holder | None:
+    """This lock, written again where it went: with its folder, or with somebody who had taken the project all the same.
+
+    None, too, is locked now where it can be; where another one holds the project the lock stays theirs.
+    """
+    now = _written(path)
+    return mine if mine is not None and now is not None and now.mark == mine.mark else take(path) or mine
+
+
 def release(path: Path, mine: Holder) -> None:
     """Take the lock away, if it is still this one."""
     now = _written(path)

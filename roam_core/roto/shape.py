@@ -5,19 +5,21 @@ from __future__ import annotations
 import bisect
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from functools import cached_property, lru_cache
+from operator import attrgetter
 from typing import Any
+from weakref import ref
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from roam_core.arguments import frame_number, shown
+from roam_core.arguments import frame_number
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, checked, share_at, value_at
-from roam_core.roto.lifetimes import lifetime_of
+from roam_core.roto.lifetimes import given_lifetime
 from roam_core.roto.placement import Placement, carried, matrix_at
 
 NO_COLOUR = (0.90, 0.60, 0.0)
@@ -64,21 +66,6 @@ def frozen_array(values: ArrayLike) -> Array:
         array = array.copy()
         array.setflags(write=False)
     return array
-
-
-def _lifetime_of(pair: Any, name: str) -> tuple[int, int] | None:
-    """What a shape was given as its lifetime, as two plain frame numbers; None for always.
-
-    One that ends before it begins holds no frame.
-    """
-    try:
-        start, stop = (None if end is None else frame_number(end) for end in pair)
-    except (TypeError, ValueError):
-        raise ValueError(
-            f"the lifetime of {name!r} is a first frame and the frame after the last, not {shown(pair)}"
-        ) from None
-    lifetime = lifetime_of(start, stop)
-    return None if lifetime is None else (lifetime[0], max(lifetime))
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,6 +160,9 @@ class Keyframe:
         return (*packed, *rest, dict(self.extra))
 
 
+_frame_of = attrgetter("frame")
+
+
 @dataclass(frozen=True)
 class MotionBlur:
     """Motion blur from the vertices' motion: `shutter` in frames, `phase` of its opening in frames, `samples`."""
@@ -242,7 +232,7 @@ class RotoShape:
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
-        keys = tuple(sorted(self.keys, key=lambda key: key.frame))
+        keys = tuple(sorted(self.keys, key=_frame_of))
         object.__setattr__(self, "keys", keys)
         if not (isinstance(self.blend, BlendMode) and isinstance(self.spline, Spline)):
             object.__setattr__(self, "blend", BlendMode(self.blend))
@@ -258,7 +248,7 @@ class RotoShape:
         for name in ("colour", "depth"):  # lists would make equal shapes differ
             object.__setattr__(self, name, tuple(getattr(self, name)))
         if self.lifetime is not None:
-            object.__setattr__(self, "lifetime", _lifetime_of(self.lifetime, self.name))
+            object.__setattr__(self, "lifetime", given_lifetime(self.lifetime, self.name))
 
     @property
     def is_blurred(self) -> bool:
@@ -280,7 +270,7 @@ class RotoShape:
         """The artist's keys."""
         return tuple(key for key in self.keys if key.origin is Origin.ARTIST)
 
-    @property
+    @cached_property
     def artist_frames(self) -> tuple[int, ...]:
         """The frames that hold an artist's key."""
         return tuple(key.frame for key in self.artist_keys)
@@ -292,7 +282,7 @@ class RotoShape:
 
     def key_at(self, frame: int) -> Keyframe | None:
         """The key on exactly this frame, or None."""
-        index = bisect.bisect_left(self.keys, frame, key=lambda key: key.frame)
+        index = bisect.bisect_left(self.keys, frame, key=_frame_of)
         return self.keys[index] if index < len(self.keys) and self.keys[index].frame == frame else None
 
     def exists_at(self, frame: float) -> bool:
@@ -323,7 +313,7 @@ class RotoShape:
         """
         if self.placement and self.key_at_moment(frame) is None:
             return self._placed_at(frame)
-        index = bisect.bisect_right(self.keys, frame, key=lambda key: key.frame)
+        index = bisect.bisect_right(self.keys, frame, key=_frame_of)
         before, after = self.keys[max(index - 1, 0)], self.keys[min(index, len(self.keys) - 1)]
         if before is after or before.frame == frame or before.interpolation is Interpolation.HOLD:
             return Outline(before.points, before.feather, self.closed, self.spline)
@@ -337,7 +327,9 @@ class RotoShape:
 
     def _placed_at(self, frame: float) -> Outline:
         """A placed shape between or beyond its keys: taken back into its layer, moved there, and carried out again."""
-        outline = unplaced(self).at(frame)
+        place = bisect.bisect_right(self.keys, frame, key=_frame_of)
+        around = self._rekeyed(self.keys[max(place - 1, 0) : place + 1])
+        outline = unplaced(around).at(frame)
         points, feather = carried(outline.points, outline.feather, matrix_at(self.placement, frame))
         return Outline(points, feather, self.closed, self.spline)
 
@@ -350,7 +342,25 @@ class RotoShape:
         put = {key.frame: key for key in keys}
         if not put:
             return self
-        return replace(self, keys=tuple(({key.frame: key for key in self.keys} | put).values()))
+        if any(len(key.points) != self.point_count for key in put.values()):
+            return replace(self, keys=tuple(({key.frame: key for key in self.keys} | put).values()))
+        if len(put) > 1:
+            return self._rekeyed(sorted(({key.frame: key for key in self.keys} | put).values(), key=_frame_of))
+        ((frame, key),) = put.items()
+        place = bisect.bisect_left(self.keys, frame, key=_frame_of)
+        stop = place + (place < len(self.keys) and self.keys[place].frame == frame)
+        return self._rekeyed((*self.keys[:place], key, *self.keys[stop:]))
+
+    def _rekeyed(self, keys: Iterable[Keyframe]) -> RotoShape:
+        """The shape with keys that are in order, one on a frame, of as many points as before: none is looked at again.
+
+        A drag of hundreds of shapes with thousands of keys each puts one key into each of them at every step.
+        """
+        shape = object.__new__(type(self))
+        for each in fields(self):
+            object.__setattr__(shape, each.name, getattr(self, each.name))
+        object.__setattr__(shape, "keys", tuple(keys))
+        return shape
 
     def map_points(self, function: Any) -> RotoShape:
         """The shape with `function(array (P, 3, 2)) -> (Q, 3, 2)` applied to points and feather of every key."""
@@ -366,26 +376,21 @@ class RotoShape:
         return replace(self, keys=keys)
 
 
-def shapes_of(shapes: RotoShape | Iterable[RotoShape]) -> tuple[RotoShape, ...]:
-    """The shapes that a call of the library is given; one alone may be given as it is.
-
-    Raises
-    ------
-    ValueError
-        when one of them is no shape.
-    """
-    several = (shapes,) if isinstance(shapes, RotoShape) or not isinstance(shapes, Iterable) else tuple(shapes)
-    for shape in several:
-        if not isinstance(shape, RotoShape):
-            raise ValueError(
-                f"a shape is a RotoShape, as shapes_from_mask and load_project give them, not {shown(shape)}"
-            )
-    return several
-
-
 def placed(shape: RotoShape, placement: Placement) -> RotoShape:
-    """A shape that lies in layers with these transforms, in plate space: what `Project.shape` gives."""
-    return _placed(Same(shape), placement) if placement else shape
+    """A shape that lies in layers with these transforms, in plate space: what `Project.shape` gives.
+
+    Remembered while anybody holds it, so that a shape which no edit touched is the very same in plate space, too.
+    """
+    if not placement:
+        return shape
+    known = _seen.get(id(shape))
+    if known is not None and known[0]() is shape and known[1] == placement and (seen := known[2]()) is not None:
+        return seen
+    keys = tuple(_carried_key(key, placement, False) for key in shape.keys)
+    carried_out = replace(shape, keys=keys, placement=placement)
+    own = id(shape)
+    _seen[own] = ref(shape, lambda _: _seen.pop(own, None)), placement, ref(carried_out)
+    return carried_out
 
 
 def unplaced(shape: RotoShape) -> RotoShape:
@@ -409,12 +414,8 @@ class Same:
         return id(self.shape)
 
 
-@lru_cache(maxsize=256)
-def _placed(same: Same, placement: Placement) -> RotoShape:
-    """Remembered, so that a shape which no edit touched is the very same in plate space, too."""
-    shape = same.shape
-    keys = tuple(_carried_key(key, placement, False) for key in shape.keys)
-    return replace(shape, keys=keys, placement=placement)
+_seen: dict[int, tuple[ref[RotoShape], Placement, ref[RotoShape]]] = {}
+"""Of shapes that are alive, by their identity, what `placed` gave last; it goes with the shape."""
 
 
 @lru_cache(maxsize=8192)

@@ -131,9 +131,7 @@ def set_interpolation(project: Project, places: Iterable[Place], interpolation: 
 
 
 def _each_shape(project: Project, places: Iterable[Place], verb: Callable[[RotoShape, set[int]], RotoShape]) -> Project:
-    for shape_id, own in _by_shape(project, places):
-        project = project.with_shape(verb(project.shape(shape_id), own))
-    return project
+    return project.with_shapes(verb(project.shape(shape_id), own) for shape_id, own in _by_shape(project, places))
 
 
 def _each_held(project: Project, places: Iterable[Place], verb: Callable[..., RotoShape]) -> Project:

@@ -14,6 +14,7 @@ from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.media.colour import to_display
+from roam_core.propagate import Termination
 from roam_core.roto import Project, file
 from roam_core.roto.relinking import open_plate, relinked
 
@@ -27,9 +28,18 @@ LINE, SHADE = (40, 230, 120), (0, 0, 0)
 """RGB of an outline, and of what sets it off from the plate."""
 
 
+def seen(frames: Mapping[str, Sequence[Any]]) -> dict[int, float]:
+    """The confidence of a step by frame, in order, without frames whose picture is missing: nothing is doubted there.
+
+    `frames` gives the confidence first, the seconds, and last how the frame ended (`Termination`).
+    """
+    told = {int(frame): float(values[0]) for frame, values in frames.items() if values[-1] != Termination.MISSING_FRAME}
+    return dict(sorted(told.items()))
+
+
 def doubtful(frames: Mapping[str, Sequence[Any]], most: int = MOST) -> list[int]:
-    """The frames of which a step is least sure, the worst first; `frames` gives the confidence first."""
-    rated = sorted((float(values[0]), int(frame)) for frame, values in frames.items())
+    """The frames of which a step is least sure, the worst first; `frames` as for `seen`."""
+    rated = sorted((confidence, frame) for frame, confidence in seen(frames).items())
     return [frame for confidence, frame in rated[:most] if confidence < DOUBTED]
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from roam_core import __version__
 from roam_core.atomic_write import write_atomically
 from roam_core.studio.driver import Outcome
+from roam_core.studio.pictures import seen
 from roam_core.studio.tasks import Task
 
 TYPE, VERSION = "roam.BatchReport", 1
@@ -108,7 +109,7 @@ def _step(task: Task, outcome: Outcome | None) -> dict[str, Any]:
 
 
 def _least(job: dict[str, Any]) -> float:
-    values = [values[0] for step in job["steps"] for values in step.get("frames", {}).values()]
+    values = [confidence for step in job["steps"] for confidence in seen(step.get("frames", {})).values()]
     return float(min(values, default=1.0))
 
 
@@ -125,7 +126,9 @@ def _row(job: dict[str, Any]) -> str:
 
 def _plot(step: dict[str, Any]) -> str:
     """Confidence over the frames of a step, from 0 to 1."""
-    rated = sorted((int(frame), float(values[0])) for frame, values in step["frames"].items())
+    rated = list(seen(step["frames"]).items())
+    if not rated:
+        return ""
     width, height = PLOT
     first, length = rated[0][0], max(1, rated[-1][0] - rated[0][0])
     points = " ".join(f"{(frame - first) * width / length:.1f},{height * (1 - value):.1f}" for frame, value in rated)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from roam_core.roto import Project, RotoShape
 
-from ...model.shown import shown_shapes
+from ...model.shown import shown_shapes, visible_shapes
 from ...model.view_state import Selection
 from ...model.viewing import Onion
 from ...paint import marks
@@ -52,13 +52,15 @@ def paint_onion(
 ) -> None:
     """Paint the ghosts of the selected shapes, or of all where none is selected; the shapes themselves go over them.
 
-    `paths` remembers the outlines.
+    A shape that does not exist on `frame` has its ghosts on those frames on which it does. `paths` remembers the
+    outlines.
     """
-    in_sight = [shown.shape for shown in shown_shapes(project, frame)]
-    chosen = [] if onion.all_shapes else [shape for shape in in_sight if shape.id in selection.shapes]
-    wanted = {shape.id for shape in chosen or in_sight}
+    visible = visible_shapes(project)
+    chosen = [] if onion.all_shapes else [shape for shape in visible if shape.id in selection.shapes]
+    shapes = chosen or visible
+    wanted = {shape.id for shape in shapes}
     numbers: list[tuple[QPointF, str, QColor]] = []
-    for ghost, opacity in ghosts(project, frame, onion, chosen or in_sight):
+    for ghost, opacity in ghosts(project, frame, onion, shapes):
         colour = marks.faded(QColor(onion.before_colour if ghost < frame else onion.after_colour), opacity)
         for shown in shown_shapes(project, ghost):
             if shown.shape.id in wanted:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -47,7 +46,7 @@ class ShapePainter:
         edges: Mapping[str, Edges] = NO_EDGES,
     ) -> None:
         """Paint all shapes in sight, the selected ones above the others; those with `edges` by their kinds."""
-        shown, area, chosen = shown_shapes(project, frame), painted_area(painter, viewport), _by_shape(selection)
+        shown, area = shown_shapes(project, frame), painted_area(painter, viewport)
         for item in sorted(shown, key=lambda s: s.shape.id in selection.shapes):
             known = edges.get(item.shape.id)
             if known is not None and fits(known, item.shape):
@@ -58,7 +57,7 @@ class ShapePainter:
                 _paint_outline(painter, viewport, item, path, item.shape.id in selection.shapes)
             _paint_doubts(painter, viewport, item.shape, frame)
             if item.shape.id in selection.shapes and not item.locked:
-                _paint_points(painter, viewport, item.shape, chosen.get(item.shape.id, []), frame, hover)
+                _paint_points(painter, viewport, item.shape, selection.indices_of(item.shape.id), frame, hover)
                 _paint_set_points(painter, viewport, item.shape, frame)
 
 
@@ -97,14 +96,6 @@ def _paint_points(
     marks.anchors(
         painter, (marks.Anchor(spot[i][ANCHOR], smooth[i], i in picked, held == (i, ANCHOR)) for i in near), colour
     )
-
-
-def _by_shape(selection: Selection) -> dict[str, list[int]]:
-    """The selected points of each shape: found once, where thousands are selected in hundreds of shapes."""
-    chosen = defaultdict[str, list[int]](list)
-    for shape_id, index in selection.points:
-        chosen[shape_id].append(index)
-    return chosen
 
 
 def _paint_set_points(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:

@@ -113,7 +113,20 @@ class ShapeVerbs:
                 self._view.say(told)
 
     def toggle_lock(self) -> None:
-        toggle(self._document, "locked", self._rows())
+        """Lock or unlock the selected layers and shapes; of one that a layer around it keeps locked, that is said."""
+        rows = self._rows()
+        toggle(self._document, "locked", rows)
+        project = self._document.project
+        for item in map(project.find, rows):
+            around = next((layer for layer in project.layers_above(item.id) if layer.locked), None)
+            if around is not None:
+                told = tr(
+                    "{name!r} lies in {layer!r}, which is locked: unlock that layer in the list.",
+                    name=item.name,
+                    layer=around.name,
+                )
+                self._view.say(told)
+                return
 
     def hide(self) -> None:
         project = self._document.project
@@ -129,13 +142,13 @@ class ShapeVerbs:
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
         """Do it with each of the selected shapes that are not locked; says of the first why it cannot be done."""
-        project, refused = self._document.project, ""
+        project, refused, edited = self._document.project, "", list[RotoShape]()
         for shape_id in self._free(self._selected()):
             try:
-                project = project.with_shape(verb(project.shape(shape_id)))
+                edited.append(verb(project.shape(shape_id)))
             except RoamError as error:
                 refused = refused or sentence_of(error)
-        self._document.apply(text, project)
+        self._document.apply(text, project.with_shapes(edited))
         if refused:
             self._view.say(refused)
 

@@ -128,7 +128,7 @@ def _value_keys(value: Animated, factor: float) -> tuple[CurveKey, ...]:
 
 def _outline_line(shape: RotoShape, view: ViewState, kind: Kind, first: float, last: float) -> CurveLine:
     """Where the selected points of a shape, or all of them, are in the mean."""
-    chosen = sorted(index for shape_id, index in view.selection.points if shape_id == shape.id)
+    chosen = view.selection.indices_of(shape.id)
     axis = 0 if kind is Kind.X else 1
 
     def place(frame: float) -> float:

@@ -10,14 +10,13 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
-    QHelpEvent,
     QKeyEvent,
     QMouseEvent,
     QResizeEvent,
     QTransform,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QMenu, QToolTip
+from PySide6.QtWidgets import QMenu
 
 from roam_core.roto.value_curves import ValuePlace
 
@@ -25,7 +24,8 @@ from ... import style
 from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...translation import number, tr
-from ..axis import TimeAxis
+from ...widgets.tipped import tells
+from ..axis import TimeAxis, place_playhead, show_frames
 from ..keys.walking import KeyWalk, is_key_press, is_of_walk
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
@@ -150,7 +150,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         self.lines = lines_of(project, view, self.kind, scale.first - 1.0, scale.last + 1.0)
         if self._is_fitted and not self.hand.is_busy:
             self.range = value_range(self.lines, self.kind)
-        self._box.setXRange(scale.first, scale.first + max(self.width(), 1) / scale.pixels, padding=0)
+        show_frames(self._box, self._axis, self.width())
         self._box.setYRange(*self.range, padding=0)
         self._pull_curves()
         self._pull_marks()
@@ -226,8 +226,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
             self._rubber.setData(frames, [self.value_at(corner.y()) for corner in corners])
 
     def _pull_playhead(self) -> None:
-        self._playhead.setVisible(self._axis.has_clip)
-        self._playhead.setPos(self._axis.view_state.frame + 0.5)
+        place_playhead(self._playhead, self._axis)
 
     def _pull_preview(self) -> None:
         if self.hand.is_busy:
@@ -313,10 +312,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
             event.ignore()
 
     def viewportEvent(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self.viewport())
-            return True
-        return bool(super().viewportEvent(event))
+        return tells(event, self.viewport(), self.tip_at) or bool(super().viewportEvent(event))
 
     def tip_at(self, at: QPointF) -> str:
         """The values of all curves on the frame under the pointer."""

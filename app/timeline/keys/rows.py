@@ -9,7 +9,6 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
-    QHelpEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -18,7 +17,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QAbstractScrollArea, QFrame, QMenu, QToolTip, QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QFrame, QMenu, QWidget
 
 from roam_core.roto import RotoShape
 from roam_core.roto.timing import Place
@@ -28,6 +27,7 @@ from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...model.view_state import shapes_in_hand
 from ...translation import tr
+from ...widgets.tipped import tells
 from ..axis import TimeAxis, paint_playhead
 from ..marks import KeyMarks, MarksOf
 from ..scale import LABEL_WIDTH
@@ -177,10 +177,7 @@ class KeyRows(QAbstractScrollArea):
             event.ignore()
 
     def viewportEvent(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self.viewport())
-            return True
-        return super().viewportEvent(event)
+        return tells(event, self.viewport(), self.tip_at) or super().viewportEvent(event)
 
     def tip_at(self, at: QPointF) -> str:
         """What is said of the frame of a shape under the pointer; of the key near it, where there is one."""

@@ -23,6 +23,7 @@ WAYS = {
 NO_KEYS = N_("Choose keys in the timeline first: click one, or drag a box around several.")
 NOTHING_COPIED = N_("There is no key to paste; copy keys in the timeline first.")
 FITS_SOME = N_("The copied keys do not fit {names}: locked, or of other points, or beside the clip.")
+NONE_BEFORE = N_("There is no key before this frame.")
 NOTHING_HERE = N_("Select a shape first, or choose keys in the timeline.")
 
 
@@ -139,7 +140,7 @@ class KeyVerbs:
         """Set how shapes move on: from the chosen keys, or from the key before the playhead where none is chosen."""
         chosen = self._meant() or self._governing()
         if not chosen:
-            self._view.say(tr(NOTHING_HERE))
+            self._view.say(tr(NONE_BEFORE) if self._view.selection.shapes else tr(NOTHING_HERE))
         elif places := self._unlocked(chosen):
             project = timing.set_interpolation(self._document.project, places, interpolation)
             self._document.apply(tr(WAYS[interpolation]), project)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from typing import ClassVar
 
 import numpy as np
-from PySide6.QtCore import QLineF, Qt
+from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from roam_core.arrays import Array
@@ -25,14 +25,11 @@ from ...paint.viewport import Viewport
 from ...translation import tr
 from ..gestures import DRAG_DISTANCE
 from ..hit_test import REACH
-from ..tool import Pointer, Tool
-
-CLOSE_KEYS = frozenset({"Return", "Enter"})
-TAKE_BACK_KEYS = frozenset({"Backspace", "Del", "Ctrl+Z"})
-LEAVE_KEYS = frozenset({"Esc"})
+from ..tool import Pointer
+from .placing import FINISH_KEYS, TAKE_BACK_KEYS, PlacingTool
 
 
-class DrawingTool(Tool, ABC):
+class DrawingTool(PlacingTool):
     """Places points one after the other; nothing enters the document before the shape is finished.
 
     A press on the first point, Return or a double click closes the shape; Esc, or taking another tool, leaves it open;
@@ -47,7 +44,6 @@ class DrawingTool(Tool, ABC):
         self._points: Array = np.empty((0, 3, 2))
         self._frame = 0
         self._pressed: Pointer | None = None
-        self._hover: Pointer | None = None
         self._is_closing = False
 
     @property
@@ -61,13 +57,8 @@ class DrawingTool(Tool, ABC):
         return len(np.unique(self._points[:, bezier.ANCHOR], axis=0))
 
     @property
-    def cursor(self) -> Qt.CursorShape:
-        closes = self._hover is not None and self._closes(self._hover)
-        return Qt.CursorShape.PointingHandCursor if closes else Qt.CursorShape.CrossCursor
-
-    @property
-    def claimed_keys(self) -> frozenset[str]:
-        return CLOSE_KEYS | TAKE_BACK_KEYS | LEAVE_KEYS if len(self._points) else frozenset()
+    def is_begun(self) -> bool:
+        return len(self._points) > 0
 
     @abstractmethod
     def place(self, point: Array, pointer: Pointer) -> Array:
@@ -76,10 +67,6 @@ class DrawingTool(Tool, ABC):
     def close(self, point: Array, pointer: Pointer) -> Array:
         """The first point `(3, 2)` as a drag after the press that closes the shape makes it."""
         return point
-
-    def activate(self) -> None:
-        super().activate()
-        self._hover = None
 
     def deactivate(self) -> None:
         self._finish_open()
@@ -122,13 +109,6 @@ class DrawingTool(Tool, ABC):
     def hover(self, pointer: Pointer) -> None:
         self._hover = pointer
 
-    def leave(self) -> None:
-        self._hover = None
-
-    @property
-    def last_step(self) -> str:
-        return tr("Last point") if len(self._points) else ""
-
     def take_back(self) -> bool:
         if not len(self._points):
             return False
@@ -137,7 +117,7 @@ class DrawingTool(Tool, ABC):
         return True
 
     def key(self, name: str) -> None:
-        if name in CLOSE_KEYS:
+        if name in FINISH_KEYS:
             self._finish_closed()
         elif name in TAKE_BACK_KEYS:
             self.take_back()

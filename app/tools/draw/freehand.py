@@ -17,6 +17,7 @@ from ...paint import marks
 from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
+from ..gesture_tool import DROP_KEYS
 from ..tool import Pointer, Tool
 
 TOLERANCE = 1.5
@@ -30,8 +31,6 @@ CLOSING = 20.0
 
 LEAST_LENGTH = 12.0
 """Screen pixels: a shorter stroke is a slip."""
-
-DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
 
 
 class FreehandTool(Tool):

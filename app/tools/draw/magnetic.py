@@ -7,7 +7,7 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF
 from PySide6.QtGui import QPainter, QPainterPath
 
 from roam_core.arrays import Array
@@ -23,8 +23,8 @@ from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..hit_test import REACH
-from ..tool import Modifier, Pointer, Tool
-from .drawing import CLOSE_KEYS, LEAVE_KEYS, TAKE_BACK_KEYS
+from ..tool import Modifier, Pointer
+from .placing import FINISH_KEYS, TAKE_BACK_KEYS, PlacingTool
 
 if TYPE_CHECKING:
     from roam_core.proposal.assist.livewire import LiveWire
@@ -66,7 +66,7 @@ class Leg:
         return np.vstack([[self.start], line[1:-1], [spot]])
 
 
-class MagneticTool(Tool):
+class MagneticTool(PlacingTool):
     """Clicks place points, the line between them clings to edges; with Ctrl it is straight.
 
     Where the pointer goes far, points are placed on the way. A press on the first point, Return or a double click
@@ -80,7 +80,6 @@ class MagneticTool(Tool):
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
         self._legs: list[Leg] = []
-        self._hover: Pointer | None = None
         self._pixel = np.ones(2)
         self._shown: Shown | None = None
         self._scale = np.ones(2)
@@ -104,17 +103,8 @@ class MagneticTool(Tool):
         return self._points(paths, closes) if paths else np.empty((0, 3, 2))
 
     @property
-    def cursor(self) -> Qt.CursorShape:
-        closes = self._hover is not None and self._closes(self._hover)
-        return Qt.CursorShape.PointingHandCursor if closes else Qt.CursorShape.CrossCursor
-
-    @property
-    def claimed_keys(self) -> frozenset[str]:
-        return CLOSE_KEYS | TAKE_BACK_KEYS | LEAVE_KEYS if self._legs else frozenset()
-
-    def activate(self) -> None:
-        super().activate()
-        self._hover = None
+    def is_begun(self) -> bool:
+        return bool(self._legs)
 
     def deactivate(self) -> None:
         self._finish(closed=False)
@@ -147,13 +137,6 @@ class MagneticTool(Tool):
         self._feel(pointer)
         self._go_on()
 
-    def leave(self) -> None:
-        self._hover = None
-
-    @property
-    def last_step(self) -> str:
-        return tr("Last point") if self._legs else ""
-
     def take_back(self) -> bool:
         if not self._legs:
             return False
@@ -168,7 +151,7 @@ class MagneticTool(Tool):
         if name in TAKE_BACK_KEYS:
             self.take_back()
         else:
-            self._finish(closed=name in CLOSE_KEYS)
+            self._finish(closed=name in FINISH_KEYS)
 
     # ---- the line
 

@@ -22,9 +22,8 @@ from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..gestures import DRAG_DISTANCE
 from ..tool import Modifier, Pointer, Tool
+from .placing import FINISH_KEYS, LEAVE_KEYS, TAKE_BACK_KEYS
 
-DROP_KEYS, FIND_KEYS = frozenset({"Esc"}), frozenset({"Return", "Enter"})
-TAKE_BACK_KEYS = frozenset({"Backspace", "Ctrl+Z"})
 SIGN = 11.0
 """Widget units: the size of the signs at marks."""
 
@@ -56,8 +55,8 @@ class ObjectTool(Tool):
     @property
     def claimed_keys(self) -> frozenset[str]:
         if self._marks and self._job is None:
-            return DROP_KEYS | FIND_KEYS | TAKE_BACK_KEYS
-        return DROP_KEYS if self._box or self._job else frozenset()
+            return LEAVE_KEYS | FINISH_KEYS | TAKE_BACK_KEYS
+        return LEAVE_KEYS if self._box or self._job else frozenset()
 
     def deactivate(self) -> None:
         self.drop()
@@ -102,7 +101,7 @@ class ObjectTool(Tool):
         return True
 
     def key(self, name: str) -> None:
-        if name in FIND_KEYS:
+        if name in FINISH_KEYS:
             self._find(None)
         elif name in TAKE_BACK_KEYS:
             self.take_back()

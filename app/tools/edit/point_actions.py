@@ -12,9 +12,9 @@ from roam_core.roto.keying import Change, reshape
 
 from ...features.verbs.shapes import delete, rows_in_hand
 from ...model.document import Document
-from ...model.reasons import why_not
+from ...model.reasons import outdated_by, why_kept, why_not
 from ...model.shown import editable_shapes
-from ...model.view_state import ViewState, selected_shapes
+from ...model.view_state import Selection, ViewState, selected_shapes
 from ...translation import sentence_of, tr
 from ..reshape import grab_selection, grabbed_indices, selected_indices
 from ..settling import settled
@@ -36,6 +36,7 @@ class PointActions:
         So does a selected layer, with what lies in it.
         """
         project, view = self._document.project, self._view
+        selected = view.selection
         if not view.selection.points and any(project.has(layer_id) for layer_id in view.layers):
             delete(self._document, view, rows_in_hand(project, view))
             view.select(frozenset(shape.id for shape in selected_shapes(self._document.project, view.selection)))
@@ -45,21 +46,22 @@ class PointActions:
             self._say_why()
             return
         whole = [s for s in shapes if self._point_count(s) in (0, s.point_count)]
-        project = edit.remove_items(self._document.project, [shape.id for shape in whole])
-        removed = 0
+        after, removed, refused = edit.remove_items(project, [shape.id for shape in whole]), 0, ""
         for shape in shapes:
             if shape not in whole:
-                indices = selected_indices(shape, self._view.selection)
+                indices = selected_indices(shape, view.selection)
                 try:
-                    project = project.with_shape(edit.delete_points(shape, indices))
-                except RoamError as error:
-                    self._view.say(sentence_of(error))
-                    return
-                removed += len(indices)
-        text = tr("Delete %n point(s)", "", removed) if removed else tr("Delete %n shape(s)", "", len(whole))
-        self._document.apply(text, project)
+                    after = after.with_shape(edit.delete_points(shape, indices))
+                    removed += len(indices)
+                except RoamError as error:  # the others have enough left
+                    refused = refused or sentence_of(error)
         gone = {shape.id for shape in whole}
-        self._view.select(frozenset(i for i in self._view.selection.shapes if i not in gone))
+        self._document.apply(_deleted(removed, len(whole)), after)
+        if after != project:
+            # The points that stay have other numbers: none of them is selected.
+            view.select(frozenset(shape_id for shape_id in view.selection.shapes if shape_id not in gone))
+        if told := refused or self._why_kept(project, selected) or (outdated_by(project, after) if whole else ""):
+            view.say(told)
 
     def smooth(self) -> None:
         """Give the points tangents along the chord of their neighbours."""
@@ -82,9 +84,8 @@ class PointActions:
         if not grab.weights:
             self._say_why()
             return
-        grabbed = sum(int((weights == 1.0).sum()) for weights in grab.weights.values())
         moved = grab.settled(project, grab.moved(project, (dx, dy)))
-        self._document.apply(tr("Nudge %n point(s)", "", grabbed), moved, merge_key)
+        self._document.apply(tr("Nudge %n point(s)", "", grab.point_count), moved, merge_key)
 
     def cycle(self, step: int) -> None:
         """Select the point `step` further along the shape (backwards when negative)."""
@@ -99,15 +100,16 @@ class PointActions:
         self._view.select(self._view.selection.shapes, frozenset({(shape.id, index)}))
 
     def toggle_closed(self) -> None:
-        """Close the open selected shapes and open the closed ones."""
-        project = self._document.project
-        try:
-            for shape in self._shapes():
+        """Close the open selected shapes and open the closed ones; of one that cannot be closed says why."""
+        project, refused = self._document.project, ""
+        for shape in self._shapes():
+            try:
                 project = project.with_shape(edit.toggle_closed(shape))
-        except RoamError as error:
-            self._view.say(sentence_of(error))
-            return
+            except RoamError as error:
+                refused = refused or sentence_of(error)
         self._apply(tr("Open or close shape"), project)
+        if refused:
+            self._view.say(refused)
 
     def select_all(self) -> None:
         """Select all points of the selected shapes, or of every shape where none is selected."""
@@ -128,7 +130,7 @@ class PointActions:
         """
         project, view = self._document.project, self._view
         keying = view.editing.keying(view.play_range)
-        chosen = grabbed_indices(project, view.frame, view.selection)
+        chosen, count = grabbed_indices(project, view.frame, view.selection), 0
         for shape_id, indices in chosen.items():
             shape = project.shape(shape_id)
             if shape.spline is Spline.BSPLINE:
@@ -141,8 +143,9 @@ class PointActions:
                 continue
             change = _change(shape, indices, function)
             project = project.with_shape(reshape(shape, view.frame, change, keying))
+            count += len(indices)
         project = settled(self._document.project, project, chosen, view.frame, keying)
-        self._apply(told(sum(map(len, chosen.values()))), project)
+        self._apply(told(count), project)
 
     def _apply(self, text: str, project: Project) -> None:
         if self._shapes():
@@ -159,9 +162,21 @@ class PointActions:
     def _point_count(self, shape: RotoShape) -> int:
         return len(selected_indices(shape, self._view.selection))
 
+    def _why_kept(self, project: Project, selection: Selection) -> str:
+        """What kept the first of the shapes whose points are selected (all, where none is); empty where nothing did."""
+        owners = {shape_id for shape_id, _ in selection.points} or selection.shapes
+        chosen = [shape for shape in project.shapes if shape.id in owners]
+        return why_kept(project, chosen, range(self._view.frame, self._view.frame + 1))
+
     def _say_why(self) -> None:
         """Say why nothing happened."""
         self._view.say(why_not(self._document.project, self._view))
+
+
+def _deleted(points: int, shapes: int) -> str:
+    """What a step is called that deletes so many points, and shapes as a whole."""
+    words = (tr("Delete %n point(s)", "", points), points), (tr("Delete %n shape(s)", "", shapes), shapes)
+    return ", ".join(text for text, number in words if number)
 
 
 def _change(

@@ -9,12 +9,13 @@ from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.roto import Spline
 
 from ...model.document import Document
+from ...model.reasons import why_kept
 from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import INSERT, Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
-from ..hit_test import OutlineHit, PointHit, hit, hit_outline, outlines_under
+from ..hit_test import OutlineHit, PointHit, hit, hit_outline, locked_under, outlines_under
 from ..reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
 from ..settling import with_same_outline
 from ..soft_marks import paint_reach, paint_weights
@@ -48,6 +49,7 @@ class SelectTool(GestureTool):
         elif isinstance(found, OutlineHit):
             self._gesture = self._press_outline(pointer, found)
         else:
+            self._say_what_is_locked(pointer)
             draws_line = self.view_state.editing.modes.lasso != pointer.holds(INSERT)
             self._gesture = (Lasso if draws_line else Marquee)(self.document, self.view_state, pointer)
 
@@ -130,13 +132,13 @@ class SelectTool(GestureTool):
         if pointer.holds(Modifier.ControlModifier) and self._has_handles(found.shape_id):
             grab = grab_point(self.document.project, view, found.shape_id, found.index)
             return PullOut(self.document, view, pointer, grab, tr("Pull out handles"), (found.index, OUT))
-        count = len(view.selection.points)
-        return self._move(
-            pointer,
-            tr("Move point") if count == 1 else tr("Move {count} points", count=count),
-            view.selection,
-            after_click,
-        )
+        return self._move(pointer, view.selection, after_click)
+
+    def _say_what_is_locked(self, pointer: Pointer) -> None:
+        """A press that takes nothing may have meant a shape that is locked."""
+        project, frame = self.document.project, self.view_state.frame
+        if (locked := locked_under(project, frame, pointer.position, pointer.pixel)) is not None:
+            self.view_state.say(why_kept(project, [locked], range(frame, frame + 1)))
 
     def _has_handles(self, shape_id: str) -> bool:
         """False of a B-spline, whose control points have none."""
@@ -155,17 +157,22 @@ class SelectTool(GestureTool):
         is_alone = view.selection == Selection(frozenset({shape_id}))
         clicked = self._next_below(pointer, shape_id) if is_alone else shape_id
         after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({clicked}))
-        text = tr("Move shape") if len(shapes) == 1 else tr("Move {count} shapes", count=len(shapes))
-        return self._move(pointer, text, Selection(shapes), after_click)
+        return self._move(pointer, Selection(shapes), after_click)
 
     def _next_below(self, pointer: Pointer, shape_id: str) -> str:
         """The shape below this one whose outline lies under the pointer, after the lowest the uppermost."""
         here = outlines_under(self.document.project, self.view_state.frame, pointer.position, pointer.pixel)
         return here[(here.index(shape_id) + 1) % len(here)]
 
-    def _move(self, pointer: Pointer, text: str, moving: Selection, after_click: Selection) -> Gesture:
+    def _move(self, pointer: Pointer, moving: Selection, after_click: Selection) -> Gesture:
         view = self.view_state
         grab = grab_selection(self.document.project, view, moving)
+        if moving.points:
+            count = grab.point_count
+            text = tr("Move point") if count == 1 else tr("Move {count} points", count=count)
+        else:
+            count = len(grab.start)
+            text = tr("Move shape") if count == 1 else tr("Move {count} shapes", count=count)
 
         def click() -> None:
             view.select(after_click.shapes, after_click.points)

@@ -145,7 +145,7 @@ class BoxDrag(Edit):
     def __init__(
         self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab, box: Box, part: Part
     ) -> None:
-        super().__init__(document, view_state, pressed, grab, _step_text(part, view_state.selection))
+        super().__init__(document, view_state, pressed, grab, _step_text(part, grab, view_state.selection))
         self.box, self.part = box, part
 
     @property
@@ -188,12 +188,13 @@ class PivotDrag(Gesture):
         self._tool.put_pivot(self._box.pivot)
 
 
-def _step_text(part: Part, selection: Selection) -> str:
+def _step_text(part: Part, grab: Grab, selection: Selection) -> str:
+    """What the undo step is called, by what the drag holds: not by what is selected and locked."""
     act = tr(part.act.value)
     if selection.points:
-        count = len(selection.points)
+        count = grab.point_count
         return tr("{act} point", act=act) if count == 1 else tr("{act} {count} points", act=act, count=count)
-    count = len(selection.shapes)
+    count = len(grab.start)
     return tr("{act} shape", act=act) if count == 1 else tr("{act} {count} shapes", act=act, count=count)
 
 

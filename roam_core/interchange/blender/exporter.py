@@ -8,7 +8,6 @@ it was measured by rendering with Blender itself. Where a layer acts as one it h
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
@@ -17,10 +16,10 @@ import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.after_effects.exporter import feather_radii
 from roam_core.interchange.blender.inset import inset
 from roam_core.interchange.blender.program import PROGRAM
 from roam_core.interchange.blender.steps import stepped
+from roam_core.interchange.feather_curve import feather_radii
 from roam_core.interchange.flatten import (
     Branch,
     branched,
@@ -35,7 +34,6 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter,
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import beside_zeros, opacity_keys, straight_keys, tangent_notes, without_holds
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
-from roam_core.roto.animated import Animatable, ValueKey, value_at
 from roam_core.translatable import N_, sentence
 
 BLENDS = {
@@ -161,7 +159,7 @@ class _Writer(ShapeWriter):
             "parts": self.parts(branch),
             "blend": branch.blend.value,
             "invert": branch.invert,
-            "opacity": self._keyed(branch.opacity, straight_keys(branch.opacity)),
+            "opacity": self.value_rows(branch.opacity, straight_keys(branch.opacity)),
         }
 
     def _mask(self, shapes: tuple[RotoShape, ...], blend: BlendMode) -> dict[str, Any]:
@@ -169,7 +167,7 @@ class _Writer(ShapeWriter):
         opacity: list[Any] = [1.0, []]
         if not all(holds(shape) or not takes_part(shape) for shape in shapes):
             (shape,) = (shape for shape in shapes if takes_part(shape))
-            opacity = self._keyed(shape.opacity, opacity_keys(shape))
+            opacity = self.value_rows(shape.opacity, opacity_keys(shape))
             shapes = tuple(replace(each, opacity=1.0, lifetime=None) if each is shape else each for each in shapes)
         name = next((shape.name for shape in shapes if takes_part(shape)), "ROAM")
         layers = [self.layer(shape) for shape in shapes]
@@ -185,14 +183,9 @@ class _Writer(ShapeWriter):
             "hidden": not shape.visible,
             "locked": shape.locked,
             "closed": shape.closed,
-            "alpha": self._keyed(shape.opacity, opacity_keys(shape)),
-            "keys": [[self._frame(key.frame), self._rows(key, shape)] for key in shape.keys],
+            "alpha": self.value_rows(shape.opacity, opacity_keys(shape)),
+            "keys": [[self.numbered(key.frame), self._rows(key, shape)] for key in shape.keys],
         }
-
-    def _keyed(self, value: Animatable, keys: Sequence[ValueKey]) -> list[Any]:
-        """A number, and keys as frame, number and whether it holds."""
-        held = [[self._frame(key.frame), key.value, key.interpolation is Interpolation.HOLD] for key in keys]
-        return [value_at(value, self.clip.first), held]
 
     def _rows(self, key: Keyframe, shape: RotoShape) -> list[list[float]]:
         """Each point as x, y, left x, left y, right x, right y and weight."""
@@ -210,9 +203,6 @@ class _Writer(ShapeWriter):
         weights = np.minimum(widths / np.sqrt(unit(self.clip).prod()), 1.0)
         rows: list[list[float]] = np.round(np.column_stack([places, weights]), DECIMALS).tolist()
         return rows
-
-    def _frame(self, frame: int) -> int:
-        return frame + self.options.frame_offset
 
     def _note_losses(self, shape: RotoShape) -> None:
         rows, height = max(self.clip.size) * self.clip.pixel_aspect, self.clip.size[1]

@@ -9,7 +9,7 @@ pixels column after column, zeros first.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -18,18 +18,17 @@ import numpy as np
 
 from roam_core.atomic_write import write_atomically
 from roam_core.interchange.flatten import is_feathered
-from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, runs_of
+from roam_core.interchange.labels.polygons import JOINING, STRAYING, Flattener, area, clipped, runs_of
 from roam_core.interchange.labels.presence import is_dimmed
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.matte import render_matte
+from roam_core.matte.compose import Draw, cut_patch
+from roam_core.matte.rasterise import Patch, shape_patch
 from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
 from roam_core.roto.animated import Animatable, value_at, values_of
 from roam_core.translatable import N_, listed, sentence
 
 Item = Layer | RotoShape
-
-JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
-"""Modes that leave hard objects side by side."""
 
 CUTTING = {BlendMode.SUBTRACT, BlendMode.INTERSECT}
 """Modes of what changes the objects under it and is none itself."""
@@ -65,6 +64,9 @@ def coco_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
 @dataclass
 class _Writer(ShapeWriter):
     flatteners: dict[str, Flattener] = field(default_factory=dict)
+    cut_on: int | None = None
+    cut: dict[int, Patch] = field(default_factory=dict)
+    """What cuts objects on the frame `cut_on`, by the identity of the shapes."""
 
     def prepared(self, layer: Layer) -> Layer:
         """The layer with the keys that are to be written, hard and opaque; what that leaves out is told."""
@@ -137,7 +139,7 @@ class _Writer(ShapeWriter):
                     kind = names.index(item.name) + 1
                     ids = {"id": len(annotations) + 1, "image_id": number, "category_id": kind, "track_id": track}
                     annotations.append({**ids, **found, "iscrowd": 0})
-        self.notes.append(BELONG)
+        self.notes.append(STRAYING)
         categories = [{"id": k, "name": name, "supercategory": ""} for k, name in enumerate(names, start=1)]
         return {
             "info": {"description": "Shapes from ROAM", "version": "1.0"},
@@ -197,17 +199,38 @@ class _Writer(ShapeWriter):
         return float(matte.sum(dtype=np.float64))
 
     def _runs(self, item: Item, cutters: tuple[Item, ...], frame: int) -> dict[str, Any] | None:
-        height, width = self.clip.size[1], self.clip.size[0]
-        mask = render_matte(Layer("object", "", (item, *cutters)), frame, (height, width)) > 0.5
+        size = self.clip.size[1], self.clip.size[0]
+        patch = cut_patch(item, cutters, frame, size, self._remembering(cutters, frame))
+        mask = patch.values > 0.5
         if not mask.any():
             return None
         rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
-        box = [columns[0], rows[0], columns[-1] - columns[0] + 1, rows[-1] - rows[0] + 1]
+        corner = patch.top, patch.left
+        box = [patch.left + columns[0], patch.top + rows[0], columns[-1] - columns[0] + 1, rows[-1] - rows[0] + 1]
         return {
-            "segmentation": {"size": [height, width], "counts": runs_of(mask)},
+            "segmentation": {"size": list(size), "counts": runs_of(mask, corner, size)},
             "area": int(mask.sum()),
             "bbox": [int(value) for value in box],
         }
+
+    def _remembering(self, cutters: tuple[Item, ...], frame: int) -> Draw:
+        """Fills shapes for one object: each once, and on a frame once for all objects what cuts more than one."""
+        if self.cut_on != frame:
+            self.cut_on, self.cut = frame, {}
+        cutting = {id(shape) for cutter in cutters for shape in _shapes_of(cutter)}
+        own: dict[int, Patch] = {}
+
+        def drawn(shape: RotoShape, frame: float, size: tuple[int, int]) -> Patch:
+            known = self.cut if id(shape) in cutting else own
+            if id(shape) not in known:
+                known[id(shape)] = shape_patch(shape, frame, size)
+            return known[id(shape)]
+
+        return drawn
+
+
+def _shapes_of(item: Item) -> Iterable[RotoShape]:
+    return item.shapes() if isinstance(item, Layer) else (item,)
 
 
 def _side_by_side(item: Item) -> list[RotoShape] | None:

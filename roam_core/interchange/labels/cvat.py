@@ -13,18 +13,15 @@ from dataclasses import dataclass, field, replace
 
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import is_feathered
-from roam_core.interchange.labels.polygons import BELONG, Flattener
+from roam_core.interchange.labels.polygons import JOINING, STRAYING, Flattener
 from roam_core.interchange.labels.presence import below_zero, is_dimmed, stretches
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import without_holds
 from roam_core.interchange.xml import xml_text
-from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto import Layer, Project, RotoShape
 from roam_core.translatable import N_, listed, sentence
-
-JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
-"""Modes that leave hard shapes side by side, as labels are."""
 
 NAME = "name"
 """The attribute of a track that holds the shape's name where the label is that of its layer."""
@@ -73,7 +70,7 @@ def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
         track.set("id", str(number))
         track.set("label", xml_text(name))
         root.append(track)
-    writer.notes += [BELONG, *below_zero("CVAT", clip, options)]
+    writer.notes += [STRAYING, *below_zero("CVAT", clip, options)]
     ET.indent(root, " ")
     text = ET.tostring(root, encoding="unicode", xml_declaration=False)
     return f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n{text}\n', writer.notes, writer.losses

@@ -9,13 +9,16 @@ import numpy as np
 from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
 from roam_core.kernels.flattening import step_counts
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.translatable import sentence
 
 TOLERANCE = 0.1
 """Pixels by which a polygon's side may stray from the curve."""
 
-BELONG = sentence(
+JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
+"""Modes that leave hard shapes side by side, as labels are."""
+
+STRAYING = sentence(
     "Curves are written as polygons that stray from them by at most {tolerance:g} px.", tolerance=TOLERANCE
 )
 
@@ -80,12 +83,22 @@ def area(places: Array) -> float:
     return abs(0.5 * float((places[:, 0] * ahead[:, 1] - ahead[:, 0] * places[:, 1]).sum()))
 
 
-def runs_of(mask: Bools) -> list[int]:
-    """Run lengths of a mask `(h, w)`, column after column as COCO counts, the first of zeros."""
-    flat = mask.ravel(order="F")
-    edges = np.flatnonzero(np.diff(flat)) + 1
-    runs = np.diff(np.concatenate([[0], edges, [flat.size]])).tolist()
-    return [0, *runs] if flat.size and flat[0] else runs
+def runs_of(mask: Bools, corner: tuple[int, int] = (0, 0), size: tuple[int, int] | None = None) -> list[int]:
+    """Run lengths of a mask `(h, w)`, column after column as COCO counts, the first of zeros.
+
+    A mask that is a part of a picture of `size` (height, width), at `corner` (row, column), has nothing beside it: so
+    small things in large pictures take no more than they are large.
+    """
+    height, width = mask.shape if size is None else size
+    edges = np.diff(np.pad(mask.T.astype(np.int8), ((0, 0), (1, 1))), axis=1)
+    begins, ends = (
+        (corner[1] + columns) * height + corner[0] + rows
+        for columns, rows in (np.nonzero(edges == step) for step in (1, -1))
+    )
+    breaks = ends[:-1] != begins[1:]  # else a run goes on at the top of the next column
+    borders = np.stack([begins[np.append(True, breaks)[: len(begins)]], ends[np.append(breaks, True)[: len(ends)]]], 1)
+    runs: list[int] = np.diff(np.concatenate([[0], borders.ravel(), [height * width]])).tolist()
+    return runs[:-1] if len(runs) > 1 and runs[-1] == 0 else runs
 
 
 def mask_of(runs: list[int], height: int, width: int) -> Bools:

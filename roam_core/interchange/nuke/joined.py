@@ -1,4 +1,4 @@
-"""Reads Roto nodes that others join: what `nuke_graph` takes apart, put together again as layers.
+"""Reads Roto nodes that others join: what `nuke.graph` takes apart, put together again as layers.
 
 Only scripts with a node that bears ROAM's word for a layer (`LAYER_KNOB`) are read so: what other nodes of an artist's
 script do to a matte is no matter of shapes.

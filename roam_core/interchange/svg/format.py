@@ -1,7 +1,7 @@
 """SVG pictures of the shapes on single frames: layers as groups, each shape as one path of cubic Bezier curves.
 
 Positions are pixels from the top-left corner, y down, as in ROAM. What any renderer paints is the matte: white, as
-opaque as the matte is white (`svg_painting`). What SVG has no word for stands in attributes whose names begin with
+opaque as the matte is white (`svg.painting`). What SVG has no word for stands in attributes whose names begin with
 `data-roam-`; drawing programs pass over them and the reader takes them up again.
 """
 

@@ -1,9 +1,10 @@
-"""Which frames between two keys show something to go by: filling passes over the others, so they keep no key."""
+"""What between two keys shows something to go by: filling passes over the other frames, so they keep no key."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from roam_core.arrays import Array
 from roam_core.features import PreparedFrame
 from roam_core.features.blank import is_blank
 from roam_core.media.partial import ReadFrame
@@ -11,6 +12,37 @@ from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams
 from roam_core.propagate.engines.view import EngineView
 from roam_core.roto import RotoShape
+
+
+def keys_shown(
+    read: Callable[[int], PreparedFrame], shapes: Sequence[RotoShape], gap: tuple[int, int], params: RoamParams
+) -> dict[int, PreparedFrame]:
+    """The pictures, read whole, of those keys of a gap that filling it goes by; `shapes` are those with keys there.
+
+    One without a picture, or that shows nothing where that of the other key shows something, says where the shapes are
+    and nothing of how they look: the frames beside it are carried from the other one.
+
+    Raises
+    ------
+    MissingFrame
+        when neither has a picture.
+    """
+    there: dict[int, PreparedFrame] = {}
+    for frame in gap:
+        try:
+            there[frame] = _whole(read(frame))
+        except MissingFrame:
+            if frame == gap[1] and not there:
+                raise
+    if len(there) < len(gap):
+        return there
+
+    def shows_nothing(frame: int, seen_by: int) -> bool:
+        view = EngineView.of_key(there[seen_by], params)
+        return is_blank(view.picture(there[frame]), _outlines(view, shapes, frame), params.blank)
+
+    blank = [frame for frame, other in (gap, gap[::-1]) if shows_nothing(frame, other)]
+    return {frame: there[frame] for frame in gap if len(blank) == len(gap) or frame not in blank}
 
 
 def frames_shown(
@@ -22,25 +54,30 @@ def frames_shown(
     (`features.blank`): that show nothing where the pictures of the keys show something. Each is read whole, when it is
     asked for.
     """
-    ends = [(picture, frame) for frame in gap if (picture := _whole(read, frame)) is not None]
-    if not ends:
+    try:
+        ends = keys_shown(lambda frame: PreparedFrame(read(frame)), [shape], gap, params)
+    except MissingFrame:
         yield from frames  # filling the gap says what is wrong
         return
-    view = EngineView.of_key(ends[0][0], params)
+    view = EngineView.of_key(next(iter(ends.values())), params)
 
     def shows_nothing(picture: PreparedFrame, frame: int) -> bool:
-        return is_blank(view.picture(picture), [view.points(shape.at(frame).points)], params.blank)
+        return is_blank(view.picture(picture), _outlines(view, [shape], frame), params.blank)
 
-    are_plain = any(shows_nothing(*end) for end in ends)
+    are_plain = any(shows_nothing(picture, frame) for frame, picture in ends.items())
     for frame in frames:
-        picture = _whole(read, frame)
-        if picture is not None and (are_plain or not shows_nothing(picture, frame)):
+        try:
+            picture = _whole(PreparedFrame(read(frame)))
+        except MissingFrame:
+            continue
+        if are_plain or not shows_nothing(picture, frame):
             yield frame
 
 
-def _whole(read: ReadFrame, frame: int) -> PreparedFrame | None:
-    """The picture of a frame, read whole: where its file is damaged shows then. None where there is none."""
-    try:
-        return PreparedFrame(PreparedFrame(read(frame)).image)
-    except MissingFrame:
-        return None
+def _whole(picture: PreparedFrame) -> PreparedFrame:
+    """A picture read whole: where its file is damaged shows now."""
+    return PreparedFrame(picture.image)
+
+
+def _outlines(view: EngineView, shapes: Sequence[RotoShape], frame: int) -> list[Array]:
+    return [view.points(shape.at(frame).points) for shape in shapes]

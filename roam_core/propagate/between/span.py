@@ -24,6 +24,7 @@ from roam_core.params.steadiness import STEADINESS
 from roam_core.propagate.between.both_keys import as_on_another, as_on_both
 from roam_core.propagate.between.directional_pass import DirectionalPass, ReadPicture, directional_pass
 from roam_core.propagate.between.endpoint_consistency import Key, Span
+from roam_core.propagate.between.frames_shown import keys_shown
 from roam_core.propagate.between.merge import Merged, merged
 from roam_core.propagate.between.merged_region import Colours
 from roam_core.propagate.engines.begin import begin
@@ -37,7 +38,7 @@ from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
-from roam_core.roto.shape import shapes_of
+from roam_core.roto.given import shapes_of
 from roam_core.threads import each
 from roam_core.translatable import sentence
 
@@ -231,7 +232,8 @@ class Filling:
         self, shapes: Sequence[RotoShape], gap: tuple[int, int], asked: Sequence[int]
     ) -> dict[int, list[Keyframe]]:
         """The ENGINE keys in one gap of the shapes that are asked for, solved object by object."""
-        view = self._view(gap)
+        shown = keys_shown(self.read, [shapes[k] for k in asked], gap, self.params)
+        view = EngineView.of_key(next(iter(shown.values())), self.params)
         stamps = Stamps(shapes, self.clip, view.size)
         made: dict[int, list[Keyframe]] = {}
         objects, length = sorted({stamps.filled_with(k, gap, self.alone) for k in asked}), gap[1] - gap[0]
@@ -243,7 +245,7 @@ class Filling:
                 _require_outline(shape)
             if not any(shape.exists_at(frame) for shape in ours for frame in between):
                 continue
-            span = self.passed(ours, gap, view)
+            span = self.passed(ours, gap, view, shown)
             found = list(zip(between, each(partial(self.solved, span, ours, view), between), strict=True))
             for place, k in enumerate(members):
                 inputs = stamps.filled(k, gap, self.params, self.alone, span.asked_beyond) if k in asked else ""
@@ -256,13 +258,6 @@ class Filling:
                 ]
             made |= self._steadied({k: shapes[k] for k in members if made[k]}, made, gap)
         return {k: keys for k, keys in made.items() if k in asked}
-
-    def _view(self, gap: tuple[int, int]) -> EngineView:
-        """How the pictures of a gap are seen: by that of its first key, or where that has none, of its second."""
-        try:
-            return EngineView.of_key(self.read(gap[0]), self.params)
-        except MissingFrame:
-            return EngineView.of_key(self.read(gap[1]), self.params)
 
     def _steadied(
         self, shapes: Mapping[int, RotoShape], made: Mapping[int, list[Keyframe]], gap: tuple[int, int]
@@ -323,10 +318,14 @@ class Filling:
         except MissingFrame:
             return None
 
-    def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], view: EngineView) -> Span:
-        """Both passes of one object, side by side, as the engine sees them."""
+    def passed(
+        self, shapes: Sequence[RotoShape], gap: tuple[int, int], view: EngineView, shown: Collection[int]
+    ) -> Span:
+        """Both passes of one object, side by side, as the engine sees them; from the keys that are `shown`."""
         keys = [_key(shapes, frame, view) for frame in gap]
-        engines: Sequence[Engine | None] = each(lambda key: self._begun(shapes, key, view), keys)
+        engines: Sequence[Engine | None] = each(
+            lambda key: self._begun(shapes, key, view) if key.frame in shown else None, keys
+        )
         if engines[0] is not None and engines[1] is not None:
             engines = as_on_both(engines[0], engines[1])
         span = self._span(shapes, keys, engines, view).better
@@ -360,15 +359,12 @@ class Filling:
             return None
 
     def _begun(self, shapes: Sequence[RotoShape], key: Key, view: EngineView) -> Engine | None:
-        """The object on one of its keys; None where it has no outline there, or its frame no picture."""
+        """The object on one of its keys; None where it has no outline there."""
         if not key.drawn:
             return None
         there = [shapes[k] for k in key.members]
         made, order = units(there, near(view.size)), stacked(there, key.frame)
-        try:
-            return begin(view.picture(self.read(key.frame)), key.drawn, self.finer, made, order)
-        except MissingFrame:  # where its file is damaged may show only when it is read there
-            return None
+        return begin(view.picture(self.read(key.frame)), key.drawn, self.finer, made, order)
 
     def _directional_pass(
         self, shapes: Sequence[RotoShape], view: EngineView, engine: Engine | None, key: Key, frames: range

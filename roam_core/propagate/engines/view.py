@@ -1,8 +1,9 @@
-"""How an engine that works with regions sees pictures: those of few lines enlarged, those of little contrast stretched.
+"""How an engine that works with regions sees pictures: without bars, few lines enlarged, little contrast stretched.
 
 Lengths of the engine are those of a picture of 480 lines. In one of fewer, seen as it is, a cell would be two of its
 pixels: too coarse for what is small there. Its differences of colour are those of a picture of the usual contrast
-(`features.levels`); the key tells by how much it falls short, and all frames that are reached from it are seen so.
+(`features.levels`). Black bars around a picture are beyond its edge (`features.active_area`). The key tells, and all
+frames that are reached from it are seen so.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
-from roam_core.features import PreparedFrame
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.active_area import active_area
 from roam_core.features.levels import Levels
 from roam_core.params import RoamParams, enlargement_for
 
@@ -31,45 +33,51 @@ class EngineView:
 
     Attributes
     ----------
-    size : (h, w) of the pictures. seen : (h, w) at which the engine sees them.
-    levels : by which it sees them; None: as they are.
+    size : (h, w) of the pictures. window : what the engine sees of them.
+    seen : (h, w) at which it sees that.
+    levels : by which it sees it; None: as it is.
     """
 
     size: tuple[int, int]
+    window: Region
     seen: tuple[int, int]
     levels: Levels | None = None
 
     @classmethod
-    def of(cls, size: tuple[int, int], params: RoamParams) -> EngineView:
-        """For pictures of a size (h, w); an engine of curves alone sees them as they are."""
-        factor = 1.0 if params.region is None else enlargement_for(size)
-        return cls(size, (round(size[0] * factor), round(size[1] * factor)))
-
-    @classmethod
     def of_key(cls, picture: PreparedFrame, params: RoamParams) -> EngineView:
-        """For all frames that are reached from a key, of which this is the picture."""
-        view, region = cls.of(picture.size, params), params.region
-        if region is None or region.levels is None:
-            return view
-        return replace(view, levels=Levels.of(picture, region.levels))
+        """For all frames that are reached from a key, of which this is the picture.
+
+        An engine of curves alone sees them as they are.
+        """
+        size, region = picture.size, params.region
+        whole = Region(0, 0, size[1], size[0])
+        if region is None:
+            return cls(size, whole, size)
+        window = whole if region.bars is None else active_area(picture, region.bars)
+        shown = picture.cropped(window)
+        factor = enlargement_for(shown.size)
+        seen = round(shown.size[0] * factor), round(shown.size[1] * factor)
+        return cls(size, window, seen, None if region.levels is None else Levels.of(shown, region.levels))
 
     @cached_property
     def factor(self) -> Array:
         """`(2,)`: how much longer lengths along x and y are for the engine."""
-        return np.asarray(np.divide(self.seen[::-1], self.size[::-1]))
+        width, height = self.window.x1 - self.window.x0, self.window.y1 - self.window.y0
+        return np.asarray(np.divide(self.seen[::-1], (width, height)))
 
     def picture(self, picture: PreparedFrame) -> PreparedFrame:
         """A picture as the engine sees it."""
-        levelled = picture if self.levels is None else picture.levelled(self.levels.table)
+        shown = picture.cropped(self.window)
+        levelled = shown if self.levels is None else shown.levelled(self.levels.table)
         return levelled.resized(self.seen)
 
     def points(self, points: Array) -> Array:
         """Image positions `(..., 2)` for the engine."""
-        return points * self.factor
+        return (points - self.window.origin) * self.factor
 
     def back(self, points: Array) -> Array:
         """Positions `(..., 2)` of the engine in the image."""
-        return points / self.factor
+        return points / self.factor + self.window.origin
 
     def parts(self, parts: Sequence[Part]) -> tuple[Part, ...]:
         """Outlines for the engine."""

@@ -26,7 +26,7 @@ from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
 
-REVISION = 38
+REVISION = 39
 """Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
 FILL = "fill"
 """The direction of a key that was filled from both sides."""
@@ -233,6 +233,7 @@ class Stamps:
         self._given: dict[tuple[tuple[int, ...], bool], list[int]] = {}
         self._params: dict[int, tuple[int, RoamParams]] = {}
         self._together: dict[tuple[int, ...], tuple[RotoShape, ...]] = {}
+        self._borders_of: dict[int, list[int]] = {}
 
     @classmethod
     def of(cls, shapes: Sequence[RotoShape], clip: Clip | None) -> Stamps:
@@ -345,10 +346,7 @@ class Stamps:
 
         Keys of one stamp hold or fail alike up to the next frame on which the artist did something: one is looked at.
         """
-        together = self.together(shape)
-        given = {frame for other in (*together, shape) for frame in other.artist_frames}
-        given |= {frame - back for other in together for frame, _ in other.depth for back in (0, 1)}
-        borders, stale = sorted(given), list[int]()
+        borders, stale = self._borders(shape), list[int]()
         inputs, low, high, answer = "", math.inf, -math.inf, False
         for key in shape.keys:
             if key.origin is not Origin.ENGINE:
@@ -362,6 +360,26 @@ class Stamps:
             if answer:
                 stale.append(key.frame)
         return stale
+
+    def _borders(self, shape: RotoShape) -> list[int]:
+        """The frames, in order, on which the artist did something to a shape or to others of its object.
+
+        Told once for all shapes of an object: it may have hundreds.
+        """
+        k = self._places.get(shape.id)
+        if k is None:
+            return sorted(_given_on((shape,)))
+        members = self.objects.get(k, (k,))
+        if members[0] not in self._borders_of:
+            self._borders_of[members[0]] = sorted(_given_on([self.shapes[j] for j in members]))
+        borders = self._borders_of[members[0]]
+        return borders if self.shapes[k] is shape else sorted({*borders, *shape.artist_frames})
+
+
+def _given_on(together: Sequence[RotoShape]) -> set[int]:
+    """The frames on which the artist keyed or stacked any of the shapes, and those before a change of depth."""
+    given = {frame for shape in together for frame in shape.artist_frames}
+    return given | {frame - back for shape in together for frame, _ in shape.depth for back in (0, 1)}
 
 
 def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None, shapes: Sequence[RotoShape] | None = None) -> bool:
@@ -386,6 +404,11 @@ def takes_part(shape: RotoShape, gap: tuple[int, int]) -> bool:
     if all(keyed):
         return any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
     return any(keyed) and shape.closed and shape.exists_at(gap[0]) != shape.exists_at(gap[1])
+
+
+def has_begun(shape: RotoShape, frame: int, forward: bool) -> bool:
+    """Whether a run in this direction that begins on `frame` finds a key of a shape there, or behind it."""
+    return shape.frames[0] <= frame if forward else shape.frames[-1] >= frame
 
 
 def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:

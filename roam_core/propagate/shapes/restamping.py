@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from roam_core.propagate.shapes.provenance import FILL, Stamp, Stamps, known_params
-from roam_core.roto import Clip, Keyframe, Origin, Project
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.shifting import shifted
 
@@ -19,6 +19,7 @@ def restamped(before: Project, after: Project, shape_ids: Iterable[str], frames:
     """
     held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
     place = {shape.id: k for k, shape in enumerate(after.shapes)}
+    fresh_shapes: list[RotoShape] = []
     for shape_id in shape_ids:
         was, shape = before.shape(shape_id), after.shape(shape_id)
         kept = {key.frame for key in was.keys if _lies_on(key, frames) and not held.is_stale(was, key)}
@@ -27,8 +28,8 @@ def restamped(before: Project, after: Project, shape_ids: Iterable[str], frames:
             replace(key, inputs=import_stamp(shape, key.frame) if is_import(key) else _stamp(now, place[shape_id], key))
             for key in keys
         ]
-        after = after.with_shape(shape.with_keys(fresh)) if fresh else after
-    return after
+        fresh_shapes.append(shape.with_keys(fresh))
+    return after.with_shapes(fresh_shapes)
 
 
 def renumbered(project: Project, before: Clip) -> Project:
@@ -40,14 +41,15 @@ def renumbered(project: Project, before: Clip) -> Project:
     offset = project.require_clip().first - before.first
     after = shifted(project, offset)
     held, now = Stamps.of(project.shapes, before), Stamps.of(after.shapes, after.clip)
+    fresh_shapes: list[RotoShape] = []
     for k, (was, shape) in enumerate(zip(project.shapes, after.shapes, strict=True)):
         fresh = [
             replace(new, inputs=_stamp(now, k, new))
             for old, new in zip(was.keys, shape.keys, strict=True)
             if old.origin is Origin.ENGINE and not is_import(old) and not held.is_stale(was, old)
         ]
-        after = after.with_shape(shape.with_keys(fresh)) if fresh else after
-    return after
+        fresh_shapes.append(shape.with_keys(fresh))
+    return after.with_shapes(fresh_shapes)
 
 
 def _lies_on(key: Keyframe, frames: range) -> bool:

@@ -17,9 +17,9 @@ from roam_core.proposal.mask_keys.key_fit import fitted
 from roam_core.proposal.mask_keys.pairing import covered, paired, poses
 from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
 from roam_core.roto.control_points import settled
+from roam_core.roto.given import shapes_of
 from roam_core.roto.lifetimes import lifetime_of
 from roam_core.roto.project import PALETTE
-from roam_core.roto.shape import shapes_of
 from roam_core.roto.sight import is_shut, opened
 
 

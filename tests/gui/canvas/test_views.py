@@ -196,6 +196,23 @@ def test_the_onion_skin_draws_other_frames_of_the_selected_shape(
     assert colour_at(canvas, *before).red() > 120
 
 
+@pytest.mark.parametrize("selects", [True, False])
+def test_the_onion_skin_draws_the_shape_where_it_does_not_exist_on_this_frame(
+    canvas: CanvasView, hand: Hand, shape_id: str, document: Document, view_state: ViewState, selects: bool
+) -> None:
+    """And no other one in its place."""
+    project = edit.set_properties(document.project, shape_id, lifetime=(1, 5))
+    corner = polygon_points([(5.0, 5.0), (20.0, 5.0), (20.0, 20.0), (5.0, 20.0)])
+    project, _other = edit.new_shape(project, corner, 6)
+    document.open(project, None)
+    view_state.set_frame(6)
+    view_state.select(frozenset({shape_id} if selects else ()))
+    canvas.set_image(6, np.full((150, 200, 3), 100, dtype=np.uint8))
+    hand.key("5")
+    canvas.viewing.set_onion(before=1, after=0, step=4, before_colour="#ff0000")
+    assert colour_at(canvas, 44.0, 70.0).red() > 120
+
+
 def test_counts_are_kept_within_reason() -> None:
     viewing = Viewing()
     viewing.set_onion(before=99, after=-3, step=0)

@@ -92,8 +92,8 @@ def test_keys_tolerance_and_frames_reach_the_file(qtbot: QtBot, dialog: ExportDi
     assert frames_in(tmp_path / "shot.json") == [1001]
     pick(dialog.keys, KeyChoice.REDUCED)
     assert dialog.tolerance.isEnabled()
-    qtbot.mouseClick(dialog.in_out, LEFT)
-    assert (dialog.first.value(), dialog.last.value()) == (1003, 1005)
+    qtbot.mouseClick(dialog.frames.in_out, LEFT)
+    assert (dialog.frames.first.value(), dialog.frames.last.value()) == (1003, 1005)
     told = export(qtbot, dialog)
     assert frames_in(tmp_path / "shot.json") == [1003, 1005]
     assert told.splitlines()[0] == f"Exported to {tmp_path / 'shot.json'}."
@@ -162,7 +162,7 @@ def test_mattes_are_written_as_chosen(qtbot: QtBot, dialog: ExportDialog, tmp_pa
     pick(form.parts, Parts.SHAPE)
     pick(form.gathering, Gathering.CHANNELS)
     pick(form.pixels, DataWindow.TIGHT)
-    dialog.last.setValue(1002)
+    dialog.frames.last.setValue(1002)
     export(qtbot, dialog)
     assert sorted(path.name for path in (tmp_path / "shot_mattes").iterdir()) == ["matte.1001.exr", "matte.1002.exr"]
     pick(form.file, MatteFile.PNG)
@@ -470,7 +470,7 @@ def test_ctrl_e_opens_it_beside_the_work(qtbot: QtBot, tmp_path: Path) -> None:
         assert dialog is not None
         assert dialog.isVisible()
         assert not dialog.isModal()
-        assert (dialog.first.value(), dialog.last.value()) == (1001, 1003)
+        assert (dialog.frames.first.value(), dialog.frames.last.value()) == (1001, 1003)
         qtbot.mouseClick(dialog.leave, LEFT)
         assert not dialog.isVisible()
 

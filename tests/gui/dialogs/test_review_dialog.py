@@ -107,7 +107,7 @@ def test_a_movie_is_proposed_beside_the_project_and_written_off_the_windows_thre
 
 
 def test_range_size_speed_and_what_is_on_it_are_asked_for(qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path) -> None:
-    qtbot.mouseClick(dialog.in_out, LEFT)
+    qtbot.mouseClick(dialog.frames.in_out, LEFT)
     dialog.scale.setValue(50.0)
     dialog.fps.setValue(12.0)
     pick(dialog.view, ReviewView.CUTOUT.value)

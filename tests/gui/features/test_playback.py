@@ -138,3 +138,22 @@ def test_pictures_that_come_to_the_screen_are_counted(qtbot: QtBot, playback: Pl
     assert playback.rate == pytest.approx(5.0)
     playback.pause()
     assert playback.rate is None
+
+
+def test_what_is_taken_into_the_hand_stops_it_on_that_frame(
+    playback: Playback, clock: Clock, view_state: ViewState
+) -> None:
+    is_busy = False
+    view_state.ask_hand(lambda: is_busy)
+    playback.play()
+    assert frames_at(playback, clock, view_state, [0.25]) == [1003]
+    is_busy = True
+    assert frames_at(playback, clock, view_state, [0.55]) == [1003]
+    assert not view_state.is_playing
+
+
+def test_what_was_half_done_before_does_not_stop_it(playback: Playback, clock: Clock, view_state: ViewState) -> None:
+    is_busy = True
+    view_state.ask_hand(lambda: is_busy)
+    playback.play()
+    assert frames_at(playback, clock, view_state, [0.25, 0.35]) == [1003, 1004]

@@ -7,7 +7,7 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -16,6 +16,7 @@ from pytestqt.qtbot import QtBot
 from app.dialogs import questions
 from app.dialogs.questions import Contested, Doubted, Unsaved
 from app.shell.main_window import MainWindow
+from roam_core import atomic_write
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, backups, edit, file, project_lock
@@ -54,10 +55,10 @@ class Gate:
         self.reached, self.open = threading.Event(), threading.Event()
         write = file.save
 
-        def slow(project: Project, path: Path) -> None:
+        def slow(project: Project, path: Path, before_replacing: Callable[[], object] | None = None) -> None:
             self.reached.set()
             assert self.open.wait(WAIT / 1000)
-            write(project, path)
+            write(project, path, before_replacing)
 
         monkeypatch.setattr(file, "save", slow)
 
@@ -104,7 +105,7 @@ def test_leaving_while_a_save_is_under_way_waits_and_asks_about_what_came_after(
 def test_a_failed_save_arms_nothing(
     qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse(*_: object) -> None:
+    def refuse(*_: object, **__: object) -> None:
         raise RoamError("The disk is full.")
 
     left: list[bool] = []
@@ -145,6 +146,25 @@ def test_saving_again_takes_no_older_version_away(qtbot: QtBot, window: MainWind
     for _ in range(3):
         saved(qtbot, window, mine)
     assert [file.load(mine.with_name(f"mine.roam.{number}")) for number in (1, 2)] == [states[1], states[0]]
+
+
+def test_saves_that_fail_take_no_older_version_away(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window.files.backups = 2
+    states = saved_states(qtbot, window, mine, 3)
+    states.append(draw(window))
+
+    def is_full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as full:
+        full.setattr(atomic_write, "_write", is_full)
+        with qtbot.waitSignal(window.files.not_saved, timeout=WAIT):
+            window.files.save(mine)
+    assert [file.load(backups.backup_path(mine, number)) for number in (1, 2)] == states[1::-1]
+    saved(qtbot, window, mine)
+    assert [file.load(backups.backup_path(mine, number)) for number in (1, 2)] == states[2:0:-1]
 
 
 def test_an_earlier_version_opens_as_a_copy(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
@@ -265,6 +285,33 @@ def test_a_lock_is_taken_with_the_file_follows_it_and_goes(
     assert project_lock.lock_path(tmp_path / "other.roam").exists()
     window.files.new()
     qtbot.waitUntil(lambda: not project_lock.lock_path(tmp_path / "other.roam").exists(), timeout=WAIT)
+
+
+def test_a_lock_that_went_meanwhile_is_taken_again_with_the_next_save(
+    qtbot: QtBot, window: MainWindow, mine: Path
+) -> None:
+    """With its folder, or with a second window that had the project open all the same and was closed."""
+    draw(window)
+    saved(qtbot, window, mine)
+    project_lock.lock_path(mine).unlink()
+    draw(window)
+    saved(qtbot, window, mine)
+    assert json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))["process"] == os.getpid()
+    window.files.new()
+    qtbot.waitUntil(lambda: not project_lock.lock_path(mine).exists(), timeout=WAIT)
+
+
+def test_a_lock_that_another_took_stays_theirs(
+    qtbot: QtBot, window: MainWindow, mine: Path, other_process: int
+) -> None:
+    draw(window)
+    saved(qtbot, window, mine)
+    hold(mine, other_process)
+    draw(window)
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        window.files.save(mine, anyway=True)
+    qtbot.waitUntil(lambda: window.saver.is_idle, timeout=WAIT)
+    assert json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))["mark"] == "theirs"
 
 
 def test_closing_the_window_gives_the_lock_back(qtbot: QtBot, mine: Path, tmp_path: Path) -> None:

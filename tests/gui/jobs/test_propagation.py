@@ -306,7 +306,9 @@ def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
     stack.redo()
     assert document.project.shape("shape-2").name == "Arm"
     assert solved(document, [2, 3, 4, 5])()
+    tracked = shape(document)
     stack.undo()
+    assert shape(document) is tracked, "what a later step leaves alone is held once, not by each step anew"
     stack.undo()
     assert shape(document).colour == before.shape("shape-1").colour
     assert solved(document, [2, 3, 4, 5])()

@@ -489,6 +489,25 @@ def test_a_full_disk_is_told_once_and_nothing_is_lost_when_there_is_room_again(
     assert found.edits == 4
 
 
+def test_a_disk_that_is_full_still_after_a_save_is_told_again(
+    qtbot: QtBot, document: Document, journal: Journal, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The sentence of the save took the place of the first one, and edits went on unkept without a word."""
+
+    def refuse(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as full:
+        full.setattr(os, "fsync", refuse)
+        with qtbot.waitSignal(journal.refused, timeout=5000):
+            draw(document)
+        document.mark_saved(document.project, Path("elsewhere.roam"))
+        with qtbot.waitSignal(journal.refused, timeout=5000):
+            draw(document)
+    with qtbot.waitSignal(journal.restored, timeout=5000):
+        draw(document)
+
+
 @pytest.mark.skipif(os.name != "posix", reason="a file that is open cannot be deleted here")
 @pytest.mark.parametrize("is_saved", [False, True])
 def test_a_journal_that_is_deleted_is_begun_again(

@@ -134,3 +134,27 @@ def test_of_frames_that_share_a_pixel_the_one_that_boils_most_is_seen(timeline: 
     bars = band._bars(TimeScale(first=1001, pixels=0.1, clip=(1001, 1049)))
     assert len(bars) <= 5 < len(band.most)
     assert bars[:, 1].max() == band.most[:, 1].max()
+
+
+def test_the_boil_of_many_shapes_is_measured_in_idle_moments(
+    qtbot: QtBot, document: Document, timeline: Timeline, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A project of 300 shapes on 2000 frames held the window for a minute as it was opened."""
+    from app.features import boil as room
+
+    counts: list[int] = []
+    counted = room.boil_of
+    monkeypatch.setattr(room, "boil_of", lambda keys, closed: counts.append(len(keys)) or counted(keys, closed))
+    monkeypatch.setattr(room, "AT_ONCE", 1)
+    project, shared = document.project, boil_of_document(document)
+    many = [replace(shape, id=f"{shape.id}-{k}") for k in range(3) for shape in project.shapes]
+    document.open(replace(project, root=replace(project.root, children=tuple(many))), None)
+    assert len(counts) == 1
+    assert " px " in timeline.boil.tip_at(QPointF(x_of(timeline, BENT), 1.0))
+    assert len(counts) == 2
+    with qtbot.waitSignal(shared.changed):
+        pass
+    assert len(counts) == len(many), "each once"
+    wanted = on_each_frame(np.maximum, [boil(shape) for shape in document.project.shapes])
+    assert timeline.boil.most == pytest.approx(wanted)
+    assert not shared._later.isActive()

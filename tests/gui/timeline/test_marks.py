@@ -6,11 +6,14 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from app.model.document import Document
-from app.timeline.marks import MarksOf, key_marks
+from app.timeline import marks as marks_room
+from app.timeline.marks import KeyMarks, MarksOf, key_marks
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, fill_stamp, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from roam_core.roto.imported import import_stamp
@@ -35,8 +38,12 @@ def stamps(*shapes: RotoShape, clip: Clip | None = CLIP) -> Stamps:
     return Stamps.of(shapes, clip)
 
 
+def marks_of(shape: RotoShape, of: Stamps) -> KeyMarks:
+    return key_marks(shape, of.stale_frames(shape))
+
+
 def test_every_key_falls_into_its_kind() -> None:
-    marks = key_marks(tracked(), stamps(tracked()))
+    marks = marks_of(tracked(), stamps(tracked()))
     assert marks.artist.tolist() == [5, 15]
     assert marks.engine.tolist() == [2, 7, 12, 16]
     assert marks.doubtful.tolist() == [8]
@@ -47,7 +54,7 @@ def test_every_key_falls_into_its_kind() -> None:
 
 def test_nothing_is_in_doubt_on_frames_on_which_the_shape_does_not_exist() -> None:
     ended = replace(tracked(), lifetime=(1, 8))
-    marks = key_marks(ended, stamps(ended))
+    marks = marks_of(ended, stamps(ended))
     assert marks.doubtful.tolist() == []
     assert marks.engine.tolist() == [2, 7, 8, 12, 16]
     assert marks.confidence[:, 0].tolist() == [2, 7]
@@ -58,7 +65,7 @@ def test_stale_keys_are_those_that_provenance_tells() -> None:
     for shape in (tracked(), moved, edit.delete_keys(tracked(), [15]), replace(tracked(), closed=False)):
         for clip in (CLIP, replace(CLIP, size=(32, 24)), None):
             ref_stale = [key.frame for key in shape.keys if is_stale(shape, key, clip)]
-            comp_stale = key_marks(shape, stamps(shape, clip=clip)).stale.tolist()
+            comp_stale = marks_of(shape, stamps(shape, clip=clip)).stale.tolist()
             assert comp_stale == ref_stale
 
 
@@ -89,14 +96,34 @@ def test_marks_follow_the_others_of_an_object(document: Document) -> None:
         assert (marks(document.project.shape("a")) is first) == (name == "far")
 
 
+def test_an_edit_of_one_shape_leaves_the_marks_of_its_object_that_stay_what_they_are(
+    document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With hundreds of shapes in one object a drag of one made the marks of all anew."""
+    project = Project(CLIP)
+    for name in ("a", "b", "c"):
+        project = edit.add_shape(project, RotoShape(name, name, (Keyframe(5, SQUARE),)))
+    document.open(project, None)
+    marks, made, told = MarksOf(document), list[str](), list[int]()
+    make, given_on = marks_room.key_marks, provenance._given_on
+    monkeypatch.setattr(marks_room, "key_marks", lambda shape, stale: made.append(shape.id) or make(shape, stale))
+    monkeypatch.setattr(provenance, "_given_on", lambda shapes: told.append(len(shapes)) or given_on(shapes))
+    first = [marks(shape) for shape in document.project.shapes]
+    document.apply("Key", document.project.with_shape(edit.set_key(document.project.shape("b"), 9, SQUARE)))
+    again = [marks(shape) for shape in document.project.shapes]
+    assert made == ["a", "b", "c", "b"]
+    assert [a is b for a, b in zip(first, again, strict=True)] == [True, False, True]
+    assert told == [3, 3], "what the artist did to an object is told once for all its shapes"
+
+
 def test_what_was_filled_is_fresh_until_a_key_on_either_side_changes() -> None:
     shape = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(15, SQUARE + 1)))
     inputs = fill_stamp([shape], (5, 15), CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP))
     filled = edit.set_engine_keys(shape, [Keyframe(f, SQUARE, origin=Origin.ENGINE, inputs=inputs) for f in (8, 9)])
-    assert key_marks(filled, stamps(filled)).engine.tolist() == [8, 9]
+    assert marks_of(filled, stamps(filled)).engine.tolist() == [8, 9]
     for frame in (5, 15):
         moved = edit.set_key(filled, frame, SQUARE * 2)
-        assert key_marks(moved, stamps(moved)).stale.tolist() == [8, 9]
+        assert marks_of(moved, stamps(moved)).stale.tolist() == [8, 9]
 
 
 def test_what_a_file_put_between_its_keys_is_a_tick_without_confidence() -> None:
@@ -104,7 +131,7 @@ def test_what_a_file_put_between_its_keys_is_a_tick_without_confidence() -> None
     between = Keyframe(7, SQUARE, origin=Origin.ENGINE, inputs=import_stamp(read, 7))
     shape = edit.set_engine_keys(read, [between])
     moved = edit.set_key(shape, 9, SQUARE + 4)
-    marks = key_marks(shape, stamps(shape))
+    marks = marks_of(shape, stamps(shape))
     assert (marks.artist.tolist(), marks.engine.tolist()) == ([5, 9], [7])
     assert marks.confidence.shape == (0, 2)
-    assert key_marks(moved, stamps(moved)).stale.tolist() == [7]
+    assert marks_of(moved, stamps(moved)).stale.tolist() == [7]

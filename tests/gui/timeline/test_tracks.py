@@ -28,7 +28,7 @@ FIRST, DOUBTED, HIDDEN, ADJUSTED = 1005, 1010, 1012, 1014
 def tracked(qtbot: QtBot, timeline: Timeline, document: Document) -> str:
     """A tracked layer, doubted on one frame, hidden on another, with an adjust key; its id."""
     project, shape = edit.new_shape(document.project, SQUARE, FIRST)
-    project, layer_id = with_moving_layer(project, [shape.id], FIRST, "Planar")
+    project, layer_id = with_moving_layer(project, [shape.id], FIRST)
     for frame in range(FIRST + 1, 1017):
         trust = {DOUBTED: 0.4, HIDDEN: 0.0}.get(frame, 0.95)
         project = followed(project, layer_id, FIRST, frame, np.eye(3), trust)
@@ -95,7 +95,7 @@ def test_the_tracks_of_the_selection_are_shown(
     timeline: Timeline, document: Document, view_state: ViewState, tracked: str
 ) -> None:
     project, other = edit.new_shape(document.project, SQUARE, FIRST)
-    project, layer_id = with_moving_layer(project, [other.id], FIRST, "Planar")
+    project, layer_id = with_moving_layer(project, [other.id], FIRST)
     document.apply("Track", followed(project, layer_id, FIRST, FIRST + 1, np.eye(3), 1.0))
     assert len(timeline.tracks.rows()) == 2
     view_state.select(frozenset({other.id}))

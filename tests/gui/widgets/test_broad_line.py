@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 import pytest
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
 from app.widgets.broad_line import BroadLine
-from roam_core.arrays import Array
+from roam_core.arrays import Array, Int64
+from tests.gui.pixels import pixels_of
 
 PALE = QColor(216, 216, 216, 80)
 FRAMES = 400
@@ -23,7 +24,7 @@ def line() -> tuple[Array, Array]:
     return np.arange(FRAMES) + 0.5, values
 
 
-def shown(qtbot: QtBot, item: pg.GraphicsObject, first: float, last: float) -> Array:
+def shown(qtbot: QtBot, item: pg.GraphicsObject, first: float, last: float) -> Int64:
     """The pixels of a plot of some frames with this alone."""
     view = pg.GraphicsView(background=(24, 24, 24))
     qtbot.addWidget(view)
@@ -35,8 +36,7 @@ def shown(qtbot: QtBot, item: pg.GraphicsObject, first: float, last: float) -> A
     box.setXRange(first, last, padding=0)
     with qtbot.waitExposed(view):
         view.show()
-    picture = view.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
-    return np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), -1, 4)[..., :3].astype(int)
+    return pixels_of(view)
 
 
 @pytest.mark.parametrize("seen", [(0.0, FRAMES), (100.0, 180.0), (-50.0, 60.0)])

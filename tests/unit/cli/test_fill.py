@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,13 +12,16 @@ import cv2
 import numpy as np
 import pytest
 
+from roam_core.cli.fill import line_of
+from roam_core.cli.picking import Picking
 from roam_core.media import open_clip
 from roam_core.propagate.between.span import fill_span
-from roam_core.roto import Clip, Origin, Project, file
+from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, file
 from roam_core.roto import edit as verbs
 from tests.golden.shots import overlap
-from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte
+from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte, write_picture
 from tests.unit.cli.test_bad_input import require_refusal
+from tests.unit.matte.conftest import rectangle
 
 FRAMES = list(SHOT.frames)
 CONFIG = ("--config", "baseline")
@@ -82,6 +86,41 @@ def test_frames_outside_of_lifetimes_are_no_missing_frames(roam: Roam, keyed: Pa
     lines = [json.loads(line) for line in roam("fill", keyed, *CONFIG, "--json").out.splitlines()]
     ends = {line["frame"]: (line["termination"], line["confidence"]) for line in lines}
     assert [ends[frame] for frame in (1003, 1004)] == [("outside_lifetime", 1.0)] * 2
+
+
+def test_frames_that_lie_in_no_gap_are_not_told(roam: Roam, plate: Plate) -> None:
+    """Between the gaps of two shapes they were called missing, which made a batch's report doubt the job."""
+    for frame in (1007, 1008):
+        write_picture(plate.folder / f"plate.{frame}.png", SHOT.read(1006))
+    project = Project(Clip.of(open_clip(plate.folder)))
+    for name, keys, size in (("Early", (1001, 1003), 1.0), ("Late", (1006, 1008), 0.4)):
+        project, shape = verbs.new_shape(project, SHOT.truth(1001) * size, keys[0], name=name)
+        project = project.with_shape(verbs.set_key(shape, keys[1], SHOT.truth(1003) * size))
+    path = plate.folder.parent / "two.roam"
+    file.save(project, path)
+
+    def told(*words: object) -> dict[int, str]:
+        lines = map(json.loads, roam("fill", path, *CONFIG, "--json", *words).out.splitlines())
+        return {line["frame"]: line["termination"] for line in lines}
+
+    assert list(told()) == [1001, 1002, 1003, 1006, 1007, 1008]
+    assert list(told("--shape", "Late")) == [1006, 1007, 1008]
+
+
+def test_a_line_is_of_the_shapes_that_are_picked() -> None:
+    """As those of `roam track`: what another shape is doubted for says nothing of a fill that left it out."""
+    sure, lost = (
+        replace(
+            rectangle(0.0, 0.0, 9.0, 9.0),
+            id=name,
+            name=name,
+            keys=(Keyframe(2, points, origin=Origin.ENGINE, confidence=trust),),
+        )
+        for name, trust, points in (("Sure", 0.95, SHOT.truth(1001)), ("Lost", 0.1, SHOT.truth(1001)))
+    )
+    project = Project(root=Layer("root", "Root", (sure, lost)))
+    assert line_of(project, 2, 0.0, Picking(["Sure"]))["confidence"] == 0.95
+    assert line_of(project, 2, 0.0, Picking())["termination"] == "low_confidence"
 
 
 def test_it_is_saved_elsewhere_and_told_in_json(roam: Roam, plate: Plate, keyed: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,8 +12,10 @@ import cv2
 import numpy as np
 import pytest
 
+from roam_core import atomic_write
 from roam_core.cli import fill
 from roam_core.cli.overwriting import project_writer
+from roam_core.errors import RoamError
 from roam_core.interchange.targets import BACKUPS
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Layer, Project, edit, file
@@ -193,6 +196,21 @@ def test_a_run_that_writes_often_keeps_what_it_read_once(project: Path) -> None:
     assert project.with_name("p.roam.1").read_bytes() == before
 
 
+def test_a_write_that_fails_takes_no_backup_away(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for number in range(1, BACKUPS + 1):
+        file.save(Project(root=Layer("root", str(number))), project.with_name(f"p.roam.{number}"))
+    before = {path.name: path.read_bytes() for path in project.parent.iterdir() if path.is_file()}
+    write = project_writer(project, project)
+
+    def is_full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(atomic_write, "_write", is_full)
+    with pytest.raises(RoamError, match="No space left on device"):
+        write(Project())
+    assert {path.name: path.read_bytes() for path in project.parent.iterdir() if path.is_file()} == before
+
+
 def test_where_no_backup_can_be_kept_it_is_told_and_the_project_written(
     project: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -315,9 +333,9 @@ def test_what_a_command_writes_is_open_there_as_long_as_it_runs(
     assert roam("fill", project, *CONFIG).status == 0
     seen = []
 
-    def save(made: Project, path: Path) -> None:
+    def save(made: Project, path: Path, before_replacing: Callable[[], object] | None = None) -> None:
         seen.append(json.loads(lock_path(path).read_text())["process"])
-        saved(made, path)
+        saved(made, path, before_replacing)
 
     saved = file.save
     monkeypatch.setattr(file, "save", save)

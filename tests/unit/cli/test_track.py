@@ -329,3 +329,23 @@ def test_keys_outside_the_clip_are_told_as_the_projects(roam: Roam, plate: Plate
     done = roam("track", plate.folder, "--init", tmp_path / "late.roam")
     assert done.status == 1
     assert "begin on frame 5000, outside the clip's frames 1001-1006" in done.err
+
+
+def test_a_key_without_a_picture_is_no_start(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    """`--start 1003 is missing` was said of a word that nobody had given."""
+    path = tmp_path / "gap.roam"
+    roam("track", plate.folder, "--init", plate.mask, "--end", 1001, "--save", path)
+    project = file.load(path)
+    (shape,) = project.shapes
+    moved = edit.delete_keys(edit.key_here(shape, 1003), [1001])
+    file.save(project.with_shape(moved), path)
+    (plate.folder / "plate.1003.png").unlink()
+    done = roam("track", plate.folder, "--init", path, "--save", path)
+    assert (done.status, file.load(path).shapes[0].frames) == (1, (1003,))
+    assert "has no picture of frame 1003" in done.err
+    for beside in (1003, 5):
+        both = replace(moved, keys=(replace(moved.keys[0], frame=beside), replace(moved.keys[0], frame=1004)))
+        file.save(project.with_shape(both), path)
+        done = roam("track", plate.folder, "--init", path, "--save", path)
+        assert f"begins on frame 1004: the clip has no picture of frame {beside}" in done.err
+        assert file.load(path).shapes[0].frames == (beside, 1004, 1005, 1006)

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from roam_core.geometry import bezier
-from roam_core.interchange.after_effects.exporter import feather_radii, mask_script
+from roam_core.interchange.after_effects.exporter import mask_script
+from roam_core.interchange.feather_curve import feather_radii
 from roam_core.interchange.protocol import ExportOptions
 from roam_core.roto import Animated, BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey
 from tests.unit.interchange import node_judge

@@ -116,6 +116,18 @@ def test_a_filled_key_tells_how_far_the_run_from_the_nearer_key_is(blob_shot: Sh
     assert REGION in told.account.terms
 
 
+def test_a_frame_filled_from_its_farther_key_is_explained_from_there(blob_shot: Shot) -> None:
+    """The nearer key lies on a black frame: nothing was learned there."""
+    pictures = {n: blob_shot.read(n) for n in blob_shot.frames}
+    pictures[1005] = np.zeros_like(pictures[1005])
+    shape = blob_shot.shape().with_key(Keyframe(1005, blob_shot.truth(1005)))
+    (filled,) = fill_span(pictures, [shape], 1001, 1005)
+    (told,) = explain(lambda frame: PreparedFrame(pictures[frame]), [filled], 1004, None)
+    (run,) = solved(blob_shot, [shape], "best", range(1001, 1005)).results
+    apart = filled.at(1004).points - run.shape.at(1004).points
+    assert told.apart == pytest.approx(np.hypot(*apart.reshape(-1, 2).T).max())
+
+
 def test_a_shape_that_left_the_picture_has_no_terms(blob_shot: Shot) -> None:
     away = blob_shot.shape().map_points(lambda points: points - 400.0)
     (result,) = solved(blob_shot, [away], "lean").results

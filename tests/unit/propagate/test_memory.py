@@ -34,3 +34,15 @@ def test_keys_on_the_other_side_are_not_on_the_way() -> None:
     assert begins(stamps, 0, 9, DEFAULT_CONFIG, forward=True) == Beginning(1, (0, 1))
     later = Stamps([keyed("mine", (1, 9)), keyed("near", (0, 9), at=20.0)], "", (480, 640))
     assert begins(later, 0, 1, DEFAULT_CONFIG, forward=False) == Beginning(9, (0, 1))
+
+
+def test_a_key_on_a_frame_that_shows_nothing_begins_no_run_where_an_earlier_one_does() -> None:
+    stamps = Stamps([keyed("mine", (1, 5, 9))], "", (480, 640))
+
+    def begun(frame: int, *blank: int, forward: bool = True) -> int:
+        return begins(stamps, 0, frame, DEFAULT_CONFIG, forward=forward, shows=lambda each: each not in blank).frame
+
+    assert begun(9, 9) == 5
+    assert begun(9, 9, 5) == 1
+    assert begun(1, 1, forward=False) == 5
+    assert begun(9, 9, 5, 1) == 9  # nothing was ever seen

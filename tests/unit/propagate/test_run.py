@@ -18,6 +18,7 @@ from roam_core.errors import RoamError
 from roam_core.media import MissingFrame
 from roam_core.params import CONFIGS, OBJECTS
 from roam_core.propagate import FrameResult, Termination, TrackMemory, fill_span, track, warm_up
+from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import objects
 from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
@@ -144,14 +145,25 @@ def test_a_shape_that_subtracts_from_nothing_is_followed_like_one_that_adds(conf
         assert runs[0].at(frame).points.tobytes() == runs[1].at(frame).points.tobytes()
 
 
-def test_an_artists_key_on_a_frame_that_shows_nothing_stays(config: str, blob_shot: Shot) -> None:
+def test_an_artists_key_on_a_frame_that_shows_nothing_stays_and_teaches_nothing(config: str, blob_shot: Shot) -> None:
+    """A flash, or a dropped frame, keyed by hand: what is tracked on from there goes by the look of the key before."""
+
     def read(frame: int) -> UInt8:
         return np.zeros_like(blob_shot.read(frame)) if frame == 1003 else blob_shot.read(frame)
 
     key = Keyframe(1003, blob_shot.truth(1003))
     results = list(track(read, [blob_shot.shape().with_key(key)], blob_shot.frames, config))
     assert results[1].results[0].termination is Termination.ARTIST_KEY
-    assert last(results).key_at(1003) == key
+    shape = last(results)
+    assert shape.key_at(1003) == key
+    for frame in (1002, 1004, 1005):
+        assert outline_distance(shape.at(frame).points, blob_shot.truth(frame)) < 1.5
+        made = shape.key_at(frame)
+        assert made is not None
+        assert not provenance.is_stale(shape, made, None)
+    stopped = last(results[:2])
+    assert last(list(track(read, [stopped], blob_shot.frames[2:], config))) == shape
+    assert last(list(track(read, [stopped], blob_shot.frames[1:], config))) == shape
 
 
 @pytest.mark.parametrize("value", [0, 255], ids=["black", "white"])

@@ -15,7 +15,7 @@ import pytest
 
 from roam_core import fill_span, render_matte, shapes_from_mask, track
 from roam_core.arrays import Array, Bools, UInt8
-from roam_core.features import PreparedFrame
+from roam_core.features import PreparedFrame, Region
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.view import EngineView
@@ -70,7 +70,7 @@ def by_hand(
     ],
 )
 def test_small_pictures_are_seen_at_most_twice_as_large(size: tuple[int, int], seen: tuple[int, int]) -> None:
-    view = EngineView.of(size, BEST)
+    view = EngineView.of_key(PreparedFrame(np.full((*size, 3), 128, np.uint8)), BEST)
     assert view.seen == seen
     corner = np.array([float(size[1]), float(size[0])])
     np.testing.assert_allclose(view.points(corner), seen[::-1], rtol=1e-12)
@@ -78,8 +78,9 @@ def test_small_pictures_are_seen_at_most_twice_as_large(size: tuple[int, int], s
 
 
 def test_engines_of_curves_see_them_as_they_are() -> None:
-    assert EngineView.of((240, 320), params_for("full")) == EngineView((240, 320), (240, 320))
     picture = PreparedFrame(SHOT.read(SHOT.first))
+    view = EngineView.of_key(picture, params_for("full"))
+    assert view == EngineView(SHOT.size, Region(0, 0, *SHOT.size[::-1]), SHOT.size)
     assert picture.resized(picture.size) is picture
 
 
@@ -87,6 +88,28 @@ def test_what_is_tracked_is_what_an_engine_finds_on_the_enlarged_pictures() -> N
     *_, last = track(SHOT.read, [SHOT.shape()], SHOT.frames, BEST)
     (points,) = by_hand(enlarged, [twice(SHOT.shape())], SHOT.frames, BEST, SHOT.size)
     np.testing.assert_array_equal(2.0 * last.results[0].shape.at(last.frame).points, points)
+
+
+def test_within_bars_an_object_is_tracked_as_on_the_cropped_picture() -> None:
+    """What the bars hide of it is out of the picture, not a thing that stands still."""
+    beside, above = 44, 6
+    corner = np.array([beside, above])
+
+    def barred(frame: int) -> UInt8:
+        picture = SHOT.read(frame).copy()
+        picture[:above] = picture[:, :beside] = 0
+        return picture
+
+    def cropped(frame: int) -> UInt8:
+        return SHOT.read(frame)[above:, beside:].copy()
+
+    def through(read: Callable[[int], UInt8], shape: RotoShape) -> Array:
+        *_, last = track(read, [shape], SHOT.frames, BEST_LEVELLED)
+        return np.asarray(last.results[0].shape.at(last.frame).points)
+
+    shape = SHOT.shape()
+    moved = shape.map_points(lambda points: points - corner)
+    np.testing.assert_allclose(through(barred, shape), through(cropped, moved) + corner, atol=1e-6)
 
 
 @pytest.mark.shared

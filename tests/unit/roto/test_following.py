@@ -28,24 +28,24 @@ def project() -> Project:
 
 
 def test_a_new_layer_stands_still(project: Project) -> None:
-    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1)
     layer = after.find(layer_id)
     assert isinstance(layer, Layer)
     assert (layer.name, [child.id for child in layer.children]) == ("Planar 1", ["shape-1"])
     assert after.find("shape-1") == project.find("shape-1")
-    assert with_moving_layer(after, ["shape-2"], 1, "Planar")[0].find("layer-2").name == "Planar 2"
+    assert with_moving_layer(after, ["shape-2"], 1)[0].find("layer-2").name == "Planar 2"
 
 
 def test_a_moving_layer_of_just_these_is_taken_up_again(project: Project) -> None:
-    after, layer_id = with_moving_layer(project, ["shape-1", "shape-2"], 1, "Planar")
-    assert with_moving_layer(after, ["shape-2", "shape-1"], 4, "Planar") == (after, layer_id)
-    inner, inner_id = with_moving_layer(after, ["shape-2"], 4, "Planar")
+    after, layer_id = with_moving_layer(project, ["shape-1", "shape-2"], 1)
+    assert with_moving_layer(after, ["shape-2", "shape-1"], 4) == (after, layer_id)
+    inner, inner_id = with_moving_layer(after, ["shape-2"], 4)
     assert inner_id != layer_id
     assert [above.id for above in inner.layers_above("shape-2")] == ["root", layer_id, inner_id]
 
 
 def test_the_shape_follows_and_no_artist_key_moves(project: Project) -> None:
-    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1)
     before = after.shape("shape-1")
     for frame in range(2, 7):
         after = followed(after, layer_id, 1, frame, moved(3.0 * (frame - 1)))
@@ -60,7 +60,7 @@ def test_the_shape_follows_and_no_artist_key_moves(project: Project) -> None:
 
 
 def test_engine_keys_on_other_frames_stay_where_they_are_seen(project: Project) -> None:
-    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1)
     after = followed(after, layer_id, 1, 2, moved(8.0))
     np.testing.assert_allclose(after.shape("shape-1").key_at(3).points, SQUARE + 1.0, atol=1e-9)
 
@@ -68,15 +68,15 @@ def test_engine_keys_on_other_frames_stay_where_they_are_seen(project: Project) 
 def test_the_only_key_is_never_lost() -> None:
     one, shape = edit.new_shape(Project(), SQUARE, 1)
     engine = edit.delete_keys(edit.set_engine_keys(shape, [Keyframe(4, SQUARE, origin=Origin.ENGINE)]), [1])
-    after, layer_id = with_moving_layer(one.with_shape(engine), ["shape-1"], 3, "Planar")
+    after, layer_id = with_moving_layer(one.with_shape(engine), ["shape-1"], 3)
     assert followed(after, layer_id, 3, 4, moved(2.0)).shape("shape-1").frames == (4,)
 
 
 def test_motion_is_told_in_the_space_around_the_layer(project: Project) -> None:
-    after, outer = with_moving_layer(project, ["shape-1", "shape-2"], 1, "Planar")
+    after, outer = with_moving_layer(project, ["shape-1", "shape-2"], 1)
     turn = np.array([[0.0, -1.0, 40.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     after = edit.set_properties(after, outer, transform=LayerTransform.of({1: turn, 5: moved(50.0) @ turn}))
-    after, inner = with_moving_layer(after, ["shape-2"], 1, "Planar")
+    after, inner = with_moving_layer(after, ["shape-2"], 1)
     start = after.shape("shape-2").at(1).points
     tilt = projective.normalised([[1.02, 0.1, 5.0], [-0.1, 0.98, 2.0], [1e-4, 2e-4, 1.0]])
     after = followed(after, inner, 1, 5, tilt)
@@ -88,7 +88,7 @@ def test_motion_is_told_in_the_space_around_the_layer(project: Project) -> None:
 
 
 def test_motion_can_be_taken_away(project: Project) -> None:
-    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1)
     bake_layers = still(followed(after, layer_id, 1, 5, moved(6.0)), layer_id)
     assert bake_layers.find(layer_id).transform is None
     np.testing.assert_allclose(bake_layers.shape("shape-1").at(9).points, project.shape("shape-1").at(9).points)
@@ -103,7 +103,7 @@ def shown(project: Project, layer_id: str, frame: int) -> np.ndarray:
 def tracked() -> tuple[Project, str]:
     """A square that a track carries 3 pixels a frame, from frame 1 to 11, sure of it."""
     project, _ = edit.new_shape(Project(), SQUARE, 1)
-    project, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    project, layer_id = with_moving_layer(project, ["shape-1"], 1)
     for frame in range(2, 12):
         project = followed(project, layer_id, 1, frame, moved(3.0 * (frame - 1)), confidence=0.9)
     return project, layer_id

@@ -9,7 +9,10 @@ import pytest
 
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.roto import Interpolation, Keyframe, Origin, Outline, Project, RotoShape, Spline, edit
+from roam_core.roto.control_points import settled
 from roam_core.roto.keying import Keying, held_at, reshape
+from roam_core.roto.placement import LayerTransform
+from roam_core.roto.shape import placed
 
 SQUARE = polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 STEP = np.array([3.0, -2.0])
@@ -155,3 +158,49 @@ def test_a_b_spline_is_changed_by_its_control_points() -> None:
         controls = drawn.at(frame).control_points[:, ANCHOR].copy()
         controls[1] += STEP
         np.testing.assert_allclose(after.at(frame).control_points[:, ANCHOR], controls, atol=1e-9)
+
+
+# ---- shapes in layers that move
+
+
+def turning(**values: object) -> RotoShape:
+    """Keys on 1 and 9, in a layer that turns by 20 degrees and grows by a tenth a frame."""
+    matrices = {}
+    for frame in range(1, 10):
+        angle, size = np.radians(20.0 * (frame - 1)), 1.0 + 0.1 * (frame - 1)
+        c, s = size * np.cos(angle), size * np.sin(angle)
+        matrices[frame] = np.array([[c, -s, 5.0 * frame], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    keys = tuple(Keyframe(frame, right(frame), feather=np.ones_like(SQUARE)) for frame in (1, 9))
+    return placed(RotoShape("a", "A", keys, **values), (LayerTransform.of(matrices),))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("frame", [4, 12])
+def test_without_auto_key_an_outline_in_a_moving_layer_goes_where_it_is_dragged(frame: int) -> None:
+    """Its keys on both sides, or the last one, take the change as the layer carries it."""
+    before = turning()
+    after = reshape(before, frame, moved, Keying(auto=False))
+    assert after.frames == before.frames
+    np.testing.assert_allclose(after.at(frame).points, before.at(frame).points + STEP, atol=1e-9)
+    np.testing.assert_allclose(after.at(frame).feather, before.at(frame).feather, atol=1e-9)
+
+
+def test_without_auto_key_points_that_do_not_move_stay_bit_by_bit_in_a_moving_layer() -> None:
+    before = turning()
+    after = reshape(before, 4, lambda each: replace(each, points=with_first_moved(each.points)), Keying(auto=False))
+    for key in before.keys:
+        np.testing.assert_array_equal(after.key_at(key.frame).points[1:], key.points[1:])
+        np.testing.assert_array_equal(after.key_at(key.frame).feather, key.feather)
+    assert shift(before, after, 4) == pytest.approx(tuple(STEP))
+
+
+def test_without_auto_key_a_b_spline_in_a_moving_layer_goes_where_it_is_dragged() -> None:
+    before = turning(spline=Spline.BSPLINE)
+    before = replace(before, keys=tuple(replace(k, points=settled(k.points, before)) for k in before.keys))
+    after = reshape(before, 4, moved, Keying(auto=False))
+    np.testing.assert_allclose(after.at(4).points, before.at(4).points + STEP, atol=1e-9)
+
+
+def with_first_moved(points: np.ndarray) -> np.ndarray:
+    result = points.copy()
+    result[0] += STEP
+    return result

@@ -27,6 +27,7 @@ from roam_core.roto import (
     file,
     timing,
 )
+from roam_core.roto import shape as module
 from roam_core.roto.baking import baked, without_transforms
 
 SQUARE = polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0), (10.0, 26.0)])
@@ -222,3 +223,24 @@ def test_keys_that_go_to_other_frames_stay_where_they_lie_in_a_moving_layer() ->
     as_seen = timing.paste_keys(one, {"shape-1": [seen]}, 2).shape("shape-1").key_at(3)
     assert as_seen is not None
     np.testing.assert_allclose(as_seen.points, seen.points, atol=1e-12)
+
+
+def test_hundreds_of_shapes_in_a_moving_layer_are_carried_once() -> None:
+    """Of more than 256 each edit of one carried all of them anew, with all of their keys."""
+    one = project()
+    for _ in range(299):
+        one, _ = edit.new_shape(one, SQUARE, 1, layer_id="layer-2")
+    before = one.shapes
+    moved = one.with_shape(edit.set_key(before[7], 5, SQUARE))
+    assert [k for k, (a, b) in enumerate(zip(before, moved.shapes, strict=True)) if a is not b] == [7]
+
+
+def test_between_keys_only_those_around_are_taken_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    shape = project().shape("shape-1")
+    for frame in (4, 5, 6):
+        shape = shape.with_key(Keyframe(frame, SQUARE))
+    wanted = [shape.at(frame).points.tolist() for frame in (0, 2, 4.5, 9)]
+    counted, carried = list[int](), module._carried_key
+    monkeypatch.setattr(module, "_carried_key", lambda key, *rest: counted.append(key.frame) or carried(key, *rest))
+    assert [shape.at(frame).points.tolist() for frame in (0, 2, 4.5, 9)] == wanted
+    assert counted == [1, 1, 3, 4, 5, 6]

@@ -97,3 +97,30 @@ def test_equal_projects_are_equal_values(project: Project) -> None:
 def test_what_is_not_there_cannot_be_replaced() -> None:
     with pytest.raises(KeyError, match="nobody"):
         Project().map_item("nobody", lambda item: item)
+
+
+def test_several_shapes_are_replaced_at_once(project: Project) -> None:
+    wider = [replace(shape(number), name="Wider") for number in (3, 1)]
+    changed = project.with_shapes(wider)
+    assert [each.name for each in changed.shapes] == ["Wider", "Shape 2", "Wider", "Shape 4"]
+    assert changed == project.with_shape(wider[0]).with_shape(wider[1])
+    assert changed.root.children[2] is project.root.children[2]
+    assert project.with_shapes([]) is project
+    with pytest.raises(KeyError):
+        project.with_shapes([wider[0], shape(9)])
+
+
+def test_of_two_with_one_id_the_lower_one_is_meant() -> None:
+    twice = Project(root=Layer("root", "Root", (Layer("layer-1", "L", (shape(1),)), replace(shape(1), name="Upper"))))
+    assert [layer.id for layer in twice.layers_above("shape-1")] == ["root", "layer-1"]
+    changed = twice.with_shape(replace(shape(1), name="Lower"))
+    assert [each.name for each in changed.shapes] == ["Lower", "Upper"]
+
+
+def test_hundreds_of_questions_go_through_the_tree_once(project: Project, monkeypatch: pytest.MonkeyPatch) -> None:
+    walks, items = list[str](), Layer.items
+    monkeypatch.setattr(Layer, "items", lambda layer: walks.append(layer.id) or items(layer))
+    for _ in range(300):
+        assert not project.is_locked("shape-3")
+        assert project.has("shape-4")
+    assert len(walks) <= 1

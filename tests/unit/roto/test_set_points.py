@@ -9,7 +9,7 @@ import pytest
 
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.propagate.shapes.provenance import is_stale
-from roam_core.roto import Keyframe, Origin, Outline, RotoShape, Spline, control_points, edit
+from roam_core.roto import Keyframe, Origin, Outline, RotoShape, Spline, control_points, edit, feather
 from roam_core.roto.keying import Keying, reshape
 
 SQUARE = polygon_points([(0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)])
@@ -52,6 +52,16 @@ def test_an_edit_keys_the_points_that_it_moved_where_that_is_asked_for() -> None
     assert set_points(reshape(SHAPE, 5, moved(1)), 5) == ()
     assert set_points(reshape(SHAPE, 1, moved(1), Keying(points=True)), 1) == ()
     assert set_points(reshape(SHAPE, 5, moved(0, 1, 2, 3), Keying(points=True)), 5) == ()
+
+
+def test_a_feather_that_is_pulled_keys_its_points_where_that_is_asked_for() -> None:
+    """Not the whole outline, which nobody looked at; and on a key that some points were set of those stay the ones."""
+    pulled = feather.pull(SHAPE, np.array([0.0, 1.0, 0.0, 0.0]), 0.0, 6.0)
+    soft = reshape(SHAPE, 5, pulled, Keying(points=True))
+    assert set_points(soft, 5) == (1,)
+    assert soft.at(5).feather is not None
+    assert set_points(reshape(reshape(SHAPE, 5, moved(3), Keying(points=True)), 5, pulled), 5) == (3,)
+    assert set_points(reshape(SHAPE, 5, pulled), 5) == ()
 
 
 @pytest.mark.parametrize("spline", Spline)

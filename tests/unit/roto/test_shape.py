@@ -213,3 +213,28 @@ def test_no_keys_that_are_put_leave_the_very_same_shape() -> None:
     """An edit of hundreds of shapes checked all keys of each once more for nothing."""
     shape = RotoShape("s", "S", (Keyframe(1, bezier.polygon_points([(0, 0), (1, 0), (1, 1)])),))
     assert shape.with_keys(()) is shape
+
+
+def test_a_key_put_into_a_shape_checks_no_other_key_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A drag of 300 shapes with thousands of keys sorted and checked all of them at every step of the pointer."""
+    shape, counted = moving(), list[str]()
+    put = [Keyframe(frame, TRIANGLE + frame) for frame in (5, 20, 30, 50)]
+    wanted = [replace(shape, keys=(*(key for key in shape.keys if key.frame != one.frame), one)) for one in put]
+    together = replace(shape, keys=(shape.keys[0], shape.keys[2], *put))
+    monkeypatch.setattr(RotoShape, "__post_init__", lambda shape: counted.append(shape.id))
+    assert [shape.with_key(key) for key in put] == wanted
+    assert shape.with_keys(reversed(put)) == together
+    assert counted == []
+
+
+def test_a_key_put_into_a_shape_has_as_many_points_as_the_others() -> None:
+    wider = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
+    with pytest.raises(ValueError, match="differ in their number of points"):
+        moving().with_key(Keyframe(15, wider))
+    assert moving().with_keys(Keyframe(frame, wider) for frame in moving().frames).point_count == 4
+
+
+def test_the_artists_frames_are_those_of_the_new_keys() -> None:
+    shape = moving()
+    assert shape.artist_frames == (10, 20, 40)
+    assert shape.with_key(Keyframe(15, TRIANGLE)).artist_frames == (10, 15, 20, 40)

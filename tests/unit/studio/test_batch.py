@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from roam_core.cli import main
+from roam_core.studio.pictures import doubtful
 from roam_core.studio.report import page
 from tests.conftest import ROOT
 from tests.unit.studio.shots import put_gaps, put_plate, put_shot
@@ -150,6 +151,18 @@ def test_a_page_shows_what_a_program_said_as_text() -> None:
     assert "&lt;script&gt;" in shown
     assert "<script>" not in shown
     assert "<b>" not in shown
+
+
+def test_a_frame_without_a_picture_is_not_doubted() -> None:
+    """A gap in the plate made a sure job the least sure one, and took the places of pictures of doubtful frames."""
+    missing = {str(frame): [0.0, 0.0, "missing_frame"] for frame in range(1003, 1007)}
+    frames = {"1001": [1.0, 0.0, "artist_key"], "1002": [0.8, 0.1, "converged"], **missing}
+    assert doubtful(frames) == [1002]
+    step = {"step": "1-track", "status": "done", "said": "", "seconds": 0.0, "frames": frames}
+    job = {"name": "a", "folder": "", "status": "done", "seconds": 0.0, "steps": [step]}
+    told = {"counts": {"done": 1}, "seconds": 1.0, "workers": 1, "program": "0"}
+    assert '<td class="number">0.80</td>' in page({"jobs": [job], **told})
+    assert "<polyline" not in page({"jobs": [job | {"steps": [step | {"frames": missing}]}], **told})
 
 
 def test_without_the_extra_one_sentence_says_what_to_install(

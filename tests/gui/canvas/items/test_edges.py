@@ -14,10 +14,10 @@ from app.canvas.words import label_of
 from app.model.document import Document
 from app.model.viewing import Viewing
 from app.paint.viewport import Viewport
-from roam_core.arrays import Int64
 from roam_core.geometry import bezier
 from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Project, edit
+from tests.gui.pixels import pixels_of
 
 BOX = [(40.0, 40.0), (160.0, 40.0), (160.0, 110.0), (40.0, 110.0)]
 COUNT = 60
@@ -39,15 +39,9 @@ def box(document: Document, canvas: CanvasView) -> str:
     return shape.id
 
 
-def looks(canvas: CanvasView) -> Int64:
-    image = canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
-    shape = image.height(), image.width(), 4
-    return np.frombuffer(image.constBits(), dtype=np.uint8).reshape(shape)[:, :, 2::-1].astype(np.int64)
-
-
 def runs_along(canvas: CanvasView, start: tuple[float, float], end: tuple[float, float]) -> list[int]:
     """The lengths, in pixels, of the stretches in a shape's colour along a side, away from its ends."""
-    picture = looks(canvas)
+    picture = pixels_of(canvas)
     first, last = (canvas.image_to_widget(*place) for place in (start, end))
     shares = np.linspace(0.15, 0.85, 400)
     x = np.round(first.x() + shares * (last.x() - first.x())).astype(int)
@@ -70,13 +64,13 @@ def test_form_tells_what_an_edge_is(canvas: CanvasView, box: str) -> None:
 
 def test_edges_are_off_until_they_are_asked_for_and_named_then(canvas: CanvasView, box: str) -> None:
     canvas.edges = lambda: pytest.fail("asked for edges that are not shown")
-    before = looks(canvas)
+    before = pixels_of(canvas)
     assert label_of(canvas._snapshot()) == ""
     canvas.edges = dict
     canvas.viewing.show_edges(True)
-    assert (looks(canvas) == before).all()  # nothing is known: all is as usual
+    assert (pixels_of(canvas) == before).all()  # nothing is known: all is as usual
     canvas.edges = lambda: {box: edges_of(*[Edge.SEAM] * 4)}
-    assert (looks(canvas) != before).any()
+    assert (pixels_of(canvas) != before).any()
     assert label_of(canvas._snapshot()) == LEGEND
 
 

@@ -15,6 +15,7 @@ from app.paint.viewport import Viewport
 from roam_core.arrays import Bools, Int64
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from tests.gui.pixels import pixels_of
 
 BONE = Bone(("shape-1", "shape-2"), np.array([100.0, 75.0]), np.array([[60.0, 75.0], [140.0, 75.0]]))
 
@@ -30,23 +31,17 @@ def shapes(document: Document, canvas: CanvasView) -> None:
     canvas.bones = lambda: (BONE,)
 
 
-def looks(canvas: CanvasView) -> Int64:
-    image = canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
-    shape = image.height(), image.width(), 4
-    return np.frombuffer(image.constBits(), dtype=np.uint8).reshape(shape)[:, :, 2::-1].astype(np.int64)
-
-
 def changed(before: Int64, after: Int64) -> Bools:
     return (before != after).any(axis=2)
 
 
 def test_joints_are_off_until_they_are_asked_for(canvas: CanvasView, shapes: None) -> None:
     canvas.bones = lambda: pytest.fail("asked for joints that are not shown")
-    looks(canvas)
+    pixels_of(canvas)
     canvas.bones = lambda: (BONE,)
-    without = looks(canvas)
+    without = pixels_of(canvas)
     canvas.viewing.handlers()["view.joints"]()
-    there = changed(without, looks(canvas))
+    there = changed(without, pixels_of(canvas))
     rows, columns = np.nonzero(there)
     joint = canvas.image_to_widget(100.0, 75.0)
     assert abs(rows.mean() - joint.y()) < 2.0
@@ -54,14 +49,14 @@ def test_joints_are_off_until_they_are_asked_for(canvas: CanvasView, shapes: Non
     left, right = (canvas.image_to_widget(x, 75.0).x() for x in (60.0, 140.0))
     assert left - 6 < columns.min() < left < right < columns.max() < right + 6
     canvas.viewing.handlers()["view.joints"]()
-    assert not changed(without, looks(canvas)).any()
+    assert not changed(without, pixels_of(canvas)).any()
 
 
 def test_hidden_shapes_hide_their_joints(canvas: CanvasView, shapes: None) -> None:
     canvas.viewing.hide_shapes(True)
-    without = looks(canvas)
+    without = pixels_of(canvas)
     canvas.viewing.show_joints(True)
-    assert not changed(without, looks(canvas)).any()
+    assert not changed(without, pixels_of(canvas)).any()
 
 
 @pytest.mark.parametrize("scale", [0.5, 2.0])

@@ -412,3 +412,18 @@ def test_parts_of_a_tracked_object_that_are_stacked_otherwise_are_told(
     assert view_state.message == (
         "Tracked frames of Part 1, Part 2, Part 3 are out of date: what hides what goes by the order in the list."
     )
+
+
+def test_to_unlock_a_shape_in_a_locked_layer_names_the_layer(document: Document, view_state: ViewState) -> None:
+    project, shape = edit.new_shape(Project(), SQUARE, 1)
+    project, layer = grouped(project, [shape.id])
+    document.open(edit.set_properties(project, layer.id, name="Body", locked=True), None)
+    view_state.select(frozenset({shape.id}))
+    lock = ShapeVerbs(document, view_state).handlers()["shape.lock"]
+    lock()
+    assert view_state.message == "'Shape 1' lies in 'Body', which is locked: unlock that layer in the list."
+    view_state.say("")
+    view_state.select(frozenset({shape.id}), layers=frozenset({layer.id}))
+    lock()
+    assert not document.project.find(layer.id).locked
+    assert view_state.message == ""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QImage
 
 from app.features.verbs.objects import ObjectVerbs
 from app.model.document import Document
@@ -15,6 +14,7 @@ from app.timeline.timeline import Timeline
 from roam_core.arrays import Int64
 from roam_core.roto import Project
 from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT, set_depth
+from tests.gui.pixels import pixels_of
 from tests.gui.timeline.places import place, row_middle, x_of
 
 SHAPE, ROW_OF_IT = "shape-2", 0
@@ -29,9 +29,7 @@ def with_depth(project: Project, *pairs: tuple[int, int]) -> Project:
 
 def band(timeline: Timeline, row: int = ROW_OF_IT) -> Int64:
     """The red of the strip of a row in which the marks lie, above its keys."""
-    image = timeline.rows.viewport().grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
-    shape = image.height(), image.width(), 4
-    red = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(shape)[:, :, 2].astype(np.int64)
+    red = pixels_of(timeline.rows.viewport())[:, :, 0]
     top = row_middle(row) - row_middle(0)
     return red[top + int(TOP) : top + int(TOP + HEIGHT)]
 

@@ -398,6 +398,16 @@ def test_without_chosen_keys_the_one_before_the_playhead_is_meant(
     assert held == [1010]
 
 
+def test_before_the_first_key_of_a_selected_shape_that_is_said(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    """And not that a shape has to be selected."""
+    view_state.select(frozenset({"shape-2"}))
+    view_state.set_frame(1009)
+    timeline.verbs.interpolate(Interpolation.HOLD)
+    assert view_state.message == "There is no key before this frame."
+
+
 def test_what_is_selected_in_the_viewer_is_meant_and_not_a_key_of_another_shape(
     timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:

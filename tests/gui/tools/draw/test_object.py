@@ -66,9 +66,10 @@ def test_the_object_becomes_a_shape(
     assert view_state.message.startswith("Shape 1 is fitted")
 
 
+@pytest.mark.parametrize("key", [Qt.Key.Key_Backspace, Qt.Key.Key_Delete])
 def test_marks_are_gathered_before_the_search(
     canvas: CanvasView, hand: Hand, document: Document, pictures: PictureWork, runner: Runner, qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, key: Qt.Key,
 ) -> None:  # fmt: skip
     asked: list[cut_out.Marks] = []
     real = cut_out.cut_click
@@ -81,7 +82,7 @@ def test_marks_are_gathered_before_the_search(
     hand.click((90.0, 75.0), SHIFT)
     hand.click((20.0, 20.0), CTRL)
     hand.click((30.0, 20.0), CTRL)
-    hand.key(Qt.Key.Key_Backspace)
+    hand.key(key)
     assert runner.is_idle
     spot = canvas.image_to_widget(20.0, 20.0).toPoint()
     assert canvas.grab().toImage().pixelColor(spot) != canvas.grab().toImage().pixelColor(spot.x() + 40, spot.y())

@@ -23,7 +23,7 @@ LAST = 11
 def tracked(document: Document, view_state: ViewState, canvas: CanvasView) -> str:
     """A square that was tracked standing still from frame 1 to 11; the tool in the hand on frame 6."""
     project, shape = edit.new_shape(Project(clip=document.project.clip), SQUARE, 1)
-    project, layer_id = with_moving_layer(project, [shape.id], 1, "Planar")
+    project, layer_id = with_moving_layer(project, [shape.id], 1)
     for frame in range(2, LAST + 1):
         project = followed(project, layer_id, 1, frame, np.eye(3), 0.5)
     document.open(project, None)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
@@ -14,7 +16,9 @@ from app.model.view_state import Selection, ViewState
 from app.tools.edit.feather import FeatherActions
 from app.tools.edit.transform_actions import TransformActions
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import edit
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.roto import Origin, Spline, edit
 from roam_core.roto.layers import grouped
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape
@@ -287,3 +291,102 @@ def test_where_the_selected_shape_is_locked_no_points_of_others_are_selected(
     hand.key(Key.Key_A, CTRL)
     assert view_state.selection.points == frozenset()
     assert "is locked or hidden" in view_state.message
+
+
+# ---- several shapes, not all of which can
+
+
+@pytest.fixture
+def three(document: Document, view_state: ViewState) -> list[str]:
+    """Three squares, all selected."""
+    project, ids = document.project, []
+    for _ in range(3):
+        project, shape = edit.new_shape(project, polygon_points(SQUARE), 1)
+        ids.append(shape.id)
+    document.open(project, None)
+    view_state.select(frozenset(ids))
+    return ids
+
+
+def test_delete_says_what_of_the_selected_shapes_stays(
+    canvas: CanvasView, document: Document, view_state: ViewState, three: list[str]
+) -> None:
+    document.open(edit.set_properties(document.project, three[0], locked=True), None)
+    view_state.select(frozenset(three))
+    canvas.points.delete()
+    assert [shape.id for shape in document.project.shapes] == three[:1]
+    assert document.undo_stack.undoText() == "Delete 2 shapes"
+    assert "is locked or hidden" in view_state.message
+
+
+def test_delete_of_a_part_says_whose_tracked_frames_are_out_of_date(
+    canvas: CanvasView, document: Document, view_state: ViewState, three: list[str]
+) -> None:
+    """As a delete in the list of shapes does."""
+    shapes, clip = document.project.shapes, document.project.clip
+    inputs = Stamps.of(shapes, clip).tracked(0, 2, 1, CONFIGS[DEFAULT_CONFIG], True)
+    tracked = replace(shapes[0].keys[0], frame=2, origin=Origin.ENGINE, inputs=inputs)
+    document.open(document.project.with_shape(shapes[0].with_key(tracked)), None)
+    view_state.select(frozenset({three[2]}))
+    canvas.points.delete()
+    assert "are out of date: what is gone was a part of its object" in view_state.message
+
+
+def test_delete_takes_the_points_that_can_go(
+    canvas: CanvasView, document: Document, view_state: ViewState, three: list[str]
+) -> None:
+    lone, thin, whole = three
+    chosen = {(lone, 0), (thin, 0), (thin, 1), *((whole, index) for index in range(4))}
+    view_state.select(frozenset(), frozenset(chosen))
+    canvas.points.delete()
+    assert [shape.point_count for shape in document.project.shapes] == [3, 4]
+    assert "needs at least 3 points" in view_state.message
+    assert document.undo_stack.undoText() == "Delete 1 point, Delete 1 shape"
+
+
+def test_what_can_be_closed_is(canvas: CanvasView, document: Document, view_state: ViewState, three: list[str]) -> None:
+    project, line = edit.new_shape(document.project, polygon_points(SQUARE[:2]), 1, closed=False)
+    document.open(project, None)
+    view_state.select(frozenset({three[0], line.id}))
+    canvas.points.toggle_closed()
+    assert not document.project.shape(three[0]).closed
+    assert "needs at least 3 points" in view_state.message
+
+
+def test_steps_count_what_they_changed(
+    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, three: list[str]
+) -> None:
+    project = edit.set_properties(document.project, three[0], locked=True)
+    project, control = edit.new_shape(project, polygon_points(np.add(SQUARE, 200.0)), 1, spline=Spline.BSPLINE)
+    document.open(project, None)
+    view_state.select(frozenset({three[1], control.id}))
+    canvas.points.smooth()
+    assert document.undo_stack.undoText() == "Smooth 4 points"
+    document.undo_stack.undo()
+    view_state.select(frozenset(three))
+    (x0, y0), (x1, y1) = SQUARE[:2]
+    edge = (x0 + x1) / 2, (y0 + y1) / 2
+    hand.drag(edge, (edge[0] + 20.0, edge[1]))
+    assert document.undo_stack.undoText() == "Move 2 shapes"
+
+
+def test_nudges_in_two_viewers_are_two_steps(
+    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    second = CanvasView(document, view_state, in_hand=canvas.in_hand)
+    hand.key(Key.Key_Right, ALT)
+    Hand(second).key(Key.Key_Right, ALT)
+    assert document.undo_stack.count() == 2
+    second.deleteLater()
+
+
+@pytest.mark.parametrize("switch", [{"locked": True}, {"visible": False}])
+def test_a_layer_that_keeps_a_shape_from_being_edited_is_named(
+    canvas: CanvasView, document: Document, view_state: ViewState, square: str, switch: dict[str, bool]
+) -> None:
+    """To unlock the shape, which is not locked, would not help."""
+    project, layer = grouped(document.project, [square])
+    document.open(edit.set_properties(project, layer.id, name="Body", **switch), None)
+    view_state.select(frozenset({square}))
+    canvas.points.smooth()
+    assert view_state.message.startswith("'Shape 1' lies in 'Body', which is locked or hidden")

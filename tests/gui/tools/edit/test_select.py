@@ -351,3 +351,27 @@ def test_hovered_part_is_known(hand: Hand, view_state: ViewState, smooth: str) -
     assert view_state.hovered == (smooth, 2, ANCHOR)
     hand.move((180.0, 130.0))
     assert view_state.hovered is None
+
+
+@pytest.mark.parametrize("modifiers", [NONE, CTRL | ALT])
+def test_a_press_on_a_locked_outline_says_so(
+    hand: Hand, document: Document, view_state: ViewState, square: str, modifiers: Qt.KeyboardModifier
+) -> None:
+    document.open(edit.set_properties(document.project, square, locked=True), None)
+    view_state.say("")
+    hand.click((80.0, 40.0), modifiers)
+    assert view_state.message == "'Shape 1' is locked or hidden; unlock and show it to edit it."
+    view_state.say("")
+    hand.click((80.0, 60.0))
+    assert view_state.message == "", "beside it nobody meant it"
+
+
+def test_a_press_where_a_free_shape_lies_on_a_locked_one_takes_it_without_a_word(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    project, above = edit.new_shape(document.project, polygon_points(SQUARE), 1)
+    document.open(edit.set_properties(project, square, locked=True), None)
+    view_state.say("")
+    hand.click((80.0, 40.0))
+    assert view_state.selection.shapes == {above.id}
+    assert view_state.message == ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +12,7 @@ import pytest
 from roam_core import RoamError, fill_span
 from roam_core.arrays import UInt8
 from roam_core.cancel import Cancelled, CancelToken
+from roam_core.features import PreparedFrame
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte.compose import render_matte
 from roam_core.media.partial import reading
@@ -19,7 +20,7 @@ from roam_core.media.source import MissingFrame
 from roam_core.params import CONFIGS
 from roam_core.params.steadiness import RESIDUAL
 from roam_core.propagate.between.endpoint_consistency import Span
-from roam_core.propagate.between.frames_shown import frames_shown
+from roam_core.propagate.between.frames_shown import frames_shown, keys_shown
 from roam_core.propagate.between.merge import Merged, merged
 from roam_core.propagate.between.merged_region import Colours
 from roam_core.propagate.between.span import Reader, spans
@@ -163,16 +164,26 @@ class Lacking(dict[int, UInt8]):
         return super().__getitem__(frame)
 
 
+def blacked(pictures: dict[int, UInt8], frame: int) -> dict[int, UInt8]:
+    return pictures | {frame: np.zeros_like(pictures[frame])}
+
+
+@pytest.mark.parametrize("lacking", [Lacking, blacked], ids=["missing", "black"])
 @pytest.mark.parametrize("gone", [FIRST, LAST])
-def test_a_gap_whose_one_key_has_no_picture_is_filled_from_the_other(shot: Shot, gone: int) -> None:
-    plate, shape = Lacking(pictures(shot), gone), keyed(shot, FIRST, LAST)
+def test_a_gap_whose_one_key_shows_nothing_is_filled_from_the_other(
+    shot: Shot, lacking: Callable[[dict[int, UInt8], int], dict[int, UInt8]], gone: int
+) -> None:
+    plate, shape = lacking(pictures(shot), gone), keyed(shot, FIRST, LAST)
     [filled] = fill_span(plate, [shape], FIRST, LAST)
     assert filled.artist_keys == shape.artist_keys
     assert [key.frame for key in filled.keys] == [*range(FIRST, LAST + 1)]
     for frame in BETWEEN:
         assert outline_distance(filled.at(frame).points, shot.truth(frame)) < 1.5
-    lacking = [*BETWEEN]
-    assert list(frames_shown(reading(plate), shape, (FIRST, LAST), lacking, CONFIGS["best"])) == lacking
+    between = [*BETWEEN]
+    assert list(frames_shown(reading(plate), shape, (FIRST, LAST), between, CONFIGS["best"])) == between
+    assert list(keys_shown(lambda frame: PreparedFrame(plate[frame]), [shape], (FIRST, LAST), CONFIGS["best"])) == [
+        frame for frame in (FIRST, LAST) if frame != gone
+    ]
 
 
 def test_a_gap_without_a_picture_on_either_key_is_refused_with_the_frame(shot: Shot) -> None:
