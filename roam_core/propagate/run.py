@@ -20,6 +20,7 @@ from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
+from roam_core.roto.bounds import require_near
 from roam_core.roto.given import shapes_of
 from roam_core.threads import each
 from roam_core.translatable import sentence
@@ -83,6 +84,8 @@ def track(
     def shows(frame: int) -> bool:
         """Whether a frame has a picture, and that shows something."""
         outlines = [shapes[k].at(frame).points for k in asked]
+        for k, outline in zip(asked, outlines, strict=True):
+            require_near(shapes[k], frame, outline)
         try:
             picture = first if frame == frames[0] else PreparedFrame(read(frame))
             return not is_blank(picture, outlines, params_for(config).blank)

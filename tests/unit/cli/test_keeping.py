@@ -346,7 +346,8 @@ def test_a_fill_goes_on_past_a_damaged_frame_and_is_not_done_again(roam: Roam, p
 
 
 def test_a_gap_that_cannot_be_filled_does_not_lose_the_others(roam: Roam, plate: Plate, keyed: Path) -> None:
-    (plate.folder / "plate.1001.png").write_bytes(b"no picture")
+    for frame in (1001, 1004):
+        (plate.folder / f"plate.{frame}.png").write_bytes(b"no picture")
     out = plate.folder.parent / "mattes"
     done = roam("fill", keyed, *CONFIG, "--matte", out)
     assert done.status == 1
