@@ -14,6 +14,7 @@ from .view_state import ViewState, selected_shapes
 MOST_NAMES = 3
 """Shapes that a sentence names."""
 NOTHING_SELECTED = N_("Select a shape or some of its points first.")
+LOCKED_STAYS = N_("What is locked stays; unlock it first (<shape.lock>).")
 
 
 def why_not(project: Project, view: ViewState) -> str:

@@ -4818,6 +4818,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt keinen Bildschirm für ein Fenster; bitte die Kommandozeile benutzen (roam --help) oder sich mit Bildschirm oder X-Weiterleitung anmelden.</translation>
     </message>
     <message>
+        <source>There is no feather here to reset; the Feather number stands in the Shape panel.</source>
+        <translation>Hier ist kein Feather zurückzusetzen; die Zahl Feather steht im Formbereich.</translation>
+    </message>
+    <message>
         <source>There is no frame of {words!r} between {first} and {last}.</source>
         <translation>Zwischen {first} und {last} gibt es keinen Frame von {words!r}.</translation>
     </message>

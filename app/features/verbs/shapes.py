@@ -10,14 +10,13 @@ from roam_core.roto.copies import duplicated
 from roam_core.roto.layers import top_items
 
 from ...model.document import Document
-from ...model.reasons import does_not_exist, outdated_by
+from ...model.reasons import LOCKED_STAYS, does_not_exist, outdated_by
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, sentence_of, tr
 
 NOTHING_SELECTED = N_("Select a shape first: click it in the viewer or in the list.")
 ALL_LOCKED = N_("What is selected is locked; unlock it first (<shape.lock>).")
-LOCKED_STAYS = N_("What is locked stays; unlock it first (<shape.lock>).")
 
 
 class ShapeVerbs:
@@ -141,16 +140,20 @@ class ShapeVerbs:
         self._document.apply(tr("Show all"), project)
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
-        """Do it with each of the selected shapes that are not locked; says of the first why it cannot be done."""
+        """Do it with each of the selected shapes that are not locked; says of the first why it cannot be done, or that
+        some are locked.
+        """
         project, refused, edited = self._document.project, "", list[RotoShape]()
-        for shape_id in self._free(self._selected()):
+        selected = self._selected()
+        free = self._free(selected)
+        for shape_id in free:
             try:
                 edited.append(verb(project.shape(shape_id)))
             except RoamError as error:
                 refused = refused or sentence_of(error)
         self._document.apply(text, project.with_shapes(edited))
-        if refused:
-            self._view.say(refused)
+        if refused or 0 < len(free) < len(selected):
+            self._view.say(refused or tr(LOCKED_STAYS))
 
     def _is_any_there(self) -> bool:
         """Whether one of the selected shapes exists on this frame, or none is selected; says so where they do not."""

@@ -10,6 +10,7 @@ from roam_core.roto import Interpolation, Keyframe, Layer, Project, timing
 from roam_core.roto.timing import Place
 
 from ...model.document import Document
+from ...model.reasons import LOCKED_STAYS
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, sentence_of, tr
 from .nudging import Nudges
@@ -155,16 +156,19 @@ class KeyVerbs:
     # ---- the rest is private
 
     def _unlocked(self, places: Iterable[Place]) -> frozenset[Place]:
-        """The places of shapes that may be edited; says why when there is none."""
-        free = unlocked(self._document.project, places)
+        """The places of shapes that may be edited; says so where some are left out, and why when there is none."""
+        wanted = frozenset(places)
+        free = unlocked(self._document.project, wanted)
         if not free:
-            self._view.say(tr("The shape is locked; unlock it to change its keys.") if places else tr(NO_KEYS))
+            self._view.say(tr("The shape is locked; unlock it to change its keys.") if wanted else tr(NO_KEYS))
+        elif free != wanted:
+            self._view.say(tr(LOCKED_STAYS))
         return free
 
     def _targets(self) -> dict[str, tuple[Keyframe, ...]]:
         """The copied keys by the shape that they go to."""
         selected = self._view.selection.shapes
-        if len(self._copied) == 1 and selected and not selected & self._copied.keys():
+        if len(self._copied) == 1 and selected:
             return dict.fromkeys(selected, next(iter(self._copied.values())))
         return self._copied
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from roam_core.errors import RoamError
 from roam_core.roto import Interpolation, Keyframe, Project, RotoShape, ValueKey, timing
+from roam_core.roto.layers import top_items
 from roam_core.roto.value_curves import (
     ValuePlace,
     bend_values,
@@ -23,6 +24,7 @@ from roam_core.roto.value_curves import (
 )
 
 from ...model.document import Document
+from ...model.reasons import LOCKED_STAYS
 from ...model.view_state import ViewState
 from ...translation import N_, sentence_of, tr
 from ..keys.nudging import Nudges
@@ -246,18 +248,21 @@ class ValueVerbs:
 
     def _wanted(self, copied: CopiedKeys) -> list[tuple[str, str]]:
         """Where copied keys are to go, after what they came from; without what is gone."""
-        view, owners = self._view, copied.owners
-        chosen = view.layers or view.selection.shapes
+        project, owners = self._document.project, copied.owners
+        chosen = top_items(project, self._view.layers | self._view.selection.shapes)
+        around = {above.id for owner in owners if project.has(owner) for above in project.layers_above(owner)}
         goes_to = [(owner, owner) for owner in sorted(owners)]
-        if len(owners) == 1 and chosen and not chosen & owners:
-            goes_to = [(owner, item_id) for owner in owners for item_id in sorted(chosen)]
-        return [pair for pair in goes_to if self._document.project.has(pair[1])]
+        if len(owners) == 1 and chosen and not around & set(chosen):  # a layer is selected with the shapes in it
+            goes_to = [(owner, item_id) for owner in owners for item_id in chosen]
+        return [pair for pair in goes_to if project.has(pair[1])]
 
     def _free(self) -> frozenset[ValuePlace]:
-        """The chosen keys that may be changed; says why when there is none."""
+        """The chosen keys that may be changed; says so where some are left out, and why when there is none."""
         free = unlocked(self._document.project, self._chosen.places)
         if not free:
             self._view.say(tr(LOCKED) if self._chosen.places else tr(NOTHING_CHOSEN))
+        elif free != self._chosen.places:
+            self._view.say(tr(LOCKED_STAYS))
         return free
 
     def _points(self) -> dict[str, frozenset[int]]:

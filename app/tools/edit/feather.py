@@ -15,9 +15,9 @@ from roam_core.roto import Project, RotoShape, edit, feather
 from roam_core.roto.keying import AUTO_KEY
 
 from ...model.document import Document
-from ...model.reasons import why_not
+from ...model.reasons import why_kept, why_not
 from ...model.shown import editable_shapes
-from ...model.view_state import Selection, ViewState
+from ...model.view_state import Selection, ViewState, selected_shapes
 from ...paint.feather import feather_handles, paint_feather_points
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
@@ -27,6 +27,7 @@ from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
 from ..reshape import Grab, break_tangent, selected_indices
 from ..tool import Modifier, Pointer
 
+NO_FEATHER = N_("There is no feather here to reset; the Feather number stands in the Shape panel.")
 GOES_OVER = N_(
     "The soft edge goes over to your next keys, through the tracked frames between; <feather.all_keys> gives it to all."
 )
@@ -212,7 +213,12 @@ class FeatherActions:
             project,
             lambda each: feather.reset(range(len(whole[each])) if chosen[each] is None else chosen[each] or ()),
         )
-        self._document.apply(tr("Reset feather"), grab.settled(project, reset))
+        after = grab.settled(project, reset)
+        self._document.apply(tr("Reset feather"), after)
+        if after == project:
+            view.say(tr(NO_FEATHER))
+        elif kept := why_kept(project, selected_shapes(project, view.selection), range(view.frame, view.frame + 1)):
+            view.say(kept)
 
     def give_all_keys(self) -> None:
         """Give the feather that the selected points (all, where none is) have here to every key of their shapes."""

@@ -86,6 +86,8 @@ class PointActions:
             return
         moved = grab.settled(project, grab.moved(project, (dx, dy)))
         self._document.apply(tr("Nudge %n point(s)", "", grab.point_count), moved, merge_key)
+        if kept := self._why_kept(project, self._view.selection):
+            self._view.say(kept)
 
     def cycle(self, step: int) -> None:
         """Select the point `step` further along the shape (backwards when negative)."""
@@ -148,10 +150,12 @@ class PointActions:
         self._apply(told(count), project)
 
     def _apply(self, text: str, project: Project) -> None:
-        if self._shapes():
-            self._document.apply(text, project)
-        else:
+        if not self._shapes():
             self._say_why()
+            return
+        self._document.apply(text, project)
+        if kept := self._why_kept(self._document.project, self._view.selection):
+            self._view.say(kept)
 
     def _shapes(self) -> list[RotoShape]:
         """The selected shapes that may be edited; those with selected points where any point is selected."""

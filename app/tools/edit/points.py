@@ -19,11 +19,11 @@ from ..tool import Pointer
 REACH = 9.0
 """Screen pixels around a point in which a press takes it."""
 CROSS = 6.0
-TAKE_BACK, CLEAR = "Backspace", "Esc"
+TAKE_BACK, CLEAR = frozenset({"Backspace", "Del"}), "Esc"
 
 
 class PointsTool(GestureTool):
-    """A click puts a point, a drag moves one; Ctrl with the wheel sizes the areas, Backspace takes the last one back.
+    """A click puts a point, a drag moves one; Ctrl with the wheel sizes the areas, Backspace or Del takes the last one back.
 
     One point tells position, two turn and size as well, four perspective.
     """
@@ -38,7 +38,7 @@ class PointsTool(GestureTool):
 
     @property
     def claimed_keys(self) -> frozenset[str]:
-        return super().claimed_keys or (frozenset({TAKE_BACK, CLEAR}) if self.here().places else frozenset())
+        return super().claimed_keys or (TAKE_BACK | {CLEAR} if self.here().places else frozenset())
 
     def here(self) -> TrackPoints:
         """The points on the present frame: where they were put, carried as the shapes in hand were tracked."""
@@ -72,7 +72,7 @@ class PointsTool(GestureTool):
         points = self.here()
         if self._gesture:
             self.drop()
-        elif name == TAKE_BACK:
+        elif name in TAKE_BACK:
             self.view_state.track_points = points.without(len(points.places) - 1)
         else:
             self.view_state.track_points = TrackPoints(points.frame, (), points.pattern, points.search)

@@ -212,6 +212,20 @@ def test_what_is_locked_gets_no_key_and_that_is_said(document: Document, view_st
     assert "is locked" in view_state.message
 
 
+def test_of_several_shapes_the_locked_one_gets_no_key_and_that_is_said(
+    document: Document, view_state: ViewState
+) -> None:
+    """It was passed over in silence."""
+    free, locked = opened(document, 2)
+    document.open(edit.set_properties(document.project, locked, locked=True), None)
+    view_state.select(frozenset({free, locked}))
+    view_state.set_frame(7)
+    ShapeVerbs(document, view_state).set_key()
+    assert document.project.shape(free).frames == (1, 7)
+    assert document.project.shape(locked).frames == (1,)
+    assert "What is locked stays" in view_state.message
+
+
 def test_points_of_a_locked_shape_get_no_key_and_that_is_what_is_said(
     document: Document, view_state: ViewState
 ) -> None:

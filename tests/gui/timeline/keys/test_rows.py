@@ -245,6 +245,34 @@ def test_keys_of_one_shape_are_pasted_into_all_that_are_selected(
     assert artist(document, third.id) == (1001, 1040)
 
 
+def test_keys_are_pasted_into_their_own_shape_and_those_that_are_selected_with_it(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    """They went into their own alone, without a word."""
+    timeline.keys.select(frozenset({("shape-1", 1001)}))
+    timeline.verbs.copy()
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    view_state.set_frame(1040)
+    timeline.verbs.paste()
+    assert artist(document, "shape-1") == (1001, 1030, 1040)
+    assert artist(document, "shape-2") == (1010, 1030, 1040)
+    assert timeline.keys.places == {("shape-1", 1040), ("shape-2", 1040)}
+
+
+@pytest.mark.parametrize("verb", ["delete", "nudge", "hold"])
+def test_of_chosen_keys_those_of_a_locked_shape_stay_and_that_is_said(
+    timeline: Timeline, document: Document, view_state: ViewState, verb: str
+) -> None:
+    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+    timeline.keys.select(frozenset({("shape-1", 1030), ("shape-2", 1030)}))
+    before = document.project.shape("shape-1")
+    verbs = timeline.verbs
+    {"delete": verbs.delete, "nudge": lambda: verbs.nudge(2), "hold": verbs.handlers()["key.hold"]}[verb]()
+    assert document.project.shape("shape-1") == before
+    assert document.undo_stack.undoText() in ("Delete keys", "Move keys", "Hold")
+    assert view_state.message == "What is locked stays; unlock it first (Ctrl+L)."
+
+
 def test_what_the_pasted_keys_do_not_fit_is_named(
     timeline: Timeline, document: Document, view_state: ViewState
 ) -> None:

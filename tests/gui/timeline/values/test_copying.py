@@ -16,6 +16,7 @@ from app.model.view_state import ViewState
 from app.timeline.timeline import Timeline
 from app.timeline.values.verbs import FITS_NOTHING
 from roam_core.roto import Animated, Interpolation, Project, ValueKey, edit
+from roam_core.roto.layers import grouped
 from tests.gui.timeline.places import CLIP, place
 
 LEFT = Qt.MouseButton.LeftButton
@@ -220,6 +221,34 @@ def test_values_of_one_shape_are_pasted_into_all_that_are_selected(
     assert fades(document.project) == {1005: 0.2, 1015: 0.8}
     for shape_id in ("shape-2", third.id):
         assert fades(document.project, shape_id) == {1001: 0.2, 1011: 0.8}
+
+
+def test_values_are_pasted_into_their_own_shape_and_those_that_are_selected_with_it(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: None
+) -> None:
+    """They went into their own alone, without a word."""
+    timeline.value_rows.verbs.select_all()
+    timeline.value_rows.verbs.copy()
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    view_state.set_frame(1025)
+    timeline.value_rows.verbs.paste()
+    assert fades(document.project) == {1005: 0.2, 1015: 0.8, 1025: 0.2, 1035: 0.8}
+    assert fades(document.project, "shape-2") == {1025: 0.2, 1035: 0.8}
+
+
+def test_values_of_a_shape_stay_its_own_where_its_layer_is_selected(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: None
+) -> None:
+    """A click on the layer shows the rows of its shapes: what was copied from one of them made the whole layer fade."""
+    project, layer = grouped(document.project, {"shape-1"})
+    document.apply("Group", project)
+    timeline.value_rows.verbs.select_all()
+    timeline.value_rows.verbs.copy()
+    view_state.select(frozenset({"shape-1"}), layers=frozenset({layer.id}))
+    view_state.set_frame(1025)
+    timeline.value_rows.verbs.paste()
+    assert document.project.find(layer.id).opacity == 1.0
+    assert fades(document.project) == {1005: 0.2, 1015: 0.8, 1025: 0.2, 1035: 0.8}
 
 
 def test_of_several_shapes_that_take_values_the_locked_one_is_told(

@@ -10,7 +10,7 @@ from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.reasons import NOTHING_SELECTED
 from app.model.view_state import ViewState
-from app.tools.edit.feather import FeatherActions
+from app.tools.edit.feather import NO_FEATHER, FeatherActions
 from app.tools.edit.transform_actions import TransformActions
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.matte import shape_matte
@@ -101,6 +101,7 @@ def test_a_double_click_and_reset_take_it_back(
     steps = document.undo_stack.count()
     actions["feather.reset"]()
     assert document.undo_stack.count() == steps  # that point had none
+    assert view_state.message == NO_FEATHER
     view_state.select(frozenset({"shape-1"}))
     actions["feather.reset"]()
     assert only().at(1).feather is None

@@ -176,6 +176,19 @@ def test_alt_arrows_nudge(
     assert only.anchors() == SQUARE
 
 
+def test_of_several_shapes_the_locked_one_is_not_nudged_and_that_is_said(
+    hand: Hand, square: str, document: Document, view_state: ViewState
+) -> None:
+    """It was passed over in silence."""
+    project, other = edit.new_shape(document.project, polygon_points(SQUARE), 1)
+    document.open(edit.set_properties(project, other.id, locked=True), None)
+    view_state.select(frozenset({square, other.id}))
+    hand.key(Key.Key_Right, ALT)
+    assert tuple(document.project.shape(square).at(1).anchors[0]) == (41.0, 40.0)
+    assert tuple(document.project.shape(other.id).at(1).anchors[0]) == (40.0, 40.0)
+    assert view_state.message == f"{other.name!r} is locked or hidden; unlock and show it to edit it."
+
+
 def test_nudge_without_points_moves_the_shape(hand: Hand, square: str, only: OnlyShape) -> None:
     hand.key(Key.Key_Right, ALT)
     assert only.anchors() == [(x + 1.0, y) for x, y in SQUARE]

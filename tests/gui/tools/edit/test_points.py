@@ -63,6 +63,8 @@ def test_clicks_put_points_and_drags_move_them(
     np.testing.assert_allclose(places(view_state)[2], (190, 158), atol=0.8)
     hand.key(Qt.Key.Key_Backspace)
     assert len(places(view_state)) == 3
+    hand.key(Qt.Key.Key_Delete)  # it deleted the selected shape
+    assert len(places(view_state)) == 2
     hand.key(Qt.Key.Key_Escape)
     assert len(places(view_state)) == 0
     assert document.undo_stack.count() == 0
