@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QPoint, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QContextMenuEvent, QDropEvent, QIcon, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QAbstractItemDelegate,
@@ -87,12 +87,13 @@ class ShapeTree(QTreeWidget):
         super().__init__(parent)
         self._document, self._view = document, view_state
         self._shown: object = None
+        self._is_pushing = False
         self._dress()
         self.itemSelectionChanged.connect(self._push_selection)
         self.itemChanged.connect(self._push_name)
         document.changed.connect(self._pull)
         document.replaced.connect(self._begin_anew)
-        view_state.selection_changed.connect(self._pull_selection)
+        view_state.selection_changed.connect(self._follow_selection)
         self._pull()
 
     def _dress(self) -> None:
@@ -138,12 +139,16 @@ class ShapeTree(QTreeWidget):
     def _build(self) -> None:
         self.updateGeometry()
         closed = {row.data(NAME, ID) for row in self._rows() if row.childCount() and not row.isExpanded()}
+        current = None if self.currentItem() is None else self.currentItem().data(NAME, ID)
         with QSignalBlocker(self):
             self.clear()
             self._add_rows(self.invisibleRootItem(), self._document.project.root)
             for row in self._rows():
                 row.setExpanded(row.childCount() > 0 and row.data(NAME, ID) not in closed)
         self._pull_selection()
+        self.setAutoScroll(False)  # where the artist looks is kept
+        self._set_current(next((row for row in self._rows() if row.data(NAME, ID) == current), None))
+        self.setAutoScroll(True)
 
     def _add_rows(self, parent: QTreeWidgetItem, layer: Layer) -> None:
         for child in reversed(layer.children):
@@ -168,12 +173,37 @@ class ShapeTree(QTreeWidget):
                 row.setSelected(row.data(NAME, ID) in selected)
         self.viewport().update()
 
+    def _follow_selection(self) -> None:
+        """Mark what is selected; where it was selected elsewhere, bring a row of it into sight: keys such as F2 mean it.
+
+        A folded layer stays so: then it is the layer's row that comes into sight.
+        """
+        self._pull_selection()
+        chosen = [row for row in self._rows() if row.isSelected()]
+        if self._is_pushing or not chosen:
+            return
+        in_sight = [row for row in chosen if self.viewport().rect().intersects(self.visualItemRect(row))]
+        row = (in_sight or [row for row in chosen if _folded_above(row) is None] or chosen)[0]
+        folded = _folded_above(row)
+        current = self.currentItem()
+        if current is None or not current.isSelected() or folded is not None:
+            self._set_current(row if folded is None else None)
+        if not in_sight:
+            self.scrollToItem(folded or row)
+
+    def _set_current(self, row: QTreeWidgetItem | None) -> None:
+        """Let keys begin at a row, with what is selected as it is."""
+        index = QModelIndex() if row is None else self.indexFromItem(row)
+        self.selectionModel().setCurrentIndex(index, QItemSelectionModel.SelectionFlag.NoUpdate)
+
     # ---- to the document
 
     def _push_selection(self) -> None:
         rows = self.selectedItems()
         shapes = frozenset[str]().union(*(self._covered(row) for row in rows))
+        self._is_pushing = True
         self._view.select(shapes, layers=frozenset(row.data(NAME, ID) for row in rows if row.data(NAME, IS_LAYER)))
+        self._is_pushing = False
 
     def _push_name(self, row: QTreeWidgetItem, column: int) -> None:
         name, item_id = row.text(NAME).strip(), row.data(NAME, ID)
@@ -280,6 +310,14 @@ class ShapeTree(QTreeWidget):
             return frozenset()
         item = self._document.project.find(row.data(NAME, ID))
         return frozenset({item.id} if isinstance(item, RotoShape) else (shape.id for shape in item.shapes()))
+
+
+def _folded_above(row: QTreeWidgetItem) -> QTreeWidgetItem | None:
+    """The outermost folded layer's row that a row lies in, or None."""
+    found, parent = None, row.parent()
+    while parent is not None:
+        found, parent = (found if parent.isExpanded() else parent), parent.parent()
+    return found
 
 
 def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:

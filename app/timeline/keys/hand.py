@@ -56,6 +56,8 @@ class KeyHand:
         self._held: Place | None = None
         self._before: frozenset[Place] = frozenset()
         self._is_drag = False
+        self._boxed_to: tuple[QPointF, Qt.KeyboardModifier] = QPointF(), Qt.KeyboardModifier.NoModifier
+        """Where the box was drawn to last, and with which keys held."""
         self._stretch: Stretch | None = None
         self._goes: Mapping[int, int] = {}
         """Where the chosen keys go by the drag, by their frames; those that it tells nothing of stay."""
@@ -100,7 +102,15 @@ class KeyHand:
         if self._held is not None or self._stretch is not None:
             self._drag(event)
         else:
-            self._draw_box(event)
+            self._boxed_to = event.position(), event.modifiers()
+            self._draw_box()
+
+    def scrolled(self, by: float) -> None:
+        """The rows were scrolled down by so many pixels: the box keeps the row in which it was begun."""
+        if self._start is not None:
+            self._start -= QPointF(0.0, by)
+        if self.box is not None:
+            self._draw_box()
 
     def release(self, event: QMouseEvent) -> None:
         """Do what was previewed, once; a mere click goes to the frame under it."""
@@ -156,10 +166,11 @@ class KeyHand:
     def _copies(self, event: QMouseEvent) -> bool:
         return self._stretch is None and bool(event.modifiers() & COPIES)
 
-    def _draw_box(self, event: QMouseEvent) -> None:
+    def _draw_box(self) -> None:
         assert self._start is not None
-        self.box = QRectF(self._start, event.position()).normalized()
-        found, modifiers = self._keys_in(self.box), event.modifiers()
+        at, modifiers = self._boxed_to
+        self.box = QRectF(self._start, at).normalized()
+        found = self._keys_in(self.box)
         if modifiers & Qt.KeyboardModifier.ControlModifier:
             found = self._before - found
         elif modifiers & Qt.KeyboardModifier.ShiftModifier:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -41,6 +41,8 @@ from .walking import KeyWalk, is_key_press
 
 GRAB = 6
 """Pixels around a key's middle in which a click means the key."""
+SCROLL_PAUSE = 40
+"""Milliseconds from one step to the next where a box scrolls the rows."""
 
 
 class KeyRows(QAbstractScrollArea):
@@ -72,6 +74,11 @@ class KeyRows(QAbstractScrollArea):
         """What a right click offers."""
         self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self._end_at, self.viewport().update)
         self._walk = KeyWalk(axis.view_state, keys, self._in_time)
+        self._beyond, self._scrolled_to = 0.0, 0
+        """By how many pixels the pointer is below the rows in sight (above: below zero); where the bar was last."""
+        self._scrolling = QTimer(self, interval=SCROLL_PAUSE)
+        self._scrolling.timeout.connect(self._scroll_on)
+        self.verticalScrollBar().valueChanged.connect(self._tell_scrolled)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -137,6 +144,10 @@ class KeyRows(QAbstractScrollArea):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if event.buttons() & Qt.MouseButton.LeftButton:
             self.hand.move(event)
+            y = event.position().y()
+            self._beyond = min(y, 0.0) + max(y - self.viewport().height(), 0.0)
+            if self._beyond and self.hand.box is not None and not self._scrolling.isActive():
+                self._scrolling.start()
         else:
             over_key = self.key_at(event.position()) is not None or self._end_at(event.position()) is not None
             self.viewport().setCursor(Qt.CursorShape.SizeHorCursor if over_key else Qt.CursorShape.ArrowCursor)
@@ -230,6 +241,18 @@ class KeyRows(QAbstractScrollArea):
     @property
     def _offset(self) -> int:
         return self.verticalScrollBar().value()
+
+    def _scroll_on(self) -> None:
+        """A box that is drawn beyond the rows in sight goes on over the others, faster the farther away it is."""
+        if self.hand.box is None or not self._beyond:
+            self._scrolling.stop()
+        else:
+            bar, fastest = self.verticalScrollBar(), 2 * ROW
+            bar.setValue(bar.value() + round(max(min(self._beyond, fastest), -fastest)))
+
+    def _tell_scrolled(self, offset: int) -> None:
+        by, self._scrolled_to = offset - self._scrolled_to, offset
+        self.hand.scrolled(by)
 
     def _pull_height(self) -> None:
         """No taller than the rows: what is left belongs to the plot below. At least two rows stay in sight."""

@@ -14,7 +14,7 @@ from app.model.view_state import ViewState
 from app.panels.shapes import EYE, LOCK, NAME, ShapesPanel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Layer, Origin, Project, edit
-from roam_core.roto.layers import grouped
+from roam_core.roto.layers import grouped, moved
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -238,3 +238,61 @@ def test_a_name_of_what_a_run_took_away_while_it_was_typed_goes_nowhere(
     qtbot.keyClick(editor, Qt.Key.Key_Return)
     assert document.project is after
     qtbot.waitUntil(lambda: names(panel) == ["hero", "Shape 1"])
+
+
+def crowd(panel: ShapesPanel, document: Document) -> list[str]:
+    """Forty shapes more, of which the list shows some; their ids, bottom first."""
+    project, ids = document.project, []
+    for _ in range(40):
+        project, shape = edit.new_shape(project, SQUARE, 1)
+        ids.append(shape.id)
+    document.apply("Draw", project)
+    return ids
+
+
+def is_in_sight(panel: ShapesPanel, item_id: str) -> bool:
+    tree = panel.tree
+    return tree.viewport().rect().contains(tree.visualItemRect(tree.item(item_id)).center())
+
+
+def test_what_is_selected_elsewhere_comes_into_sight_and_is_what_f2_means(
+    qtbot: QtBot, panel: ShapesPanel, document: Document, view_state: ViewState
+) -> None:
+    """The list stayed where it was, and F2 named the shape that had been clicked in it before."""
+    ids = crowd(panel, document)
+    click(qtbot, panel, panel.tree.item(ids[-1]), NAME)
+    view_state.select(frozenset({ids[3]}))
+    assert is_in_sight(panel, ids[3])
+    panel.tree.setFocus()
+    qtbot.keyClick(panel.tree, Qt.Key.Key_F2)
+    field = panel.tree.viewport().findChild(QLineEdit)
+    assert field.text() == document.project.shape(ids[3]).name
+    assert view_state.selection.shapes == {ids[3]}
+
+
+def test_keys_go_on_from_the_row_whose_lock_was_switched(
+    qtbot: QtBot, panel: ShapesPanel, document: Document, view_state: ViewState
+) -> None:
+    """The rows were built anew, and Down began at the top; nor does the list go back to where that row is."""
+    ids = crowd(panel, document)
+    click(qtbot, panel, panel.tree.item(ids[-2]), NAME)
+    document.apply("Lock", edit.set_properties(document.project, ids[-2], locked=True))
+    bar = panel.tree.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    document.apply("Lock", edit.set_properties(document.project, ids[2], locked=True))
+    assert not is_in_sight(panel, ids[-2])
+    panel.tree.setFocus()
+    qtbot.keyClick(panel.tree, Qt.Key.Key_Down)
+    assert view_state.selection.shapes == {ids[-3]}
+
+
+def test_a_shape_in_a_folded_layer_brings_the_layers_row_into_sight(
+    panel: ShapesPanel, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Down", moved(document.project, ["layer-1"], document.project.root.id, 0))
+    crowd(panel, document)
+    panel.tree.item("layer-1").setExpanded(False)
+    assert not is_in_sight(panel, "layer-1")
+    view_state.select(frozenset({"shape-3"}))
+    assert is_in_sight(panel, "layer-1")
+    assert not panel.tree.item("layer-1").isExpanded()

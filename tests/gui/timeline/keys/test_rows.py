@@ -524,3 +524,23 @@ def test_a_key_of_some_points_is_hollow_and_says_so(timeline: Timeline, document
     document.apply("Points", document.project.with_shape(edit.key_points(shape, 1025, [0, 2])))
     assert ink() != whole
     assert "Key by hand of 2 of 4 points" in timeline.rows.tip_at(QPointF(place(timeline, 1025, 1)))
+
+
+def test_a_box_goes_on_over_the_rows_out_of_sight(qtbot: QtBot, timeline: Timeline, document: Document) -> None:
+    """It ended with those in sight."""
+    project = document.project
+    for _ in range(60):
+        project, _ = edit.new_shape(project, SQUARE, 1001)
+    document.apply("Draw", project)
+    timeline.resize(timeline.width(), 260)
+    QApplication.processEvents()
+    rows, top = timeline.rows, timeline.rows.rows()
+    assert rows.verticalScrollBar().maximum() > rows.viewport().height()
+    below = QPoint(x_of(timeline, 1005), rows.viewport().height() + 30)
+    send(timeline, QEvent.Type.MouseButtonPress, QPoint(x_of(timeline, 1005), row_middle(0)))
+    send(timeline, QEvent.Type.MouseMove, below - QPoint(20, 0))
+    send(timeline, QEvent.Type.MouseMove, QPoint(x_of(timeline, 1000), below.y()))
+    qtbot.waitUntil(lambda: rows.verticalScrollBar().value() == rows.verticalScrollBar().maximum())
+    send(timeline, QEvent.Type.MouseButtonRelease, QPoint(x_of(timeline, 1000), below.y()))
+    assert timeline.keys.places == {(shape.id, 1001) for shape in top if 1001 in shape.artist_frames}
+    assert len(timeline.keys.places) > 60
