@@ -26,6 +26,7 @@ from .. import style
 from ..features.belonging import Belonging
 from ..features.navigation import clip_frames
 from ..model.document import Document
+from ..model.reasons import LOCKED_STAYS
 from ..model.view_state import ViewState, selected_shapes
 from ..translation import N_, tr
 from ..widgets.controls import FRAME_LIMIT, dense_form, form_label
@@ -253,10 +254,14 @@ class PropertiesPanel(QWidget):
         self.push_each(text, lambda shape: replace(shape, **values), merge_key, values.keys() <= FREE_OF_LOCKS)
 
     def push_each(self, text: str, verb: Verb, merge_key: str = "", works_locked: bool = False) -> None:
-        """Put `verb(shape)` in the place of every selected shape that is not locked, as one undo step."""
-        project = self._document.project
-        edited = (verb(shape) for shape in self._selected() if works_locked or not project.is_locked(shape.id))
-        self._document.apply(text, project.with_shapes(edited), merge_key and f"{merge_key} {text}")
+        """Put `verb(shape)` in the place of every selected shape that is not locked, as one undo step; says so where
+        some are.
+        """
+        project, selected = self._document.project, self._selected()
+        free = [shape for shape in selected if works_locked or not project.is_locked(shape.id)]
+        self._document.apply(text, project.with_shapes(map(verb, free)), merge_key and f"{merge_key} {text}")
+        if len(free) < len(selected):
+            self._view.say(tr(LOCKED_STAYS))
         self._pull()
 
     def _push_name(self, name: str) -> None:

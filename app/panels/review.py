@@ -86,6 +86,7 @@ class ReviewPanel(QWidget):
         self.note.written.connect(self._write)
         self.kinds.currentIndexChanged.connect(lambda _: self._pull_list())
         self.list.itemClicked.connect(lambda item, _: self._go(item))
+        self.list.walked.connect(self._go)
         for signal in (document.changed, document.replaced, view_state.selection_changed, self._boil.changed):
             signal.connect(self._pull_soon)
         view_state.frame_changed.connect(self._pull_frame)
@@ -247,8 +248,26 @@ class NoteField(QPlainTextEdit):
         self.keep()
 
 
-def _tree() -> QTreeWidget:
-    tree = QTreeWidget()
+class FrameList(QTreeWidget):
+    """The rows of frames.
+
+    Signals
+    -------
+    walked(item) : the keyboard went to another row.
+    """
+
+    walked = Signal(QTreeWidgetItem)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        before = self.currentItem()
+        super().keyPressEvent(event)
+        item = self.currentItem()
+        if item is not None and item is not before:
+            self.walked.emit(item)
+
+
+def _tree() -> FrameList:
+    tree = FrameList()
     tree.setColumnCount(3)
     tree.setHeaderHidden(True)
     tree.setRootIsDecorated(False)

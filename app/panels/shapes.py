@@ -139,7 +139,8 @@ class ShapeTree(QTreeWidget):
     def _build(self) -> None:
         self.updateGeometry()
         closed = {row.data(NAME, ID) for row in self._rows() if row.childCount() and not row.isExpanded()}
-        current = None if self.currentItem() is None else self.currentItem().data(NAME, ID)
+        held = self.currentItem()
+        current = None if held is None else held.data(NAME, ID)
         with QSignalBlocker(self):
             self.clear()
             self._add_rows(self.invisibleRootItem(), self._document.project.root)
@@ -174,7 +175,7 @@ class ShapeTree(QTreeWidget):
         self.viewport().update()
 
     def _follow_selection(self) -> None:
-        """Mark what is selected; where it was selected elsewhere, bring a row of it into sight: keys such as F2 mean it.
+        """Mark what is selected; where it was selected elsewhere, bring a row of it into sight: keys, as F2, mean it.
 
         A folded layer stays so: then it is the layer's row that comes into sight.
         """

@@ -75,9 +75,9 @@ class TimeAxis(QObject):
     # ---- gestures, the same in ruler and rows
 
     def wheel(self, event: QWheelEvent, x: float) -> None:
-        """Zoom at the pixel `x`; with Shift, or sideways, pan."""
+        """Zoom at the pixel `x`; with Shift, or where it turns sideways more than up or down, pan."""
         turn, scale = event.angleDelta(), self._scale
-        if turn.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+        if abs(turn.x()) > abs(turn.y()) or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             notches = (turn.x() or turn.y()) / 120
             self.set_scale(scale.panned(-notches * PAN * scale.width / scale.pixels))
         else:

@@ -35,11 +35,17 @@ class MarkVerbs:
         project, frame = self._document.project, self._view.frame
         if project.clip is None:
             self._view.say(tr(NO_CLIP))
-        elif timing.mark_at(project, frame) is None:
+        elif (mark := timing.mark_at(project, frame)) is None:
             self._document.apply(tr("Mark frame"), timing.set_mark(project, frame))
             self._view.say(tr("Frame {frame} is marked; double-click the mark to write a note.", frame=frame))
         else:
-            self._document.apply(tr("Remove mark"), timing.remove_mark(project, frame))
+            self._document.apply(
+                tr("Remove note") if mark.text else tr("Remove mark"), timing.remove_mark(project, frame)
+            )
+            if mark.text:
+                self._view.say(
+                    tr("The note of frame {frame} went with its mark; <edit.undo> brings it back.", frame=frame)
+                )
 
     def name(self) -> None:
         """Name the mark of the playhead's frame, which is set if it is not there."""

@@ -1016,6 +1016,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ausschneiden</translation>
     </message>
     <message>
+        <source>Cut keys</source>
+        <translation>Keyframes ausschneiden</translation>
+    </message>
+    <message>
         <source>Cut the selected shapes</source>
         <translation>Ausgewählte Formen ausschneiden</translation>
     </message>
@@ -4612,6 +4616,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The next frame is a key already: there is nothing to track before it.</source>
         <translation>Der nächste Frame ist schon ein Keyframe: Davor gibt es nichts zu tracken.</translation>
+    </message>
+    <message>
+        <source>The note of frame {frame} went with its mark; &lt;edit.undo&gt; brings it back.</source>
+        <translation>Die Notiz von Frame {frame} ging mit ihrer Markierung; &lt;edit.undo&gt; bringt sie zurück.</translation>
     </message>
     <message>
         <source>The oldest steps go first</source>

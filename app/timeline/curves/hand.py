@@ -25,7 +25,8 @@ from ..values.verbs import LOCKED, ValueVerbs, unlocked
 STILL = 3
 """Pixels that the pointer may move between press and release of a click."""
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
-INSERTS = CTRL | Qt.KeyboardModifier.AltModifier
+COPIES = Qt.KeyboardModifier.AltModifier
+INSERTS = CTRL | COPIES
 """With these a click on a curve sets a key there."""
 
 
@@ -135,7 +136,7 @@ class CurveHand:
     # ---- the rest is private
 
     def _drag_keys(self, event: QMouseEvent) -> None:
-        """Keys go with the pointer, whole frames and any value; with Shift only where it went farther."""
+        """Keys, with Alt copies of them, go with the pointer; with Shift only where it went farther."""
         assert self._start is not None
         if self._drag is None:
             self._drag = KeyDrag(self._document, self._axis, self._chosen, self._verbs)
@@ -146,7 +147,8 @@ class CurveHand:
         amount = (self._value_at(event.position().y()) - self._value_at(self._start.y())) / factor
         if event.modifiers() & SHIFT:
             frames, amount = (frames, 0.0) if abs(away.x()) > abs(away.y()) else (0, amount)
-        self._drag.to(frames, amount if abs(away.y()) > STILL else 0.0)
+        copies = bool(event.modifiers() & COPIES)
+        self._drag.to(frames, amount if abs(away.y()) > STILL else 0.0, copies=copies)
 
     def _turned(self, handle: Handle, event: QMouseEvent) -> Project | None:
         """The project with a tangent turned; None where it is there no more.

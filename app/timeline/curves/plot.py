@@ -38,6 +38,8 @@ from .lines import CurveKey, CurveLine, lines_of, ticks, value_range
 GRAB = 7.0
 """Pixels around a key, a handle's end or a curve in which a press means it."""
 ZOOM = 1.2
+NARROWEST, WIDEST = 1e-3, 1e7
+"""Percent or pixels from the bottom to the top at least, and at most."""
 """A notch of the wheel with Ctrl: the factor by which the values in sight become fewer."""
 KEY, HANDLE = 12, 8
 """Pixels that a key and a handle's end are wide."""
@@ -270,9 +272,10 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             low, high = self.range
             value, factor = self.value_at(event.position().y()), ZOOM ** (-event.angleDelta().y() / 120)
-            self.range = value - (value - low) * factor, value + (high - value) * factor
-            self._is_fitted = False
-            self.pull()
+            if NARROWEST <= (high - low) * factor <= WIDEST:
+                self.range = value - (value - low) * factor, value + (high - value) * factor
+                self._is_fitted = False
+                self.pull()
             event.accept()
         else:
             self._axis.wheel(event, event.position().x() + LABEL_WIDTH)

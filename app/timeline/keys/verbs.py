@@ -100,7 +100,7 @@ class KeyVerbs:
     def cut(self) -> None:
         """Remember the chosen keys and delete them."""
         if self.copy():
-            self.delete()
+            self.delete(tr("Cut keys"))
 
     def paste(self) -> None:
         """Put the copied keys into their shapes, or those of one shape into the selected ones; the first one here."""
@@ -122,13 +122,13 @@ class KeyVerbs:
         if left_out := [shape.name for shape in project.shapes if shape.id in copied and shape.id not in taking]:
             self._view.say(tr(FITS_SOME, names=", ".join(left_out)))
 
-    def delete(self) -> None:
-        """Delete the chosen keys; the engine's stay, and are shown as stale.
+    def delete(self, text: str = "") -> None:
+        """Delete the chosen keys; the engine's stay, and are shown as stale. `text` names the step.
 
         A shape that would have no key left keeps its own, and that is said.
         """
         project, refused = without_keys(self._document.project, self._unlocked(self._keys.places))
-        self._document.apply(tr("Delete keys"), project)
+        self._document.apply(text or tr("Delete keys"), project)
         if refused:
             self._view.say(refused)
 

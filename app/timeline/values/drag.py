@@ -75,7 +75,8 @@ class KeyDrag:
             return
         self._made, self.frames, preview = (project, (frames, amount, copies)), frames, None
         if frames and copies and self._places:
-            preview = self._verbs.copied(project, self._places, frames)
+            there = [(item_id, name, frame + frames) for item_id, name, frame in self._places]
+            preview = self._verbs.moved(self._verbs.copied(project, self._places, frames), there, 0, amount)
         elif not copies and (frames or amount) and self._places:
             preview = self._verbs.moved(project, self._places, frames, amount)
         self._axis.view_state.set_preview(preview)

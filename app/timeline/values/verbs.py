@@ -145,7 +145,7 @@ class ValueVerbs:
     def cut(self) -> None:
         """Remember the chosen keys and delete them."""
         self.copy()
-        self.delete()
+        self.delete(tr("Cut keys"))
 
     def paste(self) -> None:
         """Put the copied keys where they came from, or those of one shape or layer into the selected ones; the first
@@ -183,13 +183,13 @@ class ValueVerbs:
         if left_out := [project.find(item_id).name for _, item_id in self._wanted(copied) if item_id not in taking]:
             self._view.say(tr(FITS_SOME, names=", ".join(left_out)))
 
-    def delete(self) -> None:
-        """Delete the chosen keys."""
+    def delete(self, text: str = "") -> None:
+        """Delete the chosen keys; `text` names the step."""
         values, outlines = _parted(self._free())
         keys = {(item_id, frame) for item_id, _, frame in outlines}
         if values or keys:
             project, refused = without_keys(delete_values(self._document.project, values), keys)
-            self._document.apply(tr("Delete keys"), project)
+            self._document.apply(text or tr("Delete keys"), project)
             if refused:
                 self._view.say(refused)
 

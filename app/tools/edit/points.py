@@ -23,7 +23,7 @@ TAKE_BACK, CLEAR = frozenset({"Backspace", "Del"}), "Esc"
 
 
 class PointsTool(GestureTool):
-    """A click puts a point, a drag moves one; Ctrl with the wheel sizes the areas, Backspace or Del takes the last one back.
+    """A click puts a point, a drag moves one; Ctrl and the wheel size the areas, Backspace and Del take the last back.
 
     One point tells position, two turn and size as well, four perspective.
     """

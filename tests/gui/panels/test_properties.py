@@ -313,3 +313,17 @@ def test_neither_the_wheel_nor_the_keyboard_changes_a_choice_by_the_way(
         assert box.focusPolicy() is Qt.FocusPolicy.TabFocus
     assert panel.blend in panel.findChildren(ChoiceBox)
     assert document.undo_stack.count() == 0
+
+
+def test_of_several_shapes_the_locked_one_keeps_its_values_and_that_is_said(
+    panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    """The field went back to mixed, without a word."""
+    document.apply("Lock", edit.set_properties(document.project, "shape-2", locked=True))
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    panel.push("Blend", blend=BlendMode.MAX)
+    assert [shape(document, number).blend for number in (1, 2)] == [BlendMode.MAX, BlendMode.ADD]
+    assert view_state.message == "What is locked stays; unlock it first (Ctrl+L)."
+    view_state.say("")
+    panel.push("Show", visible=False)
+    assert view_state.message == ""

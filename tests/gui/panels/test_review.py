@@ -166,6 +166,20 @@ def test_a_click_on_a_row_goes_to_its_frame_and_says_what_is_there(
     assert not panel.list.selectedItems()
 
 
+def test_arrow_keys_go_from_row_to_row_and_to_their_frames(
+    qtbot: QtBot, panel: ReviewPanel, view_state: ViewState
+) -> None:
+    """They marked rows, and the playhead stayed."""
+    frames = [entry.frame for entry in panel.entries]
+    view_state.set_frame(frames[0])
+    panel.list.setFocus()
+    for frame in frames[1:]:
+        qtbot.keyClick(panel.list, Qt.Key.Key_Down)
+        assert view_state.frame == frame
+    qtbot.keyClick(panel.list, Qt.Key.Key_Up)
+    assert view_state.frame == frames[-2]
+
+
 def test_only_the_shapes_in_hand_are_listed_and_an_empty_list_says_so(
     qtbot: QtBot, panel: ReviewPanel, document: Document, view_state: ViewState
 ) -> None:

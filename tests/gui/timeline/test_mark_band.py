@@ -45,6 +45,17 @@ def test_m_marks_the_frame_and_takes_the_mark_away(
     assert document.project.marks == (Mark(1012),)
 
 
+def test_m_says_so_where_a_note_goes_with_its_mark(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Note", timing.set_mark(document.project, 1012, "the elbow slips"))
+    view_state.set_frame(1012)
+    handler(timeline, "mark.toggle")()
+    assert document.project.marks == ()
+    assert document.undo_stack.undoText() == "Remove note"
+    assert view_state.message == "The note of frame 1012 went with its mark; Ctrl+Z brings it back."
+
+
 def test_a_mark_is_named_in_place(qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState) -> None:
     view_state.set_frame(1012)
     handler(timeline, "mark.name")()

@@ -89,6 +89,20 @@ def test_the_wheel_zooms_at_the_pointer_and_a_double_click_fits(qtbot: QtBot, ti
     assert timeline.axis.scale == before
 
 
+def test_two_fingers_that_stray_a_little_sideways_zoom(timeline: Timeline) -> None:
+    """A touchpad turns both ways at once: time was panned by what strayed."""
+    before, ruler, at = timeline.axis.scale, timeline.ruler, QPointF(x_of(timeline, 1020), 5)
+    for turn, zooms in ((QPoint(3, 120), True), (QPoint(120, 3), False)):
+        event = QWheelEvent(
+            at, QPointF(ruler.mapToGlobal(at.toPoint())), QPoint(), turn, Qt.MouseButton.NoButton,
+            Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+        )  # fmt: skip
+        QApplication.sendEvent(ruler, event)
+        after = timeline.axis.scale
+        assert (after.pixels > before.pixels) is zooms
+        before = after
+
+
 def test_time_is_zoomed_at_the_playhead_by_keys(timeline: Timeline, view_state: ViewState) -> None:
     handlers, before = timeline.handlers(), timeline.axis.scale
     view_state.set_frame(1020)

@@ -273,6 +273,33 @@ def test_ctrl_with_the_wheel_zooms_values_about_the_pointer_until_something_else
     assert plot.range == whole
 
 
+def test_values_are_zoomed_no_farther_than_they_can_be_told_apart(plot: CurvePlot) -> None:
+    """The bottom and the top fell together, and the plot ended in an error."""
+    at = plot.key_point(1020, 80.0)
+    for turn in (120, -120):
+        for _ in range(400):
+            where = at, QPointF(plot.mapToGlobal(at))
+            event = QWheelEvent(
+                *where, QPoint(), QPoint(0, turn), Qt.MouseButton.NoButton, CTRL, Qt.ScrollPhase.NoScrollPhase, False
+            )
+            QApplication.sendEvent(plot.viewport(), event)
+        low, high = plot.range
+        assert 1e-3 <= high - low <= 1e7
+
+
+def test_with_alt_a_drag_leaves_the_key_and_takes_a_copy_to_another_frame_and_value(
+    plot: CurvePlot, document: Document
+) -> None:
+    """As in the rows; the key itself went along."""
+    steps = document.undo_stack.count()
+    drag(plot, plot.key_point(1005, 20.0), plot.key_point(1012, 60.0), ALT)
+    assert [(key.frame, round(key.value, 2)) for key in value(document).keys] == [
+        (1005, 0.2), (1012, 0.6), (1020, 0.8), (1035, 0.5),
+    ]  # fmt: skip
+    assert document.undo_stack.undoText() == "Copy keys"
+    assert document.undo_stack.count() == steps + 1
+
+
 def test_a_locked_shape_says_so(plot: CurvePlot, document: Document, view_state: ViewState) -> None:
     shape = document.project.shape("shape-1")
     assert isinstance(shape, RotoShape)

@@ -147,6 +147,7 @@ def test_cut_takes_keys_and_never_the_shape(
     act[CUT]()
     assert elsewhere.called == []
     assert fades(document.project) == {1005: 0.2}
+    assert document.undo_stack.undoText() == "Cut keys"
     view_state.set_frame(1020)
     act[PASTE]()
     found = document.project.shape("shape-1").opacity
