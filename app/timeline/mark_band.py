@@ -16,6 +16,7 @@ from ..translation import tr
 from ..widgets.focus import KEEPS_KEYBOARD
 from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_playhead
+from .mark_verbs import remove
 from .scale import LABEL_WIDTH
 
 HEIGHT = 18
@@ -79,7 +80,7 @@ class MarkBand(TippedWidget):
         if self._held is not None:
             return  # another button, as that of a pen, while one is dragged
         if event.button() == Qt.MouseButton.RightButton and mark is not None:
-            self._document.apply(tr("Remove mark"), timing.remove_mark(self._document.project, mark.frame))
+            remove(self._document, self._axis.view_state, mark)
         elif event.button() == Qt.MouseButton.LeftButton:
             self._held, self._target, self._pressed = mark, None, event.position()
             self._pressed_time = self._axis.scale.time(self._pressed.x())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from roam_core.roto import timing
+from roam_core.roto import Mark, timing
 
 from ..model.document import Document
 from ..model.view_state import ViewState
@@ -39,13 +39,7 @@ class MarkVerbs:
             self._document.apply(tr("Mark frame"), timing.set_mark(project, frame))
             self._view.say(tr("Frame {frame} is marked; double-click the mark to write a note.", frame=frame))
         else:
-            self._document.apply(
-                tr("Remove note") if mark.text else tr("Remove mark"), timing.remove_mark(project, frame)
-            )
-            if mark.text:
-                self._view.say(
-                    tr("The note of frame {frame} went with its mark; <edit.undo> brings it back.", frame=frame)
-                )
+            remove(self._document, self._view, mark)
 
     def name(self) -> None:
         """Name the mark of the playhead's frame, which is set if it is not there."""
@@ -65,3 +59,11 @@ class MarkVerbs:
             self._view.set_frame(min(beyond) if step > 0 else max(beyond))
         else:
             self._view.say(tr(NONE_AFTER if step > 0 else NONE_BEFORE))
+
+
+def remove(document: Document, view: ViewState, mark: Mark) -> None:
+    """Take a mark away, as one undo step; says so where its note goes with it."""
+    text = tr("Remove note") if mark.text else tr("Remove mark")
+    document.apply(text, timing.remove_mark(document.project, mark.frame))
+    if mark.text:
+        view.say(tr("The note of frame {frame} went with its mark; <edit.undo> brings it back.", frame=mark.frame))

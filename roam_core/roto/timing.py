@@ -204,9 +204,14 @@ def remove_mark(project: Project, frame: int) -> Project:
 
 
 def move_mark(project: Project, frame: int, target: int) -> Project:
-    """The project with the mark of one frame on another; a mark that lay there gives way."""
+    """The project with the mark of one frame on another; with one that lay there it becomes one mark, of both notes."""
     mark = mark_at(project, frame)
-    return project if mark is None else _with_mark(remove_mark(project, frame), replace(mark, frame=target))
+    if mark is None:
+        return project
+    project = remove_mark(project, frame)
+    there = mark_at(project, target)
+    notes = [each.text for each in (there, mark) if each is not None and each.text]
+    return _with_mark(project, replace(mark, frame=target, text="\n".join(notes)))
 
 
 def _with_mark(project: Project, mark: Mark) -> Project:

@@ -103,6 +103,15 @@ def test_a_right_click_removes_a_mark(qtbot: QtBot, timeline: Timeline, document
     assert document.project.marks == (Mark(1020),)
 
 
+def test_a_right_click_on_a_note_says_that_it_goes_with_its_mark(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    marked(qtbot, timeline, document, Mark(1012, "the elbow slips"))
+    qtbot.mouseClick(timeline.marks, Qt.MouseButton.RightButton, pos=QPoint(x_of(timeline, 1012), 8))
+    assert document.project.marks == ()
+    assert view_state.message == "The note of frame 1012 went with its mark; Ctrl+Z brings it back."
+
+
 def test_keys_go_from_mark_to_mark(qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState) -> None:
     marked(qtbot, timeline, document, Mark(1012), Mark(1020))
     visited = []

@@ -153,6 +153,10 @@ def test_marks_are_set_named_moved_and_removed() -> None:
     assert timing.set_mark(project, 10, "in").marks == (Mark(10, "in"), Mark(20, "turn"))
     assert timing.move_mark(project, 20, 5).marks == (Mark(5, "turn"), Mark(10))
     assert timing.move_mark(project, 20, 10).marks == (Mark(10, "turn"),)
+    assert timing.move_mark(project, 10, 20).marks == (Mark(20, "turn"),)  # its note was lost
+    noted = timing.set_mark(project, 10, "in")
+    assert timing.move_mark(noted, 20, 10).marks == (Mark(10, "in\nturn"),)
+    assert timing.move_mark(noted, 20, 20) == noted
     assert timing.move_mark(project, 3, 4) == project
     assert timing.remove_mark(project, 10).marks == (Mark(20, "turn"),)
     assert timing.mark_at(project, 11) is None
