@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 
 from roam_core.errors import RoamError
-from roam_core.roto import Project, linking
+from roam_core.roto import Project, RotoShape, linking
 from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
 
 from ...model.document import Document
+from ...model.reasons import LOCKED_STAYS
 from ...model.view_state import ViewState, selected_shapes
 from ...translation import N_, sentence_of, tr
 from .shapes import ALL_LOCKED, NOTHING_SELECTED
@@ -72,12 +73,15 @@ class ObjectVerbs:
             where = tr(PLACES[level])
             one = tr("{name} lies {where} from frame {frame} on.", name=names[0], where=where, frame=frame)
             all_ = tr("{count} shapes lie {where} from frame {frame} on.", count=len(names), where=where, frame=frame)
-            self._view.say(one if len(names) == 1 else all_)
+            stays = f" {tr(LOCKED_STAYS)}" if len(names) < len(self._selected()) else ""
+            self._view.say((one if len(names) == 1 else all_) + stays)
 
     def _edit(self, text: str, verb: Verb) -> list[str]:
-        """Do it with the selected shapes that are not locked; gives their names, none where nothing was done."""
-        project = self._document.project
-        shapes = selected_shapes(project, self._view.selection)
+        """Do it with the selected shapes that are not locked, and say so where some are.
+
+        Gives the names of those that are not; none where nothing was done.
+        """
+        project, shapes = self._document.project, self._selected()
         free = [shape for shape in shapes if not project.is_locked(shape.id)]
         if not free:
             self._view.say(tr(ALL_LOCKED) if shapes else tr(NOTHING_SELECTED))
@@ -88,4 +92,9 @@ class ObjectVerbs:
             self._view.say(sentence_of(error))
             return []
         self._document.apply(text, edited)
+        if len(free) < len(shapes):
+            self._view.say(tr(LOCKED_STAYS))
         return [shape.name for shape in free]
+
+    def _selected(self) -> list[RotoShape]:
+        return selected_shapes(self._document.project, self._view.selection)

@@ -12,6 +12,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from roam_core.roto.linking import IN_FRONT
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 A, B, C = "shape-1", "shape-2", "shape-3"
@@ -98,6 +99,10 @@ def test_locked_shapes_are_left_alone(verbs: ObjectVerbs, document: Document, vi
     view_state.select(frozenset({A, B, C}))
     verbs.link()
     assert told(document) == ["", "object-1", "object-1"]
+    assert view_state.message == "What is locked stays; unlock it first (Ctrl+L)."
+    verbs.set_depth(IN_FRONT)
+    assert "2 shapes lie in front" in view_state.message
+    assert view_state.message.endswith("What is locked stays; unlock it first (Ctrl+L).")
 
 
 def test_duplicates_are_an_object_of_their_own(verbs: ObjectVerbs, document: Document, view_state: ViewState) -> None:
