@@ -1,11 +1,17 @@
-"""Folders for what can be made again, where a user's own cannot be written to."""
+"""Folders for what can be made again: where a user's own cannot be written to, and for the length of a work."""
 
 from __future__ import annotations
 
 import os
+import platform
+import shutil
 import stat
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+
+from roam_core.atomic_write import is_alive
 
 
 def private_folder(name: str) -> Path:
@@ -31,3 +37,19 @@ def is_writable(folder: Path) -> bool:
     except OSError:
         return False
     return True
+
+
+@contextmanager
+def working_folder(name: str) -> Iterator[Path]:
+    """A temporary folder of this process for the length of a `with` block, for the work of that name.
+
+    A process that was killed cannot tidy up: what such ones of this machine left of that work goes first. Of other
+    machines, and of containers, that have the same folder for temporary files nobody here knows whether they run.
+    """
+    mine = f"{name}-{platform.node()}"
+    for left in Path(tempfile.gettempdir()).glob(f"{name}-*-*"):
+        owner, _, process = left.name.rpartition("-")[0].rpartition("-")
+        if owner == mine and process.isdecimal() and not is_alive(int(process)):
+            shutil.rmtree(left, ignore_errors=True)  # that of another user stays
+    with tempfile.TemporaryDirectory(prefix=f"{mine}-{os.getpid()}-") as folder:
+        yield Path(folder)

@@ -42,6 +42,7 @@ from .reading import (
     version_of,
     with_numbers,
 )
+from .watching import Watching, doubt
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -93,7 +94,7 @@ class Files(QObject):
         self._document, self._view, self._reader, self._runner = document, view_state, reader, runner
         self._saver = saver
         """Only saves: none of them waits behind an export."""
-        self.claim = Claim(document, saver, self)
+        self.claim, self.watching = Claim(document, saver, self), Watching(document, saver, self)
         self.backups = Preferences().backups
         """How many older versions of a project are kept beside it."""
         self._written: Fingerprint | None = None
@@ -264,9 +265,9 @@ class Files(QObject):
         told: list[str | Fingerprint | None] = []
 
         def work(report: Report) -> str:
-            doubt = "" if anyway else _doubt(path, known, self._written)
-            if doubt:
-                report.partial(doubt)
+            against = "" if anyway else doubt(path, known, self._written)
+            if against:
+                report.partial(against)
                 return ""
             # What is written over against a warning is kept in any case.
             # Saved again as it is, it takes no backup away.
@@ -425,18 +426,6 @@ def _reading(text: str, read: Callable[[], Found | Holder]) -> Work:
         return found.sentence if isinstance(found, Found) else ""
 
     return work
-
-
-def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -> str:
-    """Why a file is better not written over; empty where nothing speaks against it.
-
-    `known` is the file as the document knows it, `written` what was written last: the document may not know yet.
-    """
-    if (other := project_lock.holder(path)) is not None:
-        return tr("{name} is {who}.", name=path.name, who=translated(other.sentence))
-    if known is not None and path.exists() and not any(each and each.is_of(path) for each in (known, written)):
-        return tr("{name} was changed by another program since it was opened or saved here.", name=path.name)
-    return ""
 
 
 def _rotated(path: Path, count: int) -> str:

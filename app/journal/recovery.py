@@ -1,7 +1,7 @@
 """Recoveries: what journals hold of sessions that ended without closing, and of older ones; reading never changes them.
 
-A recovery that the artist declines, or takes, is remembered in an empty file beside its journal. What was neither is
-kept for ever; of what was settled, the newest sessions.
+A recovery that the artist declines, or takes, or that turns out to lie in the artist's file, is remembered in an empty
+file beside its journal. What was none of these is kept for ever; of what was settled, the newest sessions.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import os
 import shutil
 import time
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -23,7 +24,7 @@ from ..model.preferences import MOST_BACKUPS
 from ..translation import moment, tr
 from .delta import Delta, applied
 from .record import Damaged, Entry, entries
-from .session import DECLINED, RECOVERED, is_held, journals
+from .session import DECLINED, RECOVERED, SAVED, is_held, journals
 from .writer import ROOT, VERSION
 
 KEPT_SESSIONS = 10
@@ -104,8 +105,8 @@ def recoveries(root: Path, own: Path | None = None) -> list[Recovery]:
     """
     ended = [] if own is None else [journal for journal in journals(own) if _has_ended(journal)]
     closed = [journal for folder in _closed_sessions(root) for journal in journals(folder)]
-    found = map(_looked_at, [*closed, *ended])
-    return sorted((recovery for recovery in found if recovery), key=lambda each: each.when, reverse=True)
+    found = [_settled_by_file(each) for each in map(_looked_at, [*closed, *ended]) if each]
+    return sorted(found, key=lambda each: each.when, reverse=True)
 
 
 def offered(found: list[Recovery], path: Path | None = None) -> list[Recovery]:
@@ -221,6 +222,25 @@ def _looked_at(journal: Path) -> Recovery | None:
     return replace(found, shapes=len(edited), is_damaged=is_damaged, settled=found.settled or _marked(journal))
 
 
+def _settled_by_file(found: Recovery) -> Recovery:
+    """As saved where the artist's file holds just this work: the program ended after it wrote the file, but before it
+    wrote that down. Remembered, for the file may change again."""
+    if found.settled or found.original is None or found.is_damaged:
+        return found
+    now = Fingerprint.of(found.original)
+    if now is None or now.digest == found.digest:
+        return found
+    try:
+        project, loss = load(found)
+    except RoamError:
+        return found
+    if loss or not file.is_saved(project, found.original):
+        return found
+    with suppress(OSError):  # found out again the next time
+        found.journal.with_suffix(SAVED).touch()
+    return replace(found, settled="saved")
+
+
 def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str]) -> Recovery | None:
     """A recovery with one more entry."""
     header = entry.header
@@ -251,7 +271,7 @@ def _time(header: Mapping[str, Any]) -> float:
 
 
 def _marked(journal: Path) -> str:
-    marks = {"recovered": RECOVERED, "declined": DECLINED}
+    marks = {"recovered": RECOVERED, "saved": SAVED, "declined": DECLINED}
     return next((word for word, suffix in marks.items() if journal.with_suffix(suffix).exists()), "")
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QLockFile
 
 SUFFIX, LOCK = ".journal", "session.lock"
-DECLINED, RECOVERED = ".declined", ".recovered"
+DECLINED, RECOVERED, SAVED = ".declined", ".recovered", ".saved"
 """Suffixes of the empty files that remember what became of a journal; the journal itself is never touched again."""
 
 

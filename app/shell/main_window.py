@@ -252,6 +252,7 @@ class MainWindow(QMainWindow):
         self.under_way.changed.connect(self._pull_running)
         self.file_actions.leaving.connect(self.under_way.drop_edits)
         self.planar.doubted.connect(view.say)
+        self.files.watching.doubted.connect(view.say)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
         name_steps(self.document, self.canvas.in_hand, self.history, self.actions_by_id)

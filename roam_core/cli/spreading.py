@@ -2,17 +2,10 @@
 
 from __future__ import annotations
 
-import os
-import platform
-import shutil
 import sys
-import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 
-from roam_core.atomic_write import is_alive
 from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
 from roam_core.cli.keeping import Write, kept
@@ -23,6 +16,7 @@ from roam_core.params import RoamParams
 from roam_core.roto import Project, file
 from roam_core.studio import cluster, driver
 from roam_core.studio.tasks import fill_task, pieces
+from roam_core.temporary import working_folder
 
 FOLDER = "roam-fill"
 
@@ -74,7 +68,7 @@ def spread(
 
     Raises `Cancelled` when the token is cancelled: what runs is stopped at its next safe point.
     """
-    with working_folder() as folder:
+    with working_folder(FOLDER) as folder:
         given = folder / "given.roam"
         file.save(project, given)
         task = fill_task(given, folder / "made", params.config, alone=alone)
@@ -87,19 +81,3 @@ def spread(
                 first, last = part.settings["span"]
                 made = None if outcome["status"] == "failed" else file.load(part.made)
                 yield FilledPiece((first, last), made, f"{part.step}: {outcome['said']}")
-
-
-@contextmanager
-def working_folder() -> Iterator[Path]:
-    """A temporary folder of this process for the length of a `with` block.
-
-    A process that was killed cannot tidy up: what such ones of this machine left goes first. Of other machines, and of
-    containers, that have the same folder for temporary files nobody here knows whether they run.
-    """
-    mine = f"{FOLDER}-{platform.node()}"
-    for left in Path(tempfile.gettempdir()).glob(f"{FOLDER}-*-*"):
-        owner, _, process = left.name.rpartition("-")[0].rpartition("-")
-        if owner == mine and process.isdecimal() and not is_alive(int(process)):
-            shutil.rmtree(left, ignore_errors=True)  # that of another user stays
-    with tempfile.TemporaryDirectory(prefix=f"{mine}-{os.getpid()}-") as folder:
-        yield Path(folder)

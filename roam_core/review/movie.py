@@ -6,7 +6,6 @@ encoder of its own, so that it is not counted on.
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -18,12 +17,15 @@ from roam_core.arrays import UInt8
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import MARK
+from roam_core.temporary import working_folder
 from roam_core.translatable import sentence
 
 ENCODERS: dict[str, tuple[str, ...]] = {".mp4": ("mp4v",), ".mov": ("mp4v", "jpeg"), ".avi": ("MJPG", "XVID")}
 """By the suffix of a movie the codecs that are tried, best first."""
 SPEEDS = (0.01, 240.0)
 """Frames a second."""
+FOLDER = "roam-movie"
+"""Of the folder in which a movie is encoded."""
 PIECE = 1 << 20
 """Bytes that are copied at once."""
 
@@ -53,8 +55,8 @@ def write_movie(path: Path, pictures: Iterable[UInt8], size: tuple[int, int], fp
                 fps=fps,
             )
         )
-    with tempfile.TemporaryDirectory(prefix="roam-") as folder:
-        whole = Path(folder) / f"movie{path.suffix.lower()}"
+    with working_folder(FOLDER) as folder:
+        whole = folder / f"movie{path.suffix.lower()}"
         encoder = _encoder(whole, size, fps)
         count = 0
         try:
@@ -72,8 +74,8 @@ def write_movie(path: Path, pictures: Iterable[UInt8], size: tuple[int, int], fp
 
 def require_encoder(path: Path, size: tuple[int, int]) -> None:
     """Raise `RoamError` where a movie of this name and (width, height) could not be encoded."""
-    with tempfile.TemporaryDirectory(prefix="roam-") as folder:
-        _encoder(Path(folder) / f"movie{path.suffix.lower()}", size, SPEEDS[0]).release()
+    with working_folder(FOLDER) as folder:
+        _encoder(folder / f"movie{path.suffix.lower()}", size, SPEEDS[0]).release()
 
 
 def movie_length(path: Path) -> int:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import struct
-import tempfile
 import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -21,6 +20,7 @@ from roam_core.interchange.authorship import SOFTWARE
 from roam_core.interchange.matte_style import DataWindow, Depth, MatteFile, MatteStyle
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.matte import Matte, Patch
+from roam_core.temporary import working_folder
 
 LEVELS: dict[int, type[np.unsignedinteger[Any]]] = {8: np.uint8, 16: np.uint16}
 KINDS = {Depth.BITS_8: oiio.UINT8, Depth.BITS_16: oiio.UINT16, Depth.HALF: oiio.HALF, Depth.FLOAT: oiio.FLOAT}
@@ -141,8 +141,8 @@ def _tell_time(spec: Any, moment: Moment) -> None:
 
 def _encoded(path: Path, pixels: Any, spec: Any, style: MatteStyle) -> bytes:
     """The bytes of the file: OpenImageIO writes by name, so it does that beside the rest of the temporary files."""
-    with tempfile.TemporaryDirectory(prefix="roam-") as folder:
-        whole = Path(folder) / f"matte{style.suffix}"
+    with working_folder("roam-matte") as folder:
+        whole = folder / f"matte{style.suffix}"
         output = oiio.ImageOutput.create(str(whole))
         trouble = oiio.geterror() if output is None else ""
         if output is not None:

@@ -241,7 +241,7 @@ def test_saving_recovered_work_asks_where_the_file_has_changed_since(
     qtbot: QtBot, window: MainWindow, root: Path, mine: Path
 ) -> None:
     crash(root, mine, 1)
-    file.save(edit.new_shape(file.load(mine), SQUARE, FIRST)[0], mine)
+    file.save(edit.new_shape(file.load(mine), SQUARE + 5.0, FIRST)[0], mine)
     window.recovering.offer()
     with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
         qtbot.mouseClick(asked(qtbot, window).recover, Qt.MouseButton.LeftButton)

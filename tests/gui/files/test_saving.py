@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
 from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
@@ -220,6 +222,38 @@ def test_a_file_that_another_program_changed_is_asked_about(
     if answer is Doubted.SAVE_AS:
         assert file.load(elsewhere) == ours
     assert window.document.is_modified == (answer is Doubted.CANCEL)
+
+
+def test_a_file_that_another_program_changed_is_told_when_the_artist_comes_back(
+    qtbot: QtBot, window: MainWindow, mine: Path
+) -> None:
+    application = QGuiApplication.instance()
+    assert isinstance(application, QGuiApplication)
+
+    def come_back() -> None:
+        application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationActive)
+        qtbot.waitUntil(lambda: window.saver.is_idle, timeout=WAIT)
+
+    told: list[str] = []
+    window.files.watching.doubted.connect(told.append)
+    come_back()
+    draw(window)
+    saved(qtbot, window, mine)
+    draw(window)
+    come_back()
+    assert told == []
+    file.save(edit.new_shape(Project(), SQUARE, 9)[0], mine)
+    come_back()
+    come_back()  # told once
+    assert told == ["mine.roam was changed by another program since it was opened or saved here."]
+    assert window.view_state.message == told[0]
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        window.files.save(mine, anyway=True)
+    come_back()
+    assert len(told) == 1
+    file.save(edit.new_shape(Project(), SQUARE, 9)[0], mine)
+    come_back()
+    assert len(told) == 2
 
 
 def test_two_saves_in_a_row_raise_no_doubt(

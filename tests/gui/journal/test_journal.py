@@ -142,6 +142,31 @@ def test_saving_and_closing_in_good_order_leave_nothing_to_offer(
     assert [each.settled for each in crashed(journal, root)] == ["discarded", "saved"]
 
 
+def test_what_the_file_holds_already_is_not_offered_though_the_journal_did_not_end(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "plate").mkdir()
+    mine = tmp_path / "mine.roam"
+    document.apply("Clip", replace(document.project, clip=Clip(tmp_path / "plate", 1, 9, (20, 10))))
+    document.save(mine)
+    draw(document)
+    file.save(document.project, mine)  # and the program is killed before it knows
+    assert recovery.offered(crashed(journal, root)) == []
+    file.save(Project(), mine)  # the artist goes on: what was found out once holds
+    assert [each.settled for each in crashed(journal, root)] == ["saved", "saved"]
+
+
+def test_edits_after_what_a_killed_save_wrote_are_offered(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    document.save(tmp_path / "mine.roam")
+    draw(document)
+    file.save(document.project, tmp_path / "mine.roam")
+    draw(document)
+    (found,) = recovery.offered(crashed(journal, root))
+    assert recovery.load(found) == (document.project, "")
+
+
 def test_edits_made_while_a_save_was_under_way_are_in_the_next_journal(
     document: Document, journal: Journal, root: Path, tmp_path: Path
 ) -> None:

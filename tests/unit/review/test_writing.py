@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -56,6 +58,29 @@ def test_a_movie_opens_again_and_its_frames_are_those_of_the_shot(tmp_path: Path
     assert sentence == f"Wrote 10 frame(s) at 12.5 fps to {path}."
     assert written_by_us(path) is Kind.MOVIE
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+def test_what_a_killed_movie_left_in_the_folder_for_temporary_files_goes_with_the_next(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    code = """
+import os
+import numpy as np
+from pathlib import Path
+from roam_core.review.movie import write_movie
+def pictures():
+    yield np.zeros((48, 64, 3), np.uint8)
+    os._exit(9)
+write_movie(Path("killed.mp4"), pictures(), (64, 48), 24.0)
+"""
+    killed = subprocess.run(
+        [sys.executable, "-c", code], env={**os.environ, "TMPDIR": str(tmp_path)}, cwd=tmp_path, check=False
+    )
+    assert killed.returncode == 9
+    assert len(list(tmp_path.iterdir())) == 1
+    movie.require_encoder(tmp_path / "next.mp4", (64, 48))
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_movie_of_somebody_else_is_none_of_ours(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Fills on several processes: their folder goes with their work, and what killed ones left with the next."""
+"""Temporary folders of a work: they go with it, and what killed processes left goes with the next of that work."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from roam_core.cli.spreading import working_folder
+from roam_core.temporary import working_folder
 
 
 @pytest.fixture(autouse=True)
@@ -28,7 +28,7 @@ def test_what_a_killed_process_left_goes_and_nothing_else(place: Path) -> None:
     for name in (*kept, f"{here}-{dead.pid}-a"):
         (place / name).mkdir()
         (place / name / "given.roam").write_text("{}")
-    with working_folder() as folder:
+    with working_folder("roam-fill") as folder:
         assert folder.parent == place
         assert sorted(path.name for path in place.iterdir()) == sorted([*kept, folder.name])
     assert sorted(path.name for path in place.iterdir()) == sorted(kept)
