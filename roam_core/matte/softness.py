@@ -14,7 +14,6 @@ from roam_core.arrays import Array, Bools, Image, Indices
 from roam_core.cancel import CancelToken, Progress
 from roam_core.geometry import bezier
 from roam_core.geometry.polyline import signed_area
-from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.matte.edge_profile import costs, profiles
 from roam_core.matte.rasterise import has_area, shape_patch
 from roam_core.media import MissingFrame
@@ -288,6 +287,8 @@ def _beside(edge: Edge, shutter: float, params: SoftnessParams) -> Array:
 
 def _along(said: Array, common: float, params: SoftnessParams) -> Array:
     """The widths `(P,)` along a closed outline that say least, where a change from point to point has its price."""
+    from roam_core.kernels.cyclic_viterbi import cyclic_viterbi  # numba: a command's help must not wait for it
+
     widths = np.asarray(params.widths)
     steps = np.abs(np.subtract.outer(np.arange(len(widths)), np.arange(len(widths)))) * params.bend
     pairs = np.broadcast_to(steps, (len(said), *steps.shape))
