@@ -4,10 +4,21 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Any, Self
+from typing import Any, Self, overload
 
 Progress = Callable[[float, str], None]
 """Called with the finished fraction in [0, 1] and a few words that say what is being done."""
+
+
+@overload
+def half(progress: Progress, begins: float) -> Progress: ...
+@overload
+def half(progress: None, begins: float) -> None: ...
+@overload
+def half(progress: Progress | None, begins: float) -> Progress | None: ...
+def half(progress: Progress | None, begins: float) -> Progress | None:
+    """The half of a bar that begins there: 0 or 0.5."""
+    return None if progress is None else lambda fraction, text: progress(begins + 0.5 * fraction, text)
 
 
 class Cancelled(Exception):

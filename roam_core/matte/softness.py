@@ -99,8 +99,7 @@ def measured(
         progress(done / len(frames), sentence("Looking at frame {frame}", frame=frame))
         with suppress(MissingFrame):
             edges |= edges_at(read(frame), asked, shapes, frame, params)
-    token.check()
-    return softness(edges, params)
+    return softness(edges, params, token)
 
 
 def edges_at(
@@ -208,17 +207,18 @@ def _velocity(shape: RotoShape, frame: int) -> Array:
     return (shape.at(last).anchors - shape.at(first).anchors) / (last - first)
 
 
-def softness(edges: Mapping[Spot, Edge], params: SoftnessParams) -> Softness:
+def softness(edges: Mapping[Spot, Edge], params: SoftnessParams, token: CancelToken) -> Softness:
     """The shutter and the widths that say least against all that was seen."""
+    token.check()
     shutter, common = _in_common(edges, params)
     opened = shutter or 0.0
-    free = {spot: _beside(edge, opened, params) for spot, edge in edges.items()}
     focus = {}
     for shape_id, frames in _by_shape(edges).items():
+        token.check()
+        # Of one shape after the other: of all keys of many shapes these tables fill the memory.
+        free = {frame: _beside(edges[shape_id, frame], opened, params) for frame in frames}
         for frame in frames:
-            said = free[shape_id, frame] + params.in_time * sum(
-                free[shape_id, near] for near in (frame - 1, frame + 1) if near in frames
-            )
+            said = free[frame] + params.in_time * sum(free[near] for near in (frame - 1, frame + 1) if near in frames)
             focus[shape_id, frame] = _along(said, common, params)
     total = {spot: np.hypot(width, opened * edges[spot].speed) for spot, width in focus.items()}
     return Softness(shutter, focus, total, {spot: _read(edge, params) for spot, edge in edges.items()})

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.cancel import CancelToken, Progress
+from roam_core.cancel import CancelToken, Progress, half
 from roam_core.features import PreparedFrame
 from roam_core.geometry.simple import crossing_segments, untied
 from roam_core.media.partial import ReadFrame
@@ -61,18 +61,13 @@ def steadied(
     if strength == 0.0 or not asked:
         return made
     looked_at = range(frames.start - params.reach, frames.stop + params.reach)
-    paths, scale = _watched(read, [shapes[k] for k in asked], looked_at, params, token, part(progress, 0.0))
-    moving = part(progress, 0.5)
+    paths, scale = _watched(read, [shapes[k] for k in asked], looked_at, params, token, half(progress, 0.0))
+    moving = half(progress, 0.5)
     for done, (k, path) in enumerate(zip(asked, paths, strict=True)):
         if moving is not None:
             moving(done / len(asked), sentence("Shape {name}", name=path.shape.name))
         made[k] = path.moved(frames, strength, params, scale, token)
     return made
-
-
-def part(progress: Progress | None, begins: float) -> Progress | None:
-    """The half of a bar that begins there."""
-    return None if progress is None else lambda fraction, text: progress(begins + 0.5 * fraction, text)
 
 
 def _can_move(shape: RotoShape, frames: range) -> bool:
