@@ -4,21 +4,15 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Any, Self, overload
+from typing import Any, Self
 
 Progress = Callable[[float, str], None]
 """Called with the finished fraction in [0, 1] and a few words that say what is being done."""
 
 
-@overload
-def half(progress: Progress, begins: float) -> Progress: ...
-@overload
-def half(progress: None, begins: float) -> None: ...
-@overload
-def half(progress: Progress | None, begins: float) -> Progress | None: ...
-def half(progress: Progress | None, begins: float) -> Progress | None:
+def half(progress: Progress, begins: float) -> Progress:
     """The half of a bar that begins there: 0 or 0.5."""
-    return None if progress is None else lambda fraction, text: progress(begins + 0.5 * fraction, text)
+    return lambda fraction, text: progress(begins + 0.5 * fraction, text)
 
 
 class Cancelled(Exception):

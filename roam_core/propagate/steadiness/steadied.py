@@ -61,8 +61,10 @@ def steadied(
     if strength == 0.0 or not asked:
         return made
     looked_at = range(frames.start - params.reach, frames.stop + params.reach)
-    paths, scale = _watched(read, [shapes[k] for k in asked], looked_at, params, token, half(progress, 0.0))
-    moving = half(progress, 0.5)
+    paths, scale = _watched(
+        read, [shapes[k] for k in asked], looked_at, params, token, progress and half(progress, 0.0)
+    )
+    moving = progress and half(progress, 0.5)
     for done, (k, path) in enumerate(zip(asked, paths, strict=True)):
         if moving is not None:
             moving(done / len(asked), sentence("Shape {name}", name=path.shape.name))

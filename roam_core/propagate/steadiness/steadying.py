@@ -48,7 +48,7 @@ def steadying(
 
     For the boil each picture is asked for once more. Parameters and errors are those of `steadied`.
     """
-    made = steadied(read, shapes, frames, strength, params, token, half(progress, 0.0))
+    made = steadied(read, shapes, frames, strength, params, token, progress and half(progress, 0.0))
     pairs = [(old, new) for old, new in zip(shapes, made, strict=True) if new is not old]
     moved = {
         (new.id, key.frame): float(np.hypot(*(key.points - was.points)[:, 0].T).mean())
@@ -63,7 +63,9 @@ def steadying(
     looked_at = range(min(frame for _, frame in counted) - 1, max(frame for _, frame in counted) + 2)
     # Both in one pass: the motion of the picture is then the same for both.
     renamed = [replace(old, id=f"{old.id} before") for old, _ in pairs]
-    found = boil(read, [*renamed, *(new for _, new in pairs)], looked_at, measure, token, half(progress, 0.5))
+    found = boil(
+        read, [*renamed, *(new for _, new in pairs)], looked_at, measure, token, progress and half(progress, 0.5)
+    )
     return Steadied(
         made,
         moved,
