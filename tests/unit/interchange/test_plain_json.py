@@ -218,7 +218,7 @@ def test_files_beyond_the_limits_are_refused(tmp_path: Path, monkeypatch: pytest
 
 
 def test_the_file_is_written_in_pieces(project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Put together at once, 100 shapes with 500 keys of 60 points took 3.5 GB; and the writing was not to be stopped."""
+    """Put together at once, 100 shapes with 500 keys of 60 points took 3.5 GB; and the writing did not stop."""
     monkeypatch.setattr("roam_core.interchange.plain_json.WORDS", 64)
     path, text = tmp_path / "shapes.json", json_document(project)[0]
     pieces, _ = EXPORTERS["json"].pieces(project, ExportOptions())  # type: ignore[attr-defined]
