@@ -19,8 +19,7 @@ from roam_core.cli.plate import loaded, tell
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
-from roam_core.interchange.matte_style import SUFFIXES
-from roam_core.interchange.mattes.exporter import MatteExporter
+from roam_core.interchange.matte_style import MATTES, SUFFIXES
 from roam_core.interchange.naming import is_numbered
 from roam_core.interchange.protocol import Exporter, LossyExport
 from roam_core.interchange.svg.format import SvgFormat
@@ -142,8 +141,8 @@ def without_effect(exporter: Exporter, arguments: argparse.Namespace) -> str:
         idle.append("--smooth is for tracked keys")
     if arguments.frame is not None and exporter.name != SvgFormat.name:
         idle.append(f"--frame is for {SvgFormat.name}")
-    if exporter.name != MatteExporter.name and (given := matte_options(arguments)):
-        idle.append(f"{', '.join(given)} {'is' if len(given) == 1 else 'are'} for {MatteExporter.name}")
+    if exporter.name != MATTES and (given := matte_options(arguments)):
+        idle.append(f"{', '.join(given)} {'is' if len(given) == 1 else 'are'} for {MATTES}")
     return f"Without effect here: {'; '.join(idle)}." if idle else ""
 
 
@@ -168,15 +167,15 @@ def require_one_drawing(exporter: Exporter, arguments: argparse.Namespace) -> No
 def bare(exporter: Exporter, written: Sequence[Path]) -> str:
     """That programs may not know a file for its name has no suffix, in a sentence; "" where all have one."""
     found = next((path for path in written if not path.suffix), None)
-    if found is None or exporter.name == MatteExporter.name:
+    if found is None or exporter.name == MATTES:
         return ""
     return f"{found} has no suffix: other programs know such files by names that end in {exporter.suffix}."
 
 
 def require_suffix(exporter: Exporter, path: Path) -> None:
     """Refuse a name that ends as another format of shapes does; an unknown suffix, or none, is the user's own."""
-    suffix, is_mattes = path.suffix.lower(), exporter.name == MatteExporter.name
-    others = {other.suffix for other in EXPORTERS.values() if other.name != MatteExporter.name}
+    suffix, is_mattes = path.suffix.lower(), exporter.name == MATTES
+    others = {other.suffix for other in EXPORTERS.values() if other.name != MATTES}
     if suffix in others and suffix != exporter.suffix and not path.is_dir():
         fitting = " or ".join(sorted(SUFFIXES)) if is_mattes else exporter.suffix
         raise RoamError(

@@ -97,8 +97,7 @@ def _run_command(name: str, argv: list[str]) -> int:
     summary = COMMANDS[name]
     parser = Parser(prog=f"roam {name}", description=f"{summary[0].upper()}{summary[1:]}.")
     module.add_arguments(parser)
-    # What is optional may stand between what is not: `roam review P.roam --sheet OUT`.
-    arguments = parser.parse_intermixed_args(argv)
+    arguments = parser.words(argv)
     take_threads()
     status: int = module.run(arguments)
     return status

@@ -19,7 +19,7 @@ from roam_core.cli.picking import Picking, add_shapes, picked, trackable
 from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_target
-from roam_core.cli.track import first_key, frame_range
+from roam_core.cli.track import first_key, frame_range, shown_start
 from roam_core.errors import RoamError
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.interchange.authorship import Kind
@@ -69,6 +69,8 @@ def run(arguments: argparse.Namespace) -> int:
         first = arguments.start
         if first is None:
             first = first_key(arguments.project, project, picking, plate.source.frames, backward=arguments.backward)
+        else:
+            first = shown_start(first, shapes, plate.source.frames, backward=arguments.backward)
         frames = frame_range(plate.source.frames, first, arguments.end, backward=arguments.backward)
         if len(frames) < 2:
             raise RoamError(f"There is no frame to track to from {frames[0]}; name another with --start or --end.")

@@ -5,15 +5,13 @@ from __future__ import annotations
 import argparse
 import sys
 
-from roam_core.cancel import CancelToken, Progress
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import add_shapes
 from roam_core.cli.plate_task import PlateTask
-from roam_core.matte.softening import matched, told
-from roam_core.matte.softness import Softness, measured
-from roam_core.media.source import ReadImage
+from roam_core.matte.softening import softened, told
+from roam_core.matte.softness import Softness
 from roam_core.params.softness import SOFTNESS
 from roam_core.roto import RotoShape
 
@@ -42,11 +40,12 @@ def run(arguments: argparse.Namespace) -> int:
     task = PlateTask.of(arguments, "soften")
     blur, feather = WAYS[arguments.by]
 
-    def softened(read: ReadImage, token: CancelToken, progress: Progress) -> tuple[Softness, list[RotoShape]]:
-        found = measured(read, task.asked, task.project.shapes, SOFTNESS, token, progress)
-        return found, [matched(shape, found, SOFTNESS, blur=blur, feather=feather) for shape in task.asked]
-
-    found, soft = task.change(softened, lambda both: both[1])
+    found, soft = task.change(
+        lambda read, token, progress: softened(
+            read, task.asked, task.project.shapes, SOFTNESS, token, progress, blur=blur, feather=feather
+        ),
+        lambda both: both[1],
+    )
     if arguments.json:
         for shape in task.asked:
             _print_lines(shape, found)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Iterator
+from bisect import bisect
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -46,7 +47,7 @@ from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
-from roam_core.propagate.shapes.provenance import clip_stamp
+from roam_core.propagate.shapes.provenance import clip_stamp, has_begun
 from roam_core.roto import Clip, Layer, Project, RotoShape, edit, file
 
 Report = Callable[[FrameResult], None]
@@ -100,6 +101,8 @@ def run(arguments: argparse.Namespace) -> int:
         start = arguments.start
         if start is None:
             start = first_key(init, given, picking, plate.source.frames, backward=arguments.backward)
+        elif given is not None:
+            start = shown_start(start, trackable(given, picking), plate.source.frames, backward=arguments.backward)
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(init, given, plate, frames[0])
         if given is None and arguments.start is None:
@@ -267,7 +270,10 @@ def frame_range(frames: tuple[int, ...], start: int | None, end: int | None, *, 
         if not frames[0] <= frame <= frames[-1]:
             raise RoamError(f"--{name} {frame} lies outside the clip's frames {frames[0]}-{frames[-1]}.")
     if first not in frames:
-        raise RoamError(f"--start {first} is missing from the clip; start on a frame that exists.")
+        before, after = frames[bisect(frames, first) - 1 :][:2]
+        raise RoamError(
+            f"--start {first} is missing from the clip; the nearest frames that it has are {before} and {after}."
+        )
     if (last > first) if backward else (last < first):
         way = "backward" if backward else "forward"
         raise RoamError(f"--end {last} cannot be reached from --start {first} {way}.")
@@ -343,6 +349,22 @@ def first_key(
         f"The clip has no picture of frame {keyed[0]}, where the keys of {path} begin; set one where it has, or name "
         "the frame to begin on with --start."
     )
+
+
+def shown_start(start: int, shapes: Sequence[RotoShape], frames: tuple[int, ...], *, backward: bool) -> int:
+    """Where a run from `start` begins: in a gap of the clip on the frame before it, as in the window; that is told.
+
+    So a run that ended in a gap goes on from what it found last. Elsewhere, and where none of the shapes has a key
+    behind, it is `start`.
+    """
+    if start in frames or not frames[0] < start < frames[-1]:
+        return start
+    before = bisect(frames, start)
+    behind = frames[before if backward else before - 1]
+    if not any(has_begun(shape, behind, not backward) for shape in shapes):
+        return start
+    tell(f"The run begins on frame {behind}: the clip has no picture of frame {start}.")
+    return behind
 
 
 def initial_project(init: Path, given: Project | None, plate: Plate, start: int) -> Project:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from roam_core.arrays import Array, Bools
-from roam_core.kernels.hypotheses import agreed_similarity
 
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 IDENTITY.setflags(write=False)
@@ -49,4 +48,6 @@ def ransac(source: Array, target: Array, threshold: float = 2.0, trials: int = 1
     rng = np.random.default_rng(0)
     first = rng.integers(0, n, trials)
     second = (first + rng.integers(1, n, trials)) % n
+    from roam_core.kernels.hypotheses import agreed_similarity  # numba: a command's help must not wait for it
+
     return agreed_similarity(source, target, first, second, threshold)

@@ -7,7 +7,6 @@ import numpy as np
 from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.kernels.flattening import step_counts, vertices
 from roam_core.params import UNTYING, UntyingParams
 
 
@@ -37,6 +36,8 @@ def untied(points: Array, before: Array, scale: float = 1.0, params: UntyingPara
 
 def crossing_segments(points: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Indices:
     """The segments of a closed spline that properly cross another one, in order."""
+    from roam_core.kernels.flattening import step_counts, vertices  # numba: a command's help must not wait for it
+
     control = bezier.segments(points)
     counts = step_counts(control, params.tolerance * scale)
     owner = np.repeat(np.arange(len(control)), counts)

@@ -7,6 +7,9 @@ from enum import StrEnum
 
 from roam_core.errors import RoamError
 
+MATTES = "mattes"
+"""The name of the format that is pictures; all others hold shapes."""
+
 
 class MatteFile(StrEnum):
     """Kinds of picture files."""

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind, is_project, written_by_us
-from roam_core.interchange.mattes.exporter import MatteExporter
+from roam_core.interchange.matte_style import MATTES
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, WritesSeveral
 from roam_core.media import PlateSource, open_clip
 from roam_core.media.decoding import image_extensions
@@ -66,7 +66,7 @@ def exported(
 ) -> list[tuple[Path, Kind]]:
     """The files that an export would write, and what they will be."""
     files = exporter.files(project, path, options) if isinstance(exporter, WritesSeveral) else (path,)
-    kind = Kind.PICTURE if exporter.name == MatteExporter.name else Kind.SHAPES
+    kind = Kind.PICTURE if exporter.name == MATTES else Kind.SHAPES
     return [(file, kind) for file in files]
 
 

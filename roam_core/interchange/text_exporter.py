@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import ClassVar
 
@@ -26,7 +27,16 @@ class TextExporter(ABC):
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `project` to `path`, which appears when it is whole; what the format cannot hold comes back told."""
-        text, told = self.document(project, options)
-        options.advance(1.0, sentence("Writing {name}", name=path.name))
-        write_atomically(path, text.encode(self.encoding))
+        pieces, told = self.pieces(project, options)
+        write_atomically(path, self._encoded(pieces, path.name, options))
         return told
+
+    def pieces(self, project: Project, options: ExportOptions) -> tuple[Iterable[str], tuple[str, ...]]:
+        """As `document`, with the text in pieces that are made one after the other; by default it is one."""
+        text, told = self.document(project, options)
+        return (text,), told
+
+    def _encoded(self, pieces: Iterable[str], name: str, options: ExportOptions) -> Iterator[bytes]:
+        for piece in pieces:
+            options.advance(1.0, sentence("Writing {name}", name=name))
+            yield piece.encode(self.encoding)

@@ -8,7 +8,6 @@ from typing import Any
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import erf
 
 from roam_core.arrays import Array
 from roam_core.params.softness import SoftnessParams
@@ -81,6 +80,7 @@ def _bases(params: SoftnessParams) -> tuple[list[Array], Array]:
 
 def edge(across: Array, width: float, spread: float) -> Array:
     """Coverage `across` an edge, in pixels outwards, that falls evenly over `width`, seen through a Gaussian."""
+    from scipy.special import erf  # large: a command's help must not wait for it
 
     def falling(u: Array) -> Array:
         """The integral of the Gaussian's distribution function."""

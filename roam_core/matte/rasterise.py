@@ -9,8 +9,6 @@ import numpy as np
 
 from roam_core.arrays import Array, Indices, Matte
 from roam_core.geometry import bezier
-from roam_core.kernels.coverage import coverage, distance, swept_coverage
-from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Interpolation, Outline, RotoShape
 from roam_core.roto.sight import is_out_of_sight
 
@@ -111,6 +109,8 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
     inwards where it is negative, averaged over each pixel. Where a shape has both, the matte is as soft as the wider of
     the two outside.
     """
+    from roam_core.kernels.coverage import coverage, distance  # numba: a command's help must not wait for it
+
     line, feathered = _lines(outline)
     if feathered is None:
         matte = coverage(line, size)
@@ -183,6 +183,9 @@ def _over_shutter(outlines: list[Outline], feathers: list[float], size: tuple[in
 
 def _swept(borders: list[Outline], size: tuple[int, int]) -> Matte:
     """The mean coverage of outlines that move evenly from each of the borders to the next one."""
+    from roam_core.kernels.coverage import swept_coverage
+    from roam_core.kernels.flattening import step_counts
+
     segments = np.stack([bezier.segments(outline.points) for outline in borders])
     counts = np.max([step_counts(control, TOLERANCE) for control in segments], axis=0)
     segment, weights = _places(counts)
@@ -223,6 +226,8 @@ def _lines(outline: Outline) -> tuple[Array, Array | None]:
     """The outline as a polyline `(K, 2)`, and its feather curve at the same `(segment, t)` pairs where it has one."""
     if outline.feather is None or not outline.feather.any():
         return outline.flatten(TOLERANCE), None
+    from roam_core.kernels.flattening import step_counts
+
     inner = bezier.segments(outline.points)
     outer = bezier.segments(outline.points + outline.feather)
     counts = np.maximum(step_counts(inner, TOLERANCE), step_counts(outer, TOLERANCE))
@@ -240,6 +245,8 @@ def _places(counts: Indices) -> tuple[Indices, Array]:
 
 def _between(line: Array, feathered: Array, size: tuple[int, int]) -> Matte:
     """Mean coverage of the outlines between two that are joined vertex by vertex, about one a pixel of their gap."""
+    from roam_core.kernels.coverage import coverage
+
     gap = float(np.hypot(*(feathered - line).T).max())
     levels = int(np.clip(np.ceil(gap), LEAST_LEVELS, MOST_LEVELS))
     total = np.zeros(size, dtype=np.float32)

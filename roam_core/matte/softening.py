@@ -8,12 +8,35 @@ from dataclasses import replace
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.matte.softness import Softness, middle, turn
+from roam_core.cancel import CancelToken, Progress, half
+from roam_core.matte.softness import Softness, measured, middle, turn
+from roam_core.media.source import ReadImage
 from roam_core.params.softness import SoftnessParams
 from roam_core.roto import Keyframe, MotionBlur, RotoShape
 from roam_core.roto.control_points import settled
 from roam_core.roto.feather import pulled, tidy
 from roam_core.translatable import sentence
+
+
+def softened(
+    read: ReadImage,
+    asked: Sequence[RotoShape],
+    shapes: Sequence[RotoShape],
+    params: SoftnessParams,
+    token: CancelToken,
+    progress: Progress,
+    *,
+    blur: bool = True,
+    feather: bool = True,
+) -> tuple[Softness, list[RotoShape]]:
+    """What is `measured` of the shapes that are asked for, and these as soft as the plate (`matched`)."""
+    found = measured(read, asked, shapes, params, token, half(progress, 0.0))
+    made, matching = [], half(progress, 0.5)
+    for done, shape in enumerate(asked):
+        token.check()
+        matching(done / len(asked), sentence("Shape {name}", name=shape.name))
+        made.append(matched(shape, found, params, blur=blur, feather=feather))
+    return found, made
 
 
 def matched(shape: RotoShape, found: Softness, params: SoftnessParams, *, blur: bool, feather: bool) -> RotoShape:

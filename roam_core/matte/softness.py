@@ -14,7 +14,6 @@ from roam_core.arrays import Array, Bools, Image, Indices
 from roam_core.cancel import CancelToken, Progress
 from roam_core.geometry import bezier
 from roam_core.geometry.polyline import signed_area
-from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.matte.edge_profile import costs, profiles
 from roam_core.matte.rasterise import has_area, shape_patch
 from roam_core.media import MissingFrame
@@ -100,8 +99,7 @@ def measured(
         progress(done / len(frames), sentence("Looking at frame {frame}", frame=frame))
         with suppress(MissingFrame):
             edges |= edges_at(read(frame), asked, shapes, frame, params)
-    token.check()
-    return softness(edges, params)
+    return softness(edges, params, token)
 
 
 def edges_at(
@@ -209,17 +207,18 @@ def _velocity(shape: RotoShape, frame: int) -> Array:
     return (shape.at(last).anchors - shape.at(first).anchors) / (last - first)
 
 
-def softness(edges: Mapping[Spot, Edge], params: SoftnessParams) -> Softness:
+def softness(edges: Mapping[Spot, Edge], params: SoftnessParams, token: CancelToken) -> Softness:
     """The shutter and the widths that say least against all that was seen."""
+    token.check()
     shutter, common = _in_common(edges, params)
     opened = shutter or 0.0
-    free = {spot: _beside(edge, opened, params) for spot, edge in edges.items()}
     focus = {}
     for shape_id, frames in _by_shape(edges).items():
+        token.check()
+        # Of one shape after the other: of all keys of many shapes these tables fill the memory.
+        free = {frame: _beside(edges[shape_id, frame], opened, params) for frame in frames}
         for frame in frames:
-            said = free[shape_id, frame] + params.in_time * sum(
-                free[shape_id, near] for near in (frame - 1, frame + 1) if near in frames
-            )
+            said = free[frame] + params.in_time * sum(free[near] for near in (frame - 1, frame + 1) if near in frames)
             focus[shape_id, frame] = _along(said, common, params)
     total = {spot: np.hypot(width, opened * edges[spot].speed) for spot, width in focus.items()}
     return Softness(shutter, focus, total, {spot: _read(edge, params) for spot, edge in edges.items()})
@@ -288,6 +287,8 @@ def _beside(edge: Edge, shutter: float, params: SoftnessParams) -> Array:
 
 def _along(said: Array, common: float, params: SoftnessParams) -> Array:
     """The widths `(P,)` along a closed outline that say least, where a change from point to point has its price."""
+    from roam_core.kernels.cyclic_viterbi import cyclic_viterbi  # numba: a command's help must not wait for it
+
     widths = np.asarray(params.widths)
     steps = np.abs(np.subtract.outer(np.arange(len(widths)), np.arange(len(widths)))) * params.bend
     pairs = np.broadcast_to(steps, (len(said), *steps.shape))

@@ -30,11 +30,9 @@ class Softening(PlateJob):
 def _soften(report: Report, read: ReadFrame, project: Project, asked: Sequence[RotoShape]) -> str:
     """The work, on the worker thread."""
     # OpenCV loads while the window is up already: that must not delay it.
-    from roam_core.matte.softening import matched, told
-    from roam_core.matte.softness import measured
+    from roam_core.matte.softening import softened, told
     from roam_core.params import SOFTNESS
 
-    found = measured(read, asked, project.shapes, SOFTNESS, report.token, report.progress)
-    soft = [matched(shape, found, SOFTNESS, blur=True, feather=True) for shape in asked]
+    found, soft = softened(read, asked, project.shapes, SOFTNESS, report.token, report.progress)
     report.partial(soft)
     return translated(told(found, asked, soft))

@@ -20,7 +20,6 @@ from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
-from roam_core.kernels.key_spans import PARTS, RIDGE, cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape
 from roam_core.translatable import sentence
 
@@ -96,6 +95,8 @@ def reduced(
 
     Raises `RoamError` when the tolerance is no positive number.
     """
+    from roam_core.kernels.key_spans import PARTS, outline_distances  # numba: a command's help must not wait for it
+
     if not 0.0 < tolerance < np.inf:
         raise RoamError(f"The tolerance of reduced keys must be a positive number of pixels, not {tolerance:g}.")
     first, last = shape.frames[0], shape.frames[-1]
@@ -150,6 +151,8 @@ def fewest(
 
     Dynamic programming over frames; for each the best (number of keys, largest error) that leads to it.
     """
+    from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors
+
     count = len(samples)
     cost: Callable[[Array, bool, int, float], Array]
     cost = cubic_span_errors if motion is Motion.CUBIC else linear_span_errors
@@ -237,6 +240,8 @@ def _hermite(count: int) -> Array:
 
 def _bends(values: Array) -> Array:
     """The two slopes `(2, ...)` of a span `(F, ...)`, beyond the straight motion's: fitted by least squares."""
+    from roam_core.kernels.key_spans import RIDGE
+
     basis = _hermite(len(values))
     fit = np.linalg.solve(basis.T @ basis + RIDGE * np.eye(2), basis.T)
     return np.asarray(np.tensordot(fit, values - _straight(values), axes=1))

@@ -10,7 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.linalg import solveh_banded
 
 from roam_core.arrays import Array, Bools
 from roam_core.cancel import CancelToken
@@ -18,7 +17,6 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.keys.reduction import PLACES, places
-from roam_core.kernels.key_spans import outline_distances
 from roam_core.roto import Interpolation, Origin, RotoShape, Spline
 from roam_core.translatable import sentence
 
@@ -159,6 +157,8 @@ def _displacements(pull: Array, stiffness: Array, weights: Array) -> Array:
 
     One symmetric system of five bands holds the keys of all points one after the other, x and y of each in turn.
     """
+    from scipy.linalg import solveh_banded  # large: an export without smoothing does not wait for it
+
     keys, curves, count = pull.shape[:3]
     bands = np.zeros((5, count, keys, 2))
     bands[4] = np.diagonal(stiffness)[:, None] + np.diagonal(weights, axis1=2, axis2=3)
@@ -177,6 +177,8 @@ def _settled(points: Array, closed: bool) -> Array:
 
 def _strays(before: Array, after: Array, closed: bool) -> Array:
     """Distances `(K, C, S)` between two outlines at every place, both ways."""
+    from roam_core.kernels.key_spans import outline_distances  # numba: a command's help must not wait for it
+
     return np.maximum(outline_distances(before, after, closed), outline_distances(after, before, closed))
 
 

@@ -15,7 +15,6 @@ from roam_core.errors import RoamError
 from roam_core.interchange.labels.polygons import mask_of, polygon_key, runs_of_text
 from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, brief, sensible
 from roam_core.matte.vectorise import shapes_from_mask
-from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Layer, RotoShape
 from roam_core.translatable import sentence
 
@@ -171,6 +170,8 @@ class CocoReader(ShapeReader):
         return [shape for run in runs for shape in self._fitted(name, masks, run)]
 
     def _fitted(self, name: str, masks: dict[int, Any], run: list[int]) -> list[RotoShape]:
+        from roam_core.proposal.mask_keys.keys import keys_from_mask  # numba: a command's help must not wait for it
+
         shapes: list[RotoShape] = []
         for frame in run:
             self.options.advance(0.0, sentence("Mask of frame {frame}", frame=frame))

@@ -8,7 +8,6 @@ import numpy as np
 
 from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
-from roam_core.kernels.flattening import step_counts
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.translatable import sentence
 
@@ -30,6 +29,8 @@ class Flattener:
     """
 
     def __init__(self, shape: RotoShape) -> None:
+        from roam_core.kernels.flattening import step_counts  # numba: a command's help must not wait for it
+
         self.closed = shape.closed
         segments = [self._segments(key.points) for key in shape.keys]
         counts = np.max([step_counts(each, TOLERANCE) for each in segments], axis=0)

@@ -5,15 +5,13 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
-from roam_core.interchange.masks.sequence import Fitted, Wanted, as_shapes, in_order, part_as_keys
-from roam_core.interchange.masks.tracks import Track, Tracker
 from roam_core.interchange.protocol import KeyChoice
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, MaskOptions, ShapeReader
 from roam_core.matte.vectorise import coverage_of, is_in_colour, may_be_picture
@@ -25,6 +23,10 @@ from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import scale_for
 from roam_core.roto import Clip, RotoShape
 from roam_core.translatable import N_, sentence
+
+if TYPE_CHECKING:
+    from roam_core.interchange.masks.sequence import Fitted, Wanted
+    from roam_core.interchange.masks.tracks import Track, Tracker
 
 READING = 0.25
 """Share of the work that reading the masks is."""
@@ -81,6 +83,8 @@ def _placed(options: ImportOptions, source: PlateSource, clip: Clip) -> ImportOp
 
 
 def _wanted(asked: MaskOptions, source: PlateSource) -> Wanted:
+    from roam_core.interchange.masks.sequence import Wanted  # numba: a command's help must not wait for it
+
     if not 0.0 < asked.tolerance < np.inf:
         raise RoamError(f"The tolerance of masks must be a positive number of pixels, not {asked.tolerance:g}.")
     if asked.keys is KeyChoice.ARTIST:
@@ -110,6 +114,8 @@ def _require_masks(source: PlateSource, reader: ShapeReader) -> None:
 
 def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Tracker:
     """The parts of all masks that can be read."""
+    from roam_core.interchange.masks.tracks import Tracker
+
     tracker = Tracker(max(FOLLOWED * 2.0 * wanted.scrap, 1.0))
     frames, grey = source.frames, 0
     for done, number in enumerate(frames):
@@ -146,6 +152,8 @@ def _stored(source: PlateSource, number: int) -> NDArray[Any]:
 
 def _without_specks(tracker: Tracker, reader: ShapeReader, speck: float) -> list[Track]:
     """The parts that are worth a shape, in the order of compositing; where there are none, the largest of all."""
+    from roam_core.interchange.masks.sequence import in_order
+
     kept = [track for track in tracker.tracks if track.largest >= speck]
     if not any(not track.is_hole for track in kept):
         kept.append(max((track for track in tracker.tracks if not track.is_hole), key=lambda track: track.largest))
@@ -178,6 +186,8 @@ def _work(track: Track) -> float:
 def _fitted_shapes(
     tracks: list[Track], source: PlateSource, reader: ShapeReader, wanted: Wanted
 ) -> tuple[list[RotoShape], tuple[Fitted, ...]]:
+    from roam_core.interchange.masks.sequence import as_shapes, part_as_keys
+
     progress = _Progress(reader, max(sum(_work(track) for track in tracks), 1.0))
     token = reader.options.token
     parts: list[tuple[Track, Fitted]] = []

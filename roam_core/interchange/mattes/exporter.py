@@ -10,7 +10,15 @@ from pathlib import Path
 from roam_core.atomic_write import make_folder, write_atomically
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
-from roam_core.interchange.matte_style import OTHER_SUFFIXES, SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
+from roam_core.interchange.matte_style import (
+    MATTES,
+    OTHER_SUFFIXES,
+    SUFFIXES,
+    Gathering,
+    MatteFile,
+    MatteStyle,
+    Parts,
+)
 from roam_core.interchange.mattes.files import JOINT, encode_png, write_picture
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.interchange.naming import file_words, is_numbered, numbering
@@ -29,7 +37,7 @@ PNG = MatteStyle()
 class MatteExporter:
     """Writes mattes of the visible shapes for every frame of the clip, or for those that are asked for."""
 
-    name = "mattes"
+    name = MATTES
     title = N_("Mattes (PNG, EXR, TIFF)")
     suffix = ".png"
 

@@ -14,7 +14,6 @@ from roam_core.arrays import Array, Bools, Indices
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.interchange.svg.path import Spline
-from roam_core.kernels.flattening import step_counts, vertices
 
 TOLERANCE = 0.05
 """Pixels by which outlines may stray where it is asked where they cross."""
@@ -78,6 +77,8 @@ def loops(rings: Sequence[Array], wanted: Wanted, count: Count) -> list[Array] |
     At each crossing an outline turns into the other branch, so that together the loops go around every place as often
     as the outlines do, and do not cross there. `count` is told of parts, and may refuse.
     """
+    from roam_core.kernels.flattening import step_counts, vertices  # numba: a command's help must not wait for it
+
     controls = [bezier.segments(ring) for ring in rings]
     counts = [step_counts(control, TOLERANCE) for control in controls]
     corners = sum(int(each.sum()) for each in counts)

@@ -115,8 +115,9 @@ def _equations(points: Array, sample: Array, rigidity: float) -> tuple[Array, Ar
         relative[offset + rows, 3 * rows + ANCHOR] = -1.0
     anchors = np.zeros((count, 3 * count))
     anchors[rows, 3 * rows + ANCHOR] = np.sqrt(0.05)
-    hold = np.vstack([relative, anchors]) @ tie
-    design = sample @ tie
+    hold, design = np.vstack([relative, anchors]), sample
+    if len(free) < 3 * count:  # else these products change no bit, and of many points they take most of the time
+        hold, design = hold @ tie, design @ tie
     # Per control point: a spline of many nodes is not held less than one of few.
     weight = rigidity * len(sample) / count
     # Sparse, because dense LAPACK rounds otherwise with another number of threads.

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.cancel import CancelToken, Progress
+from roam_core.cancel import CancelToken, Progress, half
 from roam_core.features import PreparedFrame
 from roam_core.geometry.simple import crossing_segments, untied
 from roam_core.media.partial import ReadFrame
@@ -52,7 +52,7 @@ def steadied(
     ValueError
         for another strength.
     Cancelled
-        between two frames after `token` was cancelled.
+        between two frames, or two keys, after `token` was cancelled.
     """
     if not 0.0 <= strength <= 1.0:
         raise ValueError(f"a strength is in [0, 1], not {strength}")
@@ -61,9 +61,14 @@ def steadied(
     if strength == 0.0 or not asked:
         return made
     looked_at = range(frames.start - params.reach, frames.stop + params.reach)
-    paths, scale = _watched(read, [shapes[k] for k in asked], looked_at, params, token, progress)
-    for k, path in zip(asked, paths, strict=True):
-        made[k] = path.moved(frames, strength, params, scale)
+    paths, scale = _watched(
+        read, [shapes[k] for k in asked], looked_at, params, token, progress and half(progress, 0.0)
+    )
+    moving = progress and half(progress, 0.5)
+    for done, (k, path) in enumerate(zip(asked, paths, strict=True)):
+        if moving is not None:
+            moving(done / len(asked), sentence("Shape {name}", name=path.shape.name))
+        made[k] = path.moved(frames, strength, params, scale, token)
     return made
 
 
@@ -102,19 +107,28 @@ class _Path:
             trust = np.where(_inside(self.places.on(points)[0], size), trust, 0.0)
         self.steps[frame] = 0.5 * (back + there), trust
 
-    def moved(self, frames: range, strength: float, params: SteadinessParams, scale: float) -> RotoShape:
+    def moved(
+        self, frames: range, strength: float, params: SteadinessParams, scale: float, token: CancelToken | None
+    ) -> RotoShape:
         """The shape with its engine's keys in `frames` moved."""
         if self.places is None:
             return self.shape
         made = [
             key
             for first, last in _rows(sorted(self.steps))
-            for key in self._moved(range(first, last + 2), self.places, frames, strength, params, scale)
+            for key in self._moved(range(first, last + 2), self.places, frames, strength, params, scale, token)
         ]
         return self.shape.with_keys(made) if made else self.shape
 
     def _moved(
-        self, row: range, places: Places, frames: range, strength: float, params: SteadinessParams, scale: float
+        self,
+        row: range,
+        places: Places,
+        frames: range,
+        strength: float,
+        params: SteadinessParams,
+        scale: float,
+        token: CancelToken | None,
     ) -> Iterator[Keyframe]:
         """The keys of frames that follow each other, those that moved."""
         steps, trust = (np.stack([self.steps[frame][k] for frame in row[:-1]]) for k in (0, 1))
@@ -124,6 +138,8 @@ class _Path:
         for key, outwards, stays in zip(keys, by, fixed, strict=True):
             if stays:
                 continue
+            if token is not None:
+                token.check()
             points = _moved_points(self.shape, key.points, places, outwards, params, scale)
             if not np.array_equal(points, key.points):
                 yield replace(key, points=points)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from roam_core.cancel import CancelToken, Progress
+from roam_core.cancel import CancelToken, Progress, half
 from roam_core.geometry import bezier
 from roam_core.media.source import ReadImage
 from roam_core.params.steadiness import ResidualParams, SteadinessParams
@@ -48,7 +48,7 @@ def steadying(
 
     For the boil each picture is asked for once more. Parameters and errors are those of `steadied`.
     """
-    made = steadied(read, shapes, frames, strength, params, token, _part(progress, 0.0))
+    made = steadied(read, shapes, frames, strength, params, token, progress and half(progress, 0.0))
     pairs = [(old, new) for old, new in zip(shapes, made, strict=True) if new is not old]
     moved = {
         (new.id, key.frame): float(np.hypot(*(key.points - was.points)[:, 0].T).mean())
@@ -63,7 +63,9 @@ def steadying(
     looked_at = range(min(frame for _, frame in counted) - 1, max(frame for _, frame in counted) + 2)
     # Both in one pass: the motion of the picture is then the same for both.
     renamed = [replace(old, id=f"{old.id} before") for old, _ in pairs]
-    found = boil(read, [*renamed, *(new for _, new in pairs)], looked_at, measure, token, _part(progress, 0.5))
+    found = boil(
+        read, [*renamed, *(new for _, new in pairs)], looked_at, measure, token, progress and half(progress, 0.5)
+    )
     return Steadied(
         made,
         moved,
@@ -73,11 +75,6 @@ def steadying(
             if spot in found and (f"{spot[0]} before", spot[1]) in found
         },
     )
-
-
-def _part(progress: Progress | None, begins: float) -> Progress | None:
-    """The half of a bar that begins there."""
-    return None if progress is None else lambda fraction, text: progress(begins + 0.5 * fraction, text)
 
 
 def told(found: Steadied) -> str:

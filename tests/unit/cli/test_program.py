@@ -54,8 +54,20 @@ def test_commands_do_not_ask_for_the_window(
     assert "nowhere.roam" in capsys.readouterr().err
 
 
+HELPED_AT_ONCE = ("shift", "soften", "export", "import", "render", "review", "farm", "plugin", "configs")
+
+
 @pytest.mark.parametrize(
-    "words", [["--version"], ["--help"], ["configs"], ["info", "--help"], ["info", "p.png"], ["info", "p.roam"]]
+    "words",
+    [
+        *([command, "--help"] for command in HELPED_AT_ONCE),
+        ["--version"],
+        ["--help"],
+        ["configs"],
+        ["info", "--help"],
+        ["info", "p.png"],
+        ["info", "p.roam"],
+    ],
 )
 def test_what_needs_no_engine_does_not_load_what_compiles_it(tmp_path: Path, words: list[str]) -> None:
     cv2.imwrite(str(tmp_path / "p.png"), np.full((40, 60, 3), 90, np.uint8))

@@ -349,3 +349,19 @@ def test_a_key_without_a_picture_is_no_start(roam: Roam, plate: Plate, tmp_path:
         done = roam("track", plate.folder, "--init", path, "--save", path)
         assert f"begins on frame 1004: the clip has no picture of frame {beside}" in done.err
         assert file.load(path).shapes[0].frames == (beside, 1004, 1005, 1006)
+
+
+def test_a_start_in_a_gap_of_the_clip_is_the_frame_before_it(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    """As in the window: a run that ended in a gap is gone on with."""
+    path, out = tmp_path / "a.roam", tmp_path / "out.roam"
+    for frame in (1003, 1004):
+        (plate.folder / f"plate.{frame}.png").unlink()
+    mask = roam("track", plate.folder, "--init", plate.mask, "--start", 1004, "--save", path)
+    assert (mask.status, path.exists()) == (1, False)
+    assert "the nearest frames that it has are 1002 and 1005" in mask.err
+    roam("track", plate.folder, "--init", plate.mask, "--end", 1004, "--save", path)
+    done = roam("track", plate.folder, "--init", path, "--start", 1004, "--save", out)
+    assert (done.status, file.load(out).shapes[0].frames[-1]) == (0, 1006)
+    assert "begins on frame 1002: the clip has no picture of frame 1004" in done.err
+    backward = roam("track", plate.folder, "--init", out, "--start", 1003, "--backward", "--save", tmp_path / "b.roam")
+    assert "begins on frame 1005: the clip has no picture of frame 1003" in backward.err

@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.cli import main
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
-from tests.unit.cli.conftest import Roam
+from tests.unit.cli.conftest import Plate, Roam
 from tests.unit.matte.conftest import rectangle
 
 
@@ -170,3 +170,18 @@ def test_a_pattern_says_what_kind_of_file_is_rendered(roam: Roam, folder: Path) 
         assert len(written) == 3
         assert all(fits(path.read_bytes()) for path in written)
         assert all(path.suffix in (".exr", ".tif", ".png") for path in written)
+
+
+def test_a_file_whose_name_begins_with_a_dash(
+    roam: Roam, plate: Plate, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`--` was passed over, for options may stand between what is not optional."""
+    monkeypatch.chdir(plate.folder.parent)
+    plate.folder.rename("-shot")
+    assert "-shot" in roam("info", "--", "-shot").out
+    assert roam("track", "--init", plate.mask, "--end", 1002, "--save", "p.roam", "--", "-shot").status == 0
+    assert roam("export", "--to", "svg", "--", "p.roam", "-out.svg").status == 0
+    assert (plate.folder.parent / "-out.svg").is_file()
+    with pytest.raises(SystemExit):
+        roam("info", "-shot")
+    assert "give the file -shot as ./-shot" in capsys.readouterr().err

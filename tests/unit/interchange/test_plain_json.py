@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, ImportOptions, read_shapes
 from roam_core.interchange import reading as limits
@@ -214,3 +215,23 @@ def test_files_beyond_the_limits_are_refused(tmp_path: Path, monkeypatch: pytest
     monkeypatch.setattr(limits, "MAX_POINTS", 2)
     with pytest.raises(RoamError, match="more than 2 points"):
         read(json.dumps(GOOD), tmp_path)
+
+
+def test_the_file_is_written_in_pieces(project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Put together at once, 100 shapes with 500 keys of 60 points took 3.5 GB; and the writing did not stop."""
+    monkeypatch.setattr("roam_core.interchange.plain_json.WORDS", 64)
+    path, text = tmp_path / "shapes.json", json_document(project)[0]
+    pieces, _ = EXPORTERS["json"].pieces(project, ExportOptions())  # type: ignore[attr-defined]
+    assert max(map(len, pieces)) < len(text) / 4
+    EXPORTERS["json"].export(project, path)
+    assert path.read_text(encoding="ascii") == text
+    token = CancelToken()
+
+    def stopping(done: float, _: str) -> None:
+        if done == 1.0:
+            token.cancel()
+
+    path.unlink()
+    with pytest.raises(Cancelled):
+        EXPORTERS["json"].export(project, path, ExportOptions(progress=stopping, token=token))
+    assert list(tmp_path.iterdir()) == []

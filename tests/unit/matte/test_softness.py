@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from roam_core.arrays import Array, UInt8
-from roam_core.cancel import CancelToken
+from roam_core.cancel import Cancelled, CancelToken
 from roam_core.geometry import bspline
 from roam_core.matte import render_matte, shape_matte
 from roam_core.matte.edge_profile import edge
-from roam_core.matte.softening import matched, told
+from roam_core.matte.softening import matched, softened, told
 from roam_core.matte.softness import Softness, measured
 from roam_core.media import MissingFrame
 from roam_core.params.softness import SOFTNESS
@@ -53,6 +53,33 @@ def seen(
 
 def soft(shape: RotoShape, found: Softness, *, blur: bool = True, feather: bool = True) -> RotoShape:
     return matched(shape, found, SOFTNESS, blur=blur, feather=feather)
+
+
+def test_it_tells_of_the_shapes_and_stops_between_them() -> None:
+    """Of many shapes with many keys it stood still for minutes, with a full bar, and did not hear Ctrl-C."""
+    frames = (1, 2, 3)
+    shapes = [disc(name, frames=frames) for name in "ab"]
+    images = {frame: picture(shape_matte(shapes[0], frame, SIZE)) for frame in frames}
+    fractions: list[float] = []
+    token = CancelToken()
+
+    def progress(done: float, _: str) -> None:
+        fractions.append(done)
+
+    found, made = softened(images.__getitem__, shapes, shapes, SOFTNESS, token, progress)
+    assert made == [soft(shape, found) for shape in shapes]
+    assert fractions == sorted(fractions)
+    assert fractions[len(frames) :] == [0.5, 0.75]
+
+    def stopping(done: float, _: str) -> None:
+        fractions.append(done)
+        if done == 0.5:
+            token.cancel()
+
+    fractions.clear()
+    with pytest.raises(Cancelled):
+        softened(images.__getitem__, shapes, shapes, SOFTNESS, token, stopping)
+    assert fractions[-1] == 0.5
 
 
 @pytest.mark.parametrize("width", [0.0, 1.5, 5.0])

@@ -235,6 +235,23 @@ def test_it_stops_when_it_is_told_to(shot: Shot, trembling: RotoShape) -> None:
     assert len(told_of) == 4
 
 
+def test_it_stops_between_the_keys_that_it_moves(shot: Shot, trembling: RotoShape) -> None:
+    """Of many shapes most of the time goes there: nothing was told then, and Ctrl-C not heard."""
+    token = CancelToken()
+    told_of: list[float] = []
+
+    def progress(fraction: float, _: str) -> None:
+        told_of.append(fraction)
+        if len(told_of) == len(FRAMES) + 2:
+            token.cancel()
+
+    shapes = [replace(trembling, id=name) for name in "abc"]
+    with pytest.raises(Cancelled):
+        steadied(shot.read, shapes, FRAMES, 1.0, STEADINESS, token, progress)
+    assert told_of == sorted(told_of)
+    assert told_of[len(FRAMES) :] == [0.5, 0.5 + 0.5 / 3]
+
+
 def test_what_was_done_is_told(shot: Shot, trembling: RotoShape) -> None:
     fractions: list[float] = []
     found = steadying(
