@@ -42,12 +42,12 @@ def ransac(source: Array, target: Array, threshold: float = 2.0, trials: int = 1
     Two-point hypotheses drawn from a seeded generator (the same input gives the same bits), inliers within
     `threshold` pixels, then least squares on the inliers of the best one, twice.
     """
+    from roam_core.kernels.hypotheses import agreed_similarity  # numba: a command's help must not wait for it
+
     n = len(source)
     if n < 3:
         return fit(source, target), np.ones(n, dtype=bool)
     rng = np.random.default_rng(0)
     first = rng.integers(0, n, trials)
     second = (first + rng.integers(1, n, trials)) % n
-    from roam_core.kernels.hypotheses import agreed_similarity  # numba: a command's help must not wait for it
-
     return agreed_similarity(source, target, first, second, threshold)

@@ -38,9 +38,9 @@ from .lines import CurveKey, CurveLine, lines_of, ticks, value_range
 GRAB = 7.0
 """Pixels around a key, a handle's end or a curve in which a press means it."""
 ZOOM = 1.2
+"""A notch of the wheel with Ctrl: the factor by which the values in sight become fewer."""
 NARROWEST, WIDEST = 1e-3, 1e7
 """Percent or pixels from the bottom to the top at least, and at most."""
-"""A notch of the wheel with Ctrl: the factor by which the values in sight become fewer."""
 KEY, HANDLE = 12, 8
 """Pixels that a key and a handle's end are wide."""
 TICK_ROOM = 28
