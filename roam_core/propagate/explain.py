@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
@@ -82,6 +83,13 @@ def explain(
     found: dict[int, Explanation] = {}
     runs: dict[_Run, list[int]] = {}
     stamps = Stamps.of(shapes, clip)
+
+    @cache
+    def shown(gap: tuple[int, int], config: str) -> frozenset[int]:
+        """The keys of a gap that filling it goes by: their pictures are looked at once for all shapes."""
+        params = provenance.known_params(config) or RoamParams()
+        return frozenset(keys_shown(read, shapes, gap, params))
+
     for index, shape in enumerate(shapes):
         key = shape.key_at(frame)
         if key is None or not shape.closed or (only is not None and shape.id not in only):
@@ -89,7 +97,7 @@ def explain(
         if key.origin is Origin.ARTIST:
             found[index] = _given(shape, key)
         else:
-            runs.setdefault(_run_of(read, stamps, index, key), []).append(index)
+            runs.setdefault(_run_of(shown, stamps, index, key), []).append(index)
     for run, asked in runs.items():
         found.update(_explained(read, stamps, asked, frame, run, token))
     return _with_edges(read, shapes, frame, [found[index] for index in sorted(found)])
@@ -114,10 +122,9 @@ def _given(shape: RotoShape, key: Keyframe) -> Explanation:
     return Explanation(shape, key, "", Account.at(NodeMap.of(key.points, RoamParams(), 1.0), key.points))
 
 
-def _run_of(read: ReadPicture, stamps: Stamps, k: int, key: Keyframe) -> _Run:
+def _run_of(shown: Callable[[tuple[int, int], str], Collection[int]], stamps: Stamps, k: int, key: Keyframe) -> _Run:
     made, shape = Stamp.read(key.inputs), stamps.shapes[k]
-    params = provenance.known_params(made.config)
-    if params is None:
+    if provenance.known_params(made.config) is None:
         raise RoamError(
             f"The key of {shape.name!r} on frame {key.frame} does not say which configuration made it; track it again."
         )
@@ -131,7 +138,9 @@ def _run_of(read: ReadPicture, stamps: Stamps, k: int, key: Keyframe) -> _Run:
         members = stamps.solved_with(k, made.begun, made.forward, made.alone)
         return _Run(made.config, made.forward, made.begun, members)
     first, last = made.gap
-    ends = [frame for frame in keys_shown(read, [shape], made.gap, params) if frame in shape.artist_frames]
+    keyed = [frame for frame in made.gap if frame in shape.artist_frames]
+    # One whose picture went since it was filled is told of by its name.
+    ends = [frame for frame in keyed if frame in shown(made.gap, made.config)] or keyed
     begun = min(ends, key=lambda frame: (abs(frame - key.frame), frame))
     together = stamps.filled_with(k, (first, last), made.alone)
     members = tuple(j for j in together if begun in stamps.shapes[j].artist_frames)

@@ -10,6 +10,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.media.source import MissingFrame
 from roam_core.propagate import FrameResult, track
 from roam_core.propagate.between.span import fill_span
 from roam_core.propagate.engines.protocol import REGION
@@ -126,6 +127,27 @@ def test_a_frame_filled_from_its_farther_key_is_explained_from_there(blob_shot: 
     (run,) = solved(blob_shot, [shape], "best", range(1001, 1005)).results
     apart = filled.at(1004).points - run.shape.at(1004).points
     assert told.apart == pytest.approx(np.hypot(*apart.reshape(-1, 2).T).max())
+
+
+def test_pictures_of_keys_are_looked_at_once_for_all_shapes_and_one_that_went_is_named(blob_shot: Shot) -> None:
+    ends = replace(blob_shot.shape(), lifetime=(1001, 1004))  # it has no key on the other end
+    both = blob_shot.shape().with_key(Keyframe(1005, blob_shot.truth(1005)))
+    apart = [replace(each, id=name, link=name) for name, each in (("a", both), ("b", both), ("c", ends))]
+    filled = fill_span({n: blob_shot.read(n) for n in blob_shot.frames}, apart, 1001, 1005)
+    asked: list[int] = []
+
+    def read(frame: int) -> PreparedFrame:
+        asked.append(frame)
+        if frame == 1001 and is_gone:
+            raise MissingFrame("frame 1001 is missing")
+        return PreparedFrame(blob_shot.read(frame))
+
+    is_gone = False
+    assert [told.shape.id for told in explain(read, filled, 1004, None)] == ["a", "b"]
+    assert asked.count(1001) == 2  # whether it shows something, and the kinds of edge there
+    is_gone = True
+    with pytest.raises(MissingFrame, match="1001"):
+        explain(read, filled, 1003, None)
 
 
 def test_a_shape_that_left_the_picture_has_no_terms(blob_shot: Shot) -> None:
