@@ -60,7 +60,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
         "shape.hide", "shape.show_all", SEPARATOR,
         "view.fit_selection", "view.shape_panel", "file.export_selected",
     ),
-    Place.EMPTY_LIST: ("edit.paste", "layer.add", SEPARATOR, "shape.select_all", "shape.show_all"),
+    Place.EMPTY_LIST: ("edit.paste", "layer.add", SEPARATOR, "shape.select_all", "shape.find", "shape.show_all"),
 }  # fmt: skip
 """What each offers; what cannot be done there at the moment is left out."""
 

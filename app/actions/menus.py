@@ -25,7 +25,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
         "points.delete", "shape.select_all", "points.select_all", "shape.select_none", "points.next",
-        "points.previous", SEPARATOR,
+        "points.previous", "shape.find", SEPARATOR,
         "points.soft", "points.lasso", SEPARATOR,
         "points.transform", "points.mirror_across", "points.mirror_down", "shape.raise", "shape.lower", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",

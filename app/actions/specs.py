@@ -152,6 +152,7 @@ SPECS: tuple[ActionSpec, ...] = (
         "shape.select_all", N_("Select all shapes"), _VIEWER, tip=N_("Select the shapes in sight that are not locked")
     ),
     ActionSpec("shape.select_none", N_("Select nothing"), _VIEWER, tip=N_("Let go of all shapes, points and layers")),
+    ActionSpec("shape.find", N_("Find in the list"), tip=N_("List only the shapes and layers that are called so")),
     ActionSpec("shape.duplicate", N_("Duplicate"), _VIEWER, "duplicate"),
     ActionSpec("shape.group", N_("Group into a layer"), _VIEWER, "layer-add"),
     ActionSpec(

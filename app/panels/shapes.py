@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QContextMenuEvent, QDropEvent, QIcon, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QBrush, QColor, QContextMenuEvent, QDropEvent, QFocusEvent, QIcon, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QAbstractItemDelegate,
     QAbstractItemView,
@@ -30,6 +30,7 @@ from ..model.document import Document
 from ..model.reasons import outdated_by
 from ..model.view_state import ViewState
 from ..translation import N_, sentence_of, tr
+from .shape_search import Found, SearchField, found_in
 
 NAME, EYE, LOCK = 0, 1, 2
 LEAST_ROWS, MOST_ROWS = 4, 9
@@ -56,12 +57,22 @@ class ShapesPanel(QWidget):
         self._hint = QLabel()
         self._hint.setObjectName("weak")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.search, self.beside = SearchField(self.tree), QLabel()
+        self.beside.setObjectName("weak")
+        self.beside.setContentsMargins(style.MARGIN, 0, style.MARGIN, 0)
+        self.beside.setWordWrap(True)
+        self.search.textChanged.connect(self.tree.search)
+        self.search.entered.connect(self.tree.enter)
+        self.tree.searched.connect(self._tell_search)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         self.setMinimumHeight(5 * style.ROW_HEIGHT)
+        column.addWidget(self.search)
         column.addWidget(self.tree)
+        column.addWidget(self.beside)
         column.addWidget(self._hint, 1)
         document.changed.connect(self._pull)
+        document.replaced.connect(self.search.clear)
         document.replaced.connect(self._pull)
         view_state.keymap_changed.connect(self._pull)
         self._pull()
@@ -70,7 +81,21 @@ class ShapesPanel(QWidget):
         is_empty = not self._document.project.root.children
         self._hint.setVisible(is_empty)
         self._hint.setText(tr(NO_CLIP) if self._document.project.clip is None else told(tr(EMPTY), self._view.keymap))
-        self.tree.setVisible(not is_empty)
+        for part in (self.tree, self.search):
+            part.setVisible(not is_empty)
+        self._tell_search()
+
+    def _tell_search(self) -> None:
+        """What a search leaves out is told: that it finds nothing, or that more is selected than the list shows."""
+        sentence = ""
+        if self.search.text().strip() and not self._document.project.root.children:
+            self.search.clear()
+        elif not self.tree.found.rows and self.search.text().strip():
+            sentence = tr("Nothing is called so.")
+        elif count := len(self.tree.selected_beside):
+            sentence = tr("%n selected row(s) is/are not in this list.", "", count)
+        self.beside.setText(sentence)
+        self.beside.setVisible(bool(sentence))
 
 
 class ShapeTree(QTreeWidget):
@@ -79,15 +104,20 @@ class ShapeTree(QTreeWidget):
     Signals
     -------
     menu_asked(place, where) : a right click on that `Place`, at this place of the screen; its row is selected.
+    searched() : another search, or what it finds or leaves out of the selection may be another.
     """
 
     menu_asked = Signal(object, QPoint)
+    searched = Signal()
 
     def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document, self._view = document, view_state
         self._shown: object = None
         self._is_pushing = False
+        self._text, self._folded_before = "", frozenset[str]()
+        self.found = Found()
+        """What the search leaves in sight; all where nothing is searched for."""
         self._dress()
         self.itemSelectionChanged.connect(self._push_selection)
         self.itemChanged.connect(self._push_name)
@@ -115,13 +145,55 @@ class ShapeTree(QTreeWidget):
             header.resizeSection(column, 26)
 
     def sizeHint(self) -> QSize:
-        """As high as its rows ask for, within bounds: what the tree leaves, the panels below it need."""
-        rows = min(max(len(list(self._rows())), LEAST_ROWS), MOST_ROWS)
+        """As high as its rows ask for, within bounds: what the tree leaves, the panels below it need.
+
+        A search changes no height.
+        """
+        count = sum(1 for _ in self._document.project.root.items())
+        rows = min(max(count, LEAST_ROWS), MOST_ROWS)
         return QSize(super().sizeHint().width(), rows * style.ROW_HEIGHT)
 
     def item(self, item_id: str) -> QTreeWidgetItem:
         """The row of a layer or shape."""
         return next(row for row in self._rows() if row.data(NAME, ID) == item_id)
+
+    # ---- searching
+
+    def search(self, text: str) -> None:
+        """List only what is called so, unfolded; "" lists all again, folded as it was before."""
+        text = text.strip()
+        if text == self._text:
+            return
+        if not self._text:
+            self._folded_before = self._folded()
+        self._text = text
+        self._build(frozenset() if text else self._folded_before)
+        if not text:
+            self._follow_selection()
+
+    @property
+    def selected_beside(self) -> frozenset[str]:
+        """What is selected, but left out by the search."""
+        return (self._view.selection.shapes | self._view.layers) - self.found.rows
+
+    def enter(self) -> None:
+        """Take the keyboard, at the first row that can be selected where none is."""
+        rows = [row for row in self._rows() if row.flags() & Qt.ItemFlag.ItemIsSelectable]
+        if rows and not self.selectedItems():
+            self.setCurrentItem(rows[0])
+        if rows:
+            self.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """With the keyboard in the list keys mean its rows: what the search leaves out is let go."""
+        super().focusInEvent(event)
+        unasked = (
+            Qt.FocusReason.MouseFocusReason,
+            Qt.FocusReason.PopupFocusReason,
+            Qt.FocusReason.ActiveWindowFocusReason,
+        )
+        if event.reason() not in unasked and self.selected_beside:
+            self._push_selection()
 
     # ---- from the document
 
@@ -136,9 +208,14 @@ class ShapeTree(QTreeWidget):
             self._shown = shown
             self._build()
 
-    def _build(self) -> None:
+    def _folded(self) -> frozenset[str]:
+        return frozenset(row.data(NAME, ID) for row in self._rows() if row.childCount() and not row.isExpanded())
+
+    def _build(self, folded: frozenset[str] | None = None) -> None:
+        """Make the rows of what is searched for; `folded` are the layers that are, or those that are now."""
         self.updateGeometry()
-        closed = {row.data(NAME, ID) for row in self._rows() if row.childCount() and not row.isExpanded()}
+        closed = self._folded() if folded is None else folded
+        self.found = found_in(self._document.project.root, self._text)
         held = self.currentItem()
         current = None if held is None else held.data(NAME, ID)
         with QSignalBlocker(self):
@@ -147,14 +224,20 @@ class ShapeTree(QTreeWidget):
             for row in self._rows():
                 row.setExpanded(row.childCount() > 0 and row.data(NAME, ID) not in closed)
         self._pull_selection()
+        self.searched.emit()
         self.setAutoScroll(False)  # where the artist looks is kept
         self._set_current(next((row for row in self._rows() if row.data(NAME, ID) == current), None))
         self.setAutoScroll(True)
 
     def _add_rows(self, parent: QTreeWidgetItem, layer: Layer) -> None:
         for child in reversed(layer.children):
+            if child.id not in self.found.rows:
+                continue
             row = QTreeWidgetItem(parent)
             _dress_row(row, child)
+            if child.id in self.found.holders:  # selected it would stand for all in it
+                row.setFlags(row.flags() & ~(Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsDragEnabled))
+                row.setForeground(NAME, QBrush(QColor(style.DISABLED)))
             if isinstance(child, Layer):
                 self._add_rows(row, child)
 
@@ -180,6 +263,7 @@ class ShapeTree(QTreeWidget):
         A folded layer stays so: then it is the layer's row that comes into sight.
         """
         self._pull_selection()
+        self.searched.emit()
         chosen = [row for row in self._rows() if row.isSelected()]
         if self._is_pushing or not chosen:
             return
@@ -224,6 +308,8 @@ class ShapeTree(QTreeWidget):
         row, column = self.itemAt(spot), self.columnAt(spot.x())
         if row is None or column not in (EYE, LOCK) or event.button() is not Qt.MouseButton.LeftButton:
             super().mousePressEvent(event)
+            if row is not None and self.selected_beside:
+                self._push_selection()
             return
         pressed = row.data(NAME, ID)
         others = [item_id for item_id in self.selected_ids() if item_id != pressed] if row.isSelected() else []

@@ -207,6 +207,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n selected row(s) is/are not in this list.</source>
+        <translation>
+            <numerusform>%n ausgewählte Zeile ist nicht in dieser Liste.</numerusform>
+            <numerusform>%n ausgewählte Zeilen sind nicht in dieser Liste.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n shape(s)</source>
         <translation>
             <numerusform>%n Form</numerusform>
@@ -1476,6 +1483,14 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Aktion finden…</translation>
     </message>
     <message>
+        <source>Find by name or layer</source>
+        <translation>Nach Name oder Ebene suchen</translation>
+    </message>
+    <message>
+        <source>Find in the list</source>
+        <translation>In der Liste suchen</translation>
+    </message>
+    <message>
         <source>Find object</source>
         <translation>Objekt finden</translation>
     </message>
@@ -2345,6 +2360,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Linear</translation>
     </message>
     <message>
+        <source>List only the shapes and layers that are called so</source>
+        <translation>Nur die Formen und Ebenen auflisten, die so heißen</translation>
+    </message>
+    <message>
         <source>Lock</source>
         <translation>Sperren</translation>
     </message>
@@ -2839,6 +2858,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Notes, doubts and boil</source>
         <translation>Notizen, Zweifel, Flimmern</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>Nichts heißt so.</translation>
     </message>
     <message>
         <source>Nothing is called so; try another word, or fewer letters.</source>
@@ -6212,6 +6235,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>seam free contrast boundary outline kinds dashed dotted</source>
         <translation>naht frei kontrast grenze umriss arten gestrichelt gepunktet</translation>
+    </message>
+    <message>
+        <source>search filter list name layer outliner</source>
+        <translation>suchen filtern liste name ebene outliner</translation>
     </message>
     <message>
         <source>see its package</source>

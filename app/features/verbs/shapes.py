@@ -31,6 +31,9 @@ class ShapeVerbs:
             "shape.select_all": self.select_all,
             "shape.select_none": self.select_none,
             "shape.duplicate": self.duplicate,
+            "shape.delete": lambda: delete(
+                self._document, self._view, rows_in_hand(self._document.project, self._view)
+            ),
             "shape.lock": self.toggle_lock,
             "shape.hide": self.hide,
             "shape.show_all": self.show_all,

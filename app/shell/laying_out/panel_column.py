@@ -43,7 +43,7 @@ class PanelColumn:
 
     Attributes
     ----------
-    area : the column itself, which scrolls where the window is low. shape, review, history : three of its panels.
+    area : the column itself, which scrolls where the window is low. shapes, shape, review, history : four of its panels.
     """
 
     def __init__(self, parts: PanelParts, actions: Actions, workspace: Workspace) -> None:
@@ -52,7 +52,7 @@ class PanelColumn:
         self.history = Panel(tr("History"), parts.history)
         self.review = Panel(tr("Review"), parts.review, parts.review.tools)
         self.shape = Panel(tr("Shape"), parts.properties, tuple(tool_button(actions, name) for name in KEY_TOOLS))
-        shapes = Panel(tr("Shapes"), parts.shapes, shape_tools)
+        self.shapes = shapes = Panel(tr("Shapes"), parts.shapes, shape_tools)
         tracks = Panel(tr("Track"), parts.tracker), Panel(tr("Planar track"), parts.planar)
         asked = self.review, self.history, parts.log
         column = layout.column(shapes, *tracks, self.shape, *asked, growing=shapes, is_loose=True)
@@ -68,11 +68,24 @@ class PanelColumn:
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
-        return {"shape.delete": self._parts.shapes.tree.delete_selected, "view.shape_panel": self.show_shape}
+        return {
+            "shape.find": self.find_shape,
+            "view.shape_panel": self.show_shape,
+        }
+
+    def find_shape(self) -> None:
+        """Bring the field that searches the Shapes panel into sight, and give it the keyboard."""
+        search = self._parts.shapes.search
+        self._show(self.shapes, "window.shapes")
+        search.open()
+        QTimer.singleShot(0, self.area, lambda: self.area.ensureWidgetVisible(search))
 
     def show_shape(self) -> None:
         """Bring the Shape panel into sight, unfolded."""
-        for name in ("view.panels", "window.shape"):
-            self._actions[name].setChecked(True)
-        self.shape.fold(False)
+        self._show(self.shape, "window.shape")
         QTimer.singleShot(0, self.area, lambda: self.area.ensureWidgetVisible(self._parts.properties))
+
+    def _show(self, panel: Panel, switch: str) -> None:
+        for name in ("view.panels", switch):
+            self._actions[name].setChecked(True)
+        panel.fold(False)
