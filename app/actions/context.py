@@ -31,7 +31,7 @@ _OF_SHAPES = (
     "shape.group", "layer.ungroup", "shape.raise", "shape.lower", SEPARATOR,
     "object.one", "object.parts", SEPARATOR,
     "object.in_front", "object.behind", "object.as_stacked", SEPARATOR,
-    "shape.lock", "shape.hide", "shape.show_all", SEPARATOR,
+    "shape.lock", "shape.hide", "shape.show_all", "shape.solo", SEPARATOR,
     "view.fit_selection", "view.shape_panel", "file.export_selected",
 )  # fmt: skip
 
@@ -46,7 +46,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
     ),
     Place.SHAPE: ("points.select_all", "points.transform", SEPARATOR, *_OF_SHAPES),
     Place.BACKGROUND: (
-        "edit.paste", "shape.select_all", "shape.show_all", SEPARATOR,
+        "edit.paste", "shape.select_all", "shape.show_all", "shape.solo", SEPARATOR,
         "tool.bezier", "tool.bspline", "tool.object", "shape.from_mask", SEPARATOR,
         "view.overlay", "view.matte", "view.cutout", "view.hide_overlays", SEPARATOR,
         "view.fit", "view.actual_size", SEPARATOR,
@@ -57,10 +57,12 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
         "layer.ungroup", "layer.add", "shape.group", "shape.raise", "shape.lower", SEPARATOR,
         "track.forward", "track.backward", "planar.forward", "planar.backward", SEPARATOR,
         "edit.copy", "edit.cut", "shape.duplicate", "shape.delete", SEPARATOR,
-        "shape.hide", "shape.show_all", SEPARATOR,
+        "shape.hide", "shape.show_all", "shape.solo", SEPARATOR,
         "view.fit_selection", "view.shape_panel", "file.export_selected",
     ),
-    Place.EMPTY_LIST: ("edit.paste", "layer.add", SEPARATOR, "shape.select_all", "shape.find", "shape.show_all"),
+    Place.EMPTY_LIST: (
+        "edit.paste", "layer.add", SEPARATOR, "shape.select_all", "shape.find", "shape.show_all", "shape.solo",
+    ),
 }  # fmt: skip
 """What each offers; what cannot be done there at the moment is left out."""
 

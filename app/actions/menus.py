@@ -38,7 +38,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "tool.points", "tool.adjust", SEPARATOR,
         "shape.steady", "shape.match_edge", SEPARATOR,
         "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
-        "shape.lock", "shape.hide", "shape.show_all",
+        "shape.lock", "shape.hide", "shape.show_all", "shape.solo",
     ),
     N_("Keys"): (
         "key.set", "key.set_points", "key.delete", SEPARATOR,

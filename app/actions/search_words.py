@@ -43,6 +43,7 @@ WORDS: Mapping[str, str] = {
     "shape.match_edge": N_("soften feather softness blurred focus defocus shutter width"),
     "shape.lock": N_("protect"),
     "shape.hide": N_("visibility invisible eye"),
+    "shape.solo": N_("isolate alone only local view exclusive visibility eye"),
     "shape.show_all": N_("unhide reveal visibility eye"),
     "key.set": N_("keyframe insert add autokey"),
     "key.delete": N_("keyframe remove"),

@@ -178,6 +178,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("shape.delete", N_("Delete shape"), icon="delete", tip=N_("Delete the selected shapes and layers")),
     ActionSpec("shape.lock", N_("Lock or unlock"), icon="lock"),
     ActionSpec("shape.hide", N_("Hide"), _VIEWER, "eye-off"),
+    ActionSpec(
+        "shape.solo", N_("Solo"), _VIEWER, "solo", N_("Show the selected shapes and layers alone, and all again")
+    ),
     ActionSpec("shape.show_all", N_("Show all"), _VIEWER, "eye"),
     ActionSpec("points.soft", N_("Soft selection"), _VIEWER, "", N_("Points near the selected ones follow them"), True),
     ActionSpec(

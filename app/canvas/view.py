@@ -109,6 +109,7 @@ class CanvasView(PointedWidget):
         self.in_hand.looked.connect(self._show_tool)
         self.in_hand.used.connect(self._follow_hand)
         view.editing.changed.connect(self.update)
+        view.solo.changed.connect(self._pull)
         self.viewing.changed.connect(self._announce)
         self.wipe.changed.connect(self._announce)
         self.stage.changed.connect(self.update)
@@ -154,7 +155,7 @@ class CanvasView(PointedWidget):
     def fit_selection(self) -> None:
         """Show the selected points or shapes as large as can be; without a selection, the whole picture."""
         selection = self._view_state.selection
-        box = selection_bounds(self._document.project, self._view_state.frame, selection.shapes, selection.points)
+        box = selection_bounds(self._project(), self._view_state.frame, selection.shapes, selection.points)
         if box is None:
             self.fit()
         else:
@@ -188,12 +189,11 @@ class CanvasView(PointedWidget):
     # ---- what it pulls
 
     def _project(self) -> Project:
-        return self._view_state.preview or self._document.project
+        return self._view_state.solo.seen(self._view_state.preview or self._document.project)
 
     def _image_size(self) -> QSizeF | None:
         """The plate's size in full-resolution pixels, or None where there is no plate."""
-        clip = self._document.project.clip
-        if clip:
+        if clip := self._document.project.clip:
             return QSizeF(*clip.size)
         return self.stage.picture.size if self.stage.picture else None
 
@@ -261,7 +261,8 @@ class CanvasView(PointedWidget):
         project, frame, image, viewing = self._project(), self._view_state.frame, self._image_size(), self.viewing
         below = self.stage.below(project, frame, image)
         edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
-        return ViewSnapshot(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges)
+        look = viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges
+        return ViewSnapshot(below, image, *look, self._view_state.solo.told(project))
 
     # ---- painting
 

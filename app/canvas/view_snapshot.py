@@ -31,6 +31,7 @@ class ViewSnapshot:
     mode, onion : how shapes are drawn.
     project, frame : whose shapes.
     shows_shapes : whether they are.
+    alone : the names of what is soloed; empty where nothing is.
     edges : of shapes whose outlines are drawn by what kind of edge they are, by their ids.
     """
 
@@ -42,6 +43,7 @@ class ViewSnapshot:
     frame: int
     shows_shapes: bool
     edges: Mapping[str, Edges] = field(default_factory=dict)
+    alone: str = ""
 
 
 class SnapshotPainter:

@@ -32,7 +32,15 @@ def paint_words(
 
 
 def label_of(snapshot: ViewSnapshot) -> str:
-    """What is to be known of the view: nothing where it is the usual one."""
+    """What is to be known of the view: nothing where it is the usual one, of all shapes."""
+    told = _view_of(snapshot)
+    if snapshot.alone and snapshot.mode is not ViewMode.SOURCE:
+        solo = tr("Solo: {names}", names=snapshot.alone)
+        return f"{told}  ·  {solo}" if told else solo
+    return told
+
+
+def _view_of(snapshot: ViewSnapshot) -> str:
     if not snapshot.shows_shapes and snapshot.mode not in WITHOUT_SHAPES:
         return tr("Shapes hidden")
     if snapshot.mode is ViewMode.OVERLAY:

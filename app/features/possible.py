@@ -23,6 +23,8 @@ def is_possible(project: Project, view: ViewState, action_id: str) -> bool:
         return bool(view.layers or view.selection.shapes)
     if action_id == "shape.show_all":
         return any(not item.visible for item in project.root.items())
+    if action_id == "shape.solo":
+        return bool(view.solo.ids or view.layers or shapes)
     test = _OF_SHAPES.get(action_id)
     return test is None or test(shapes, view.frame)
 

@@ -9,6 +9,7 @@ from roam_core.roto import Clip, Origin, Project, RotoShape
 
 from ..translation import N_, tr
 from .shown import editable_in
+from .solo import Solo
 from .view_state import ViewState, selected_shapes
 
 MOST_NAMES = 3
@@ -20,17 +21,22 @@ LOCKED_STAYS = N_("What is locked stays; unlock it first (<shape.lock>).")
 def why_not(project: Project, view: ViewState) -> str:
     """What keeps the first of the selected shapes that may not be edited here, or that none is selected."""
     here = range(view.frame, view.frame + 1)
-    return why_kept(project, selected_shapes(project, view.selection), here) or tr(NOTHING_SELECTED)
+    return why_kept(project, selected_shapes(project, view.selection), here, view.solo) or tr(NOTHING_SELECTED)
 
 
-def why_kept(project: Project, shapes: Iterable[RotoShape], frames: range) -> str:
-    """What keeps the first of these shapes that may not be edited on any of these frames; empty where all may."""
-    free = {shape.id for shape in editable_in(project, frames)}
+def why_kept(project: Project, shapes: Iterable[RotoShape], frames: range, solo: Solo | None = None) -> str:
+    """What keeps the first of these shapes that may not be edited on any of these frames; empty where all may.
+
+    With `solo` those that it leaves out of sight may not, either.
+    """
+    free = {shape.id for shape in editable_in(project if solo is None else solo.seen(project), frames)}
     kept = next((shape for shape in shapes if shape.id not in free), None)
     if kept is None:
         return ""
     if not any(kept.exists_at(frame) for frame in frames):
         return does_not_exist(kept, frames[0])
+    if kept.id in {shape.id for shape in editable_in(project, frames)}:
+        return tr("{name!r} is not shown while others are soloed; <shape.solo> shows all.", name=kept.name)
     above = project.layers_above(kept.id) if kept.visible and not kept.locked else ()
     around = next((layer for layer in above if layer.locked or not layer.visible), None)
     if around is not None:

@@ -12,6 +12,7 @@ from roam_core.roto import Project, RotoShape
 
 from ..actions.keymaps import Keymap, load_keymap, told
 from .editing import EditingModes
+from .solo import Solo
 from .track_points import TrackPoints
 
 
@@ -66,6 +67,8 @@ class ViewState(QObject):
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
+        self.solo = Solo(self)
+        """What alone is shown."""
         self.hovered: tuple[str, int, int] | None = None
         """(shape id, point index, part) under the pointer, or None."""
         self.track_points: TrackPoints | None = None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QContextMenuEvent, QDropEvent, QFocusEvent, QIcon, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QDropEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QAbstractItemDelegate,
     QAbstractItemView,
@@ -26,15 +26,16 @@ from ..actions.context import IN_LIST, Place
 from ..actions.keymaps import told
 from ..actions.viewer_actions import ActionsById
 from ..features.verbs.shapes import delete, toggle
+from ..features.verbs.solo import switch_solo
 from ..model.document import Document
 from ..model.reasons import outdated_by
 from ..model.view_state import ViewState
 from ..translation import N_, sentence_of, tr
+from .shape_rows import EYE, ID, IS_LAYER, LOCK, NAME, SOLO, dress_row, dress_solo, summary
 from .shape_search import Found, SearchField, found_in
 
-NAME, EYE, LOCK = 0, 1, 2
+SWITCHES = SOLO, EYE, LOCK
 LEAST_ROWS, MOST_ROWS = 4, 9
-ID, IS_LAYER = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
 EMPTY = N_("Draw a shape: press <tool.bezier> in the viewer,\nclick for corners, drag for curves.")
 NO_CLIP = N_("Open a clip first: drop a folder of\nimages or a movie on the window.")
 
@@ -124,10 +125,11 @@ class ShapeTree(QTreeWidget):
         document.changed.connect(self._pull)
         document.replaced.connect(self._begin_anew)
         view_state.selection_changed.connect(self._follow_selection)
+        view_state.solo.changed.connect(self._pull_solo)
         self._pull()
 
     def _dress(self) -> None:
-        self.setColumnCount(3)
+        self.setColumnCount(4)
         self.setHeaderHidden(True)
         self.setIndentation(16)
         self.setIconSize(style.ICON_SIZE)
@@ -140,7 +142,7 @@ class ShapeTree(QTreeWidget):
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(24)
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
-        for column in (EYE, LOCK):
+        for column in SWITCHES:
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
             header.resizeSection(column, 26)
 
@@ -204,7 +206,7 @@ class ShapeTree(QTreeWidget):
         """
         if self.state() is QAbstractItemView.State.EditingState:
             return
-        if (shown := _summary(self._document.project.root)) != self._shown:
+        if (shown := summary(self._document.project.root)) != self._shown:
             self._shown = shown
             self._build()
 
@@ -223,6 +225,7 @@ class ShapeTree(QTreeWidget):
             self._add_rows(self.invisibleRootItem(), self._document.project.root)
             for row in self._rows():
                 row.setExpanded(row.childCount() > 0 and row.data(NAME, ID) not in closed)
+        self._pull_solo()
         self._pull_selection()
         self.searched.emit()
         self.setAutoScroll(False)  # where the artist looks is kept
@@ -234,10 +237,9 @@ class ShapeTree(QTreeWidget):
             if child.id not in self.found.rows:
                 continue
             row = QTreeWidgetItem(parent)
-            _dress_row(row, child)
+            dress_row(row, child)
             if child.id in self.found.holders:  # selected it would stand for all in it
                 row.setFlags(row.flags() & ~(Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsDragEnabled))
-                row.setForeground(NAME, QBrush(QColor(style.DISABLED)))
             if isinstance(child, Layer):
                 self._add_rows(row, child)
 
@@ -247,8 +249,18 @@ class ShapeTree(QTreeWidget):
         Nor is what is being typed the name of anything in it.
         """
         self._view.select(frozenset(), layers=frozenset())
-        self._shown = _summary(self._document.project.root)
+        self._shown = summary(self._document.project.root)
         self._build()
+
+    def _pull_solo(self) -> None:
+        """Rows of what is shown are as ever; those of what is hidden, or left out by solo, are dim."""
+        seen, soloed = self._view.solo.seen(self._document.project), self._view.solo.ids
+        with QSignalBlocker(self):
+            for row in self._rows():
+                item_id = row.data(NAME, ID)
+                is_dim = item_id in self.found.holders or (seen.has(item_id) and not seen.find(item_id).visible)
+                dress_solo(row, is_on=item_id in soloed, is_dim=is_dim)
+        self.viewport().update()
 
     def _pull_selection(self) -> None:
         selected = self._view.selection.shapes | self._view.layers
@@ -303,21 +315,24 @@ class ShapeTree(QTreeWidget):
         self._pull()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """On an eye or a lock: switch it, and those of all selected rows with it; what is selected stays so."""
+        """On solo, eye or lock: switch it, and those of all selected rows with it; what is selected stays so."""
         spot = event.position().toPoint()
         row, column = self.itemAt(spot), self.columnAt(spot.x())
-        if row is None or column not in (EYE, LOCK) or event.button() is not Qt.MouseButton.LeftButton:
+        if row is None or column not in SWITCHES or event.button() is not Qt.MouseButton.LeftButton:
             super().mousePressEvent(event)
             if row is not None and self.selected_beside:
                 self._push_selection()
             return
         pressed = row.data(NAME, ID)
         others = [item_id for item_id in self.selected_ids() if item_id != pressed] if row.isSelected() else []
-        toggle(self._document, "visible" if column == EYE else "locked", [pressed, *others])
+        if column == SOLO:
+            switch_solo(self._document, self._view, pressed, others)
+        else:
+            toggle(self._document, "visible" if column == EYE else "locked", [pressed, *others])
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Two quick presses on an eye or a lock are two presses."""
-        if self.columnAt(event.position().toPoint().x()) in (EYE, LOCK):
+        """Two quick presses on one of these are two presses."""
+        if self.columnAt(event.position().toPoint().x()) in SWITCHES:
             self.mousePressEvent(event)
         else:
             super().mouseDoubleClickEvent(event)
@@ -405,44 +420,3 @@ def _folded_above(row: QTreeWidgetItem) -> QTreeWidgetItem | None:
     while parent is not None:
         found, parent = (found if parent.isExpanded() else parent), parent.parent()
     return found
-
-
-def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
-    row.setText(NAME, item.name)
-    row.setData(NAME, ID, item.id)
-    row.setData(NAME, IS_LAYER, isinstance(item, Layer))
-    row.setIcon(NAME, _mark(item))
-    # What is usual is quiet; what keeps a shape from being seen or edited stands out.
-    row.setIcon(EYE, _drawing("eye", style.WEAK) if item.visible else _drawing("eye-off", style.TEXT))
-    row.setIcon(LOCK, _drawing("lock", style.TEXT) if item.locked else _drawing("lock-open", style.WEAK))
-    row.setToolTip(EYE, tr("Show or hide"))
-    row.setToolTip(LOCK, tr("Lock or unlock"))
-    flag = Qt.ItemFlag
-    drops = flag.ItemIsDropEnabled if isinstance(item, Layer) else flag.NoItemFlags
-    row.setFlags(flag.ItemIsSelectable | flag.ItemIsEnabled | flag.ItemIsEditable | flag.ItemIsDragEnabled | drops)
-    if not item.visible:
-        row.setForeground(NAME, QBrush(QColor(style.DISABLED)))
-
-
-def _mark(item: Layer | RotoShape) -> QIcon:
-    """What stands before a name: a shape's colour, a folder, a folder that moves."""
-    if isinstance(item, RotoShape):
-        return style.swatch(item.colour)
-    return _drawing("layer", style.WEAK) if item.transform is None else _drawing("layer-moving", style.TEXT)
-
-
-def _drawing(name: str, colour: str) -> QIcon:
-    """An icon that looks the same on open and closed rows."""
-    return style.icon(name, colour, lit=colour)
-
-
-def _summary(layer: Layer) -> tuple[object, ...]:
-    """Everything that the rows show of a layer."""
-    plain = (layer.id, layer.name, layer.visible, layer.locked, layer.transform is None)
-    children = (
-        _summary(child)
-        if isinstance(child, Layer)
-        else (child.id, child.name, child.visible, child.locked, child.colour)
-        for child in layer.children
-    )
-    return (plain, *children)

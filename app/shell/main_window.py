@@ -35,6 +35,7 @@ from ..features.verbs.masks import MaskShapes
 from ..features.verbs.objects import ObjectVerbs
 from ..features.verbs.shapes import ShapeVerbs
 from ..features.verbs.shifting import Shifting
+from ..features.verbs.solo import SoloVerbs
 from ..features.verbs.splines import SplineVerbs
 from ..files.file_actions import FileActions
 from ..files.files import Files
@@ -143,6 +144,7 @@ class MainWindow(QMainWindow):
         self.tracking = Tracking(self.document, self.view_state, self.propagation, without)
         self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar, without)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
+        self.solo_verbs = SoloVerbs(self.document, self.view_state)
         self.file_actions = FileActions(
             self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
         )
@@ -303,6 +305,7 @@ class MainWindow(QMainWindow):
             clipboard,
             nodes,
             self.shape_verbs,
+            self.solo_verbs,
             MaskShapes(self.file_actions.choose_mask, self.document, self.view_state, self.pictures),
             SplineVerbs(self.document, self.view_state),
             *plate_verbs(self, self.document, self.view_state, self.plate_jobs),

@@ -197,7 +197,7 @@ class Marquee(Gesture):
             marks.marquee(painter, QRectF(*corners).normalized())
 
     def _inside(self) -> Points:
-        shapes = editable_shapes(self.document.project, self.view_state.frame)
+        shapes = editable_shapes(self.view_state.solo.seen(self.document.project), self.view_state.frame)
         return points_in_box(shapes, self.view_state.frame, self.pressed.position, self.last.position)
 
     def _preferably(self, inside: Points) -> Points:
@@ -227,7 +227,7 @@ class Lasso(Marquee):
             marks.lasso(painter, QPolygonF([viewport.to_widget(*position) for position in self._line]))
 
     def _inside(self) -> Points:
-        shapes = editable_shapes(self.document.project, self.view_state.frame)
+        shapes = editable_shapes(self.view_state.solo.seen(self.document.project), self.view_state.frame)
         return points_in_lasso(shapes, self.view_state.frame, [*self._line, self.last.position])
 
 

@@ -15,7 +15,7 @@ def taken_up(view: ViewState, project: Project, pointer: Pointer) -> Place:
 
     Inside of a selected shape that shape is meant; elsewhere the selection stays as it is.
     """
-    selection = view.selection
+    selection, project = view.selection, view.solo.seen(project)
     found = hit(project, view.frame, selection, pointer.position, pointer.pixel)
     if found is None:
         inside = shape_around(project, view.frame, selection, pointer.position)

@@ -143,7 +143,7 @@ def selection_extent(project: Project, view: ViewState) -> tuple[Vector, Vector]
     About the selected points, or about the whole outlines of the selected shapes.
     """
     found: list[Array] = []
-    for shape_id, indices in grabbed_indices(project, view.frame, view.selection).items():
+    for shape_id, indices in grabbed_indices(view.solo.seen(project), view.frame, view.selection).items():
         outline = project.shape(shape_id).at(view.frame)
         points = view.selection.points
         found.append(outline.control_points[indices, ANCHOR] if points else extent(outline.points, outline.closed))
@@ -156,7 +156,7 @@ def selection_extent(project: Project, view: ViewState) -> tuple[Vector, Vector]
 def grab_selection(project: Project, view: ViewState, selection: Selection | None = None) -> Grab:
     """What a drag of the selection (or of another one) holds on the present frame, with the modes that are on."""
     chosen = view.selection if selection is None else selection
-    weights = grabbed_weights(project, view.frame, chosen, view.editing.soft_radius)
+    weights = grabbed_weights(view.solo.seen(project), view.frame, chosen, view.editing.soft_radius)
     return Grab.of(project, view.frame, weights, view.editing.keying(view.play_range))
 
 

@@ -4019,6 +4019,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Alles zeigen, was der Formbereich über die ausgewählten Formen weiß</translation>
     </message>
     <message>
+        <source>Show alone, or with the others again</source>
+        <translation>Allein zeigen oder wieder mit den anderen</translation>
+    </message>
+    <message>
         <source>Show edges</source>
         <translation>Kanten zeigen</translation>
     </message>
@@ -4089,6 +4093,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Show the plate at half its size: plays sooner, changes no result</source>
         <translation>Die Plate in halber Größe zeigen: spielt eher ab, ändert kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Show the selected shapes and layers alone, and all again</source>
+        <translation>Nur die ausgewählten Formen und Ebenen zeigen, und wieder alle</translation>
     </message>
     <message>
         <source>Show the whole clip in the timeline</source>
@@ -4193,6 +4201,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Soften the edge: pull the feather out of points</source>
         <translation>Kante weich machen: die weiche Kante aus Punkten ziehen</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Solo</translation>
+    </message>
+    <message>
+        <source>Solo: {names}</source>
+        <translation>Solo: {names}</translation>
     </message>
     <message>
         <source>Solve</source>
@@ -5853,6 +5869,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Invertierung</translation>
     </message>
     <message>
+        <source>isolate alone only local view exclusive visibility eye</source>
+        <translation>isolieren allein nur lokale ansicht sichtbarkeit auge</translation>
+    </message>
+    <message>
         <source>it is damaged</source>
         <translation>sie ist beschädigt</translation>
     </message>
@@ -6629,6 +6649,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{count} Formen</translation>
     </message>
     <message>
+        <source>{count} shapes and layers</source>
+        <translation>{count} Formen und Ebenen</translation>
+    </message>
+    <message>
         <source>{count} shapes are fitted: drag the points to adjust, &lt;track.forward&gt; tracks forward.</source>
         <translation>{count} Formen sind angepasst: zum Korrigieren die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
     </message>
@@ -6754,6 +6778,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name!r} is locked or hidden; unlock and show it to edit it.</source>
         <translation>{name!r} ist gesperrt oder ausgeblendet; zum Bearbeiten bitte entsperren und einblenden.</translation>
+    </message>
+    <message>
+        <source>{name!r} is not shown while others are soloed; &lt;shape.solo&gt; shows all.</source>
+        <translation>{name!r} ist nicht zu sehen, solange andere auf Solo stehen; &lt;shape.solo&gt; zeigt alle.</translation>
     </message>
     <message>
         <source>{name!r} is open or invisible, no object: it is left out.</source>

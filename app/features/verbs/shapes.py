@@ -45,7 +45,7 @@ class ShapeVerbs:
 
     def select_all(self) -> None:
         """Select the shapes in sight on this frame that are not locked."""
-        shapes = editable_shapes(self._document.project, self._view.frame)
+        shapes = editable_shapes(self._view.solo.seen(self._document.project), self._view.frame)
         if not shapes:
             self._view.say(tr("No shape is in sight here that could be selected; show or unlock some."))
         self._view.select(frozenset(shape.id for shape in shapes))

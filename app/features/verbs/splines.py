@@ -44,7 +44,9 @@ class SplineVerbs:
 
     def _turn(self, spline: Spline, text: str, told: Callable[[RotoShape, RotoShape], str]) -> None:
         project, chosen = self._document.project, self._view.selection.shapes
-        shapes = [shape for shape in editable_shapes(project, self._view.frame) if shape.id in chosen]
+        shapes = [
+            shape for shape in editable_shapes(self._view.solo.seen(project), self._view.frame) if shape.id in chosen
+        ]
         turning = [shape for shape in shapes if shape.spline is not spline]
         if not turning:
             already = tr("The selected shapes are Bezier already.")

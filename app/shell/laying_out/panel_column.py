@@ -43,7 +43,8 @@ class PanelColumn:
 
     Attributes
     ----------
-    area : the column itself, which scrolls where the window is low. shapes, shape, review, history : four of its panels.
+    area : the column itself, which scrolls where the window is low.
+    shapes, shape, review, history : four of its panels.
     """
 
     def __init__(self, parts: PanelParts, actions: Actions, workspace: Workspace) -> None:

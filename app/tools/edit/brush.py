@@ -95,7 +95,7 @@ class ReshapeTool(GestureTool):
     def _grab(self) -> Grab:
         """The shapes that a drag may pull, as they are on the present frame: the selected ones; all if none is."""
         project, view = self.document.project, self.view_state
-        selected, shapes = view.selection.shapes, editable_shapes(project, view.frame)
+        selected, shapes = view.selection.shapes, editable_shapes(view.solo.seen(project), view.frame)
         chosen = [shape for shape in shapes if shape.id in selected or not selected]
         nothing = {shape.id: np.zeros(shape.point_count) for shape in chosen}
         return Grab.of(project, view.frame, nothing, view.editing.keying(view.play_range))

@@ -64,7 +64,9 @@ class Erasing(Gesture):
 
     def touch(self, pointer: Pointer) -> None:
         """Take what lies under the eraser."""
-        found = points_at(self._before, self._frame, self._selection, pointer.position, pointer.pixel)
+        found = points_at(
+            self.view_state.solo.seen(self._before), self._frame, self._selection, pointer.position, pointer.pixel
+        )
         if found <= self._touched:
             return
         touched = self._touched | found

@@ -154,7 +154,8 @@ class FeatherTool(GestureTool):
             found = hit_feather(shape, view.frame, view.selection, pointer)
             if found and (best is None or found.distance < best.distance):
                 best = found
-        return best or hit_outline(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+        project = view.solo.seen(self.document.project)
+        return best or hit_outline(project, view.frame, view.selection, pointer.position, pointer.pixel)
 
     def _pull_points(self, pointer: Pointer, found: PointHit) -> Gesture:
         """Select the point, unless it is one of several; pull all that are selected."""
@@ -217,8 +218,10 @@ class FeatherActions:
         self._document.apply(tr("Reset feather"), after)
         if after == project:
             view.say(tr(NO_FEATHER))
-        elif kept := why_kept(project, selected_shapes(project, view.selection), range(view.frame, view.frame + 1)):
-            view.say(kept)
+        else:
+            here = range(view.frame, view.frame + 1)
+            if kept := why_kept(project, selected_shapes(project, view.selection), here, view.solo):
+                view.say(kept)
 
     def give_all_keys(self) -> None:
         """Give the feather that the selected points (all, where none is) have here to every key of their shapes."""
@@ -250,7 +253,7 @@ def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Poi
 
 def _chosen(project: Project, view: ViewState) -> list[RotoShape]:
     """The selected shapes that may be edited here, the upper first."""
-    return [s for s in reversed(editable_shapes(project, view.frame)) if s.id in view.selection.shapes]
+    return [s for s in reversed(editable_shapes(view.solo.seen(project), view.frame)) if s.id in view.selection.shapes]
 
 
 def _weights(shape: RotoShape, chosen: Mapping[int, float]) -> Array:

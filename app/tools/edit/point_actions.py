@@ -116,7 +116,7 @@ class PointActions:
     def select_all(self) -> None:
         """Select all points of the selected shapes, or of every shape where none is selected."""
         is_any_selected = bool(self._view.selection.shapes)
-        shapes = self._shapes() if is_any_selected else editable_shapes(self._document.project, self._view.frame)
+        shapes = self._shapes() if is_any_selected else self._in_sight()
         if is_any_selected and not shapes:
             self._say_why()
             return
@@ -132,7 +132,7 @@ class PointActions:
         """
         project, view = self._document.project, self._view
         keying = view.editing.keying(view.play_range)
-        chosen, count = grabbed_indices(project, view.frame, view.selection), 0
+        chosen, count = grabbed_indices(view.solo.seen(project), view.frame, view.selection), 0
         for shape_id, indices in chosen.items():
             shape = project.shape(shape_id)
             if shape.spline is Spline.BSPLINE:
@@ -160,8 +160,12 @@ class PointActions:
     def _shapes(self) -> list[RotoShape]:
         """The selected shapes that may be edited; those with selected points where any point is selected."""
         selection = self._view.selection
-        shapes = [s for s in editable_shapes(self._document.project, self._view.frame) if s.id in selection.shapes]
+        shapes = [s for s in self._in_sight() if s.id in selection.shapes]
         return [s for s in shapes if self._point_count(s)] if selection.points else shapes
+
+    def _in_sight(self) -> list[RotoShape]:
+        """The shapes that may be edited here."""
+        return editable_shapes(self._view.solo.seen(self._document.project), self._view.frame)
 
     def _point_count(self, shape: RotoShape) -> int:
         return len(selected_indices(shape, self._view.selection))
@@ -170,7 +174,7 @@ class PointActions:
         """What kept the first of the shapes whose points are selected (all, where none is); empty where nothing did."""
         owners = {shape_id for shape_id, _ in selection.points} or selection.shapes
         chosen = [shape for shape in project.shapes if shape.id in owners]
-        return why_kept(project, chosen, range(self._view.frame, self._view.frame + 1))
+        return why_kept(project, chosen, range(self._view.frame, self._view.frame + 1), self._view.solo)
 
     def _say_why(self) -> None:
         """Say why nothing happened."""

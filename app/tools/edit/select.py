@@ -101,7 +101,7 @@ class SelectTool(GestureTool):
         if isinstance(gesture, Edit):
             weights = gesture.grab.weights
         else:
-            weights = grabbed_weights(self.document.project, view.frame, view.selection, radius)
+            weights = grabbed_weights(view.solo.seen(self.document.project), view.frame, view.selection, radius)
         paint_weights(painter, viewport, view.preview or self.document.project, view.frame, weights)
         if len(view.selection.points) == 1 and weights and not gesture:
             ((shape_id, index),) = view.selection.points
@@ -110,11 +110,12 @@ class SelectTool(GestureTool):
 
     def _hit(self, pointer: Pointer) -> PointHit | OutlineHit | None:
         view = self.view_state
-        return hit(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+        return hit(view.solo.seen(self.document.project), view.frame, view.selection, pointer.position, pointer.pixel)
 
     def _hit_insertion(self, pointer: Pointer) -> OutlineHit | None:
         view = self.view_state
-        return hit_outline(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+        seen = view.solo.seen(self.document.project)
+        return hit_outline(seen, view.frame, view.selection, pointer.position, pointer.pixel)
 
     def _press_anchor(self, pointer: Pointer, found: PointHit) -> Gesture:
         """Select the point, unless it is one of several that a drag may want to keep together.
@@ -136,7 +137,7 @@ class SelectTool(GestureTool):
 
     def _say_what_is_locked(self, pointer: Pointer) -> None:
         """A press that takes nothing may have meant a shape that is locked."""
-        project, frame = self.document.project, self.view_state.frame
+        project, frame = self.view_state.solo.seen(self.document.project), self.view_state.frame
         if (locked := locked_under(project, frame, pointer.position, pointer.pixel)) is not None:
             self.view_state.say(why_kept(project, [locked], range(frame, frame + 1)))
 
@@ -161,7 +162,8 @@ class SelectTool(GestureTool):
 
     def _next_below(self, pointer: Pointer, shape_id: str) -> str:
         """The shape below this one whose outline lies under the pointer, after the lowest the uppermost."""
-        here = outlines_under(self.document.project, self.view_state.frame, pointer.position, pointer.pixel)
+        seen = self.view_state.solo.seen(self.document.project)
+        here = outlines_under(seen, self.view_state.frame, pointer.position, pointer.pixel)
         return here[(here.index(shape_id) + 1) % len(here)]
 
     def _move(self, pointer: Pointer, moving: Selection, after_click: Selection) -> Gesture:

@@ -130,7 +130,7 @@ class TransformTool(SelectTool):
 
     def _look(self) -> Seen:
         project, view = self.document.project, self.view_state
-        chosen = grabbed_indices(project, view.frame, view.selection)
+        chosen = grabbed_indices(view.solo.seen(project), view.frame, view.selection)
         packed = b"".join(each.encode() + project.shape(each).at(view.frame).points.tobytes() for each in chosen)
         return view.frame, view.selection, packed
 

@@ -103,7 +103,8 @@ def test_what_is_selected_stays_so_and_what_is_not_listed_is_told(
     panel.search.setText("wing")
     assert panel.beside.text() == "Nothing is called so."
     panel.search.clear()
-    assert view_state.selection.shapes == {sky, arm} and not panel.beside.isVisible()
+    assert view_state.selection.shapes == {sky, arm}
+    assert not panel.beside.isVisible()
     assert panel.tree.selected_ids() == [sky, arm]
 
 
@@ -121,10 +122,12 @@ def test_a_layer_that_only_holds_what_is_found_is_not_selected(
 ) -> None:
     panel.search.setText("leg")
     click(qtbot, panel, "layer-1")
-    assert not view_state.layers and not view_state.selection.shapes
+    assert not view_state.layers
+    assert not view_state.selection.shapes
     panel.search.setText("right")
     click(qtbot, panel, "layer-2")
-    assert view_state.layers == {"layer-2"} and len(view_state.selection.shapes) == 2
+    assert view_state.layers == {"layer-2"}
+    assert len(view_state.selection.shapes) == 2
 
 
 def test_what_is_not_listed_is_no_part_of_what_is_done_in_the_list(
@@ -176,14 +179,17 @@ def test_esc_empties_the_field_and_gives_the_keyboard_back(
     panel.search.open()
     qtbot.keyClicks(panel.search, "arm")
     qtbot.keyClick(panel.search, Qt.Key.Key_Escape)
-    assert panel.search.text() == "" and panel.tree.hasFocus()
-    assert view_state.selection.shapes == {sky} and len(rows(panel)) == 7
+    assert panel.search.text() == ""
+    assert panel.tree.hasFocus()
+    assert view_state.selection.shapes == {sky}
+    assert len(rows(panel)) == 7
 
 
 def test_another_project_is_listed_whole(panel: ShapesPanel, document: Document) -> None:
     panel.search.setText("leg")
     document.open(people(), None)
-    assert panel.search.text() == "" and len(rows(panel)) == 7
+    assert panel.search.text() == ""
+    assert len(rows(panel)) == 7
 
 
 def test_a_new_name_is_searched_too(panel: ShapesPanel, document: Document) -> None:
@@ -206,4 +212,4 @@ def test_a_drop_between_listed_rows_goes_beside_the_row_that_is_seen(
     panel.search.setText("")
     panel.search.setText("left")
     drop(panel, arm, QAbstractItemView.DropIndicatorPosition.AboveItem)
-    assert [shape.name for shape in document.project.shapes][0] == "Sky", "what is not listed is not dragged"
+    assert document.project.shapes[0].name == "Sky", "what is not listed is not dragged"
