@@ -27,7 +27,7 @@ _OF_SHAPES = (
     "key.set", "key.delete", SEPARATOR,
     "track.forward", "track.backward", "track.fill", "track.delete_engine_keys", SEPARATOR,
     "edit.copy", "edit.cut", "shape.duplicate", "shape.delete", SEPARATOR,
-    "points.toggle_closed", "shape.to_bezier", "shape.to_bspline", SEPARATOR,
+    "points.toggle_closed", "shape.reverse", "shape.to_bezier", "shape.to_bspline", SEPARATOR,
     "shape.group", "layer.ungroup", "shape.raise", "shape.lower", SEPARATOR,
     "object.one", "object.parts", SEPARATOR,
     "object.in_front", "object.behind", "object.as_stacked", SEPARATOR,
@@ -37,7 +37,7 @@ _OF_SHAPES = (
 
 CONTEXT: Mapping[Place, tuple[str, ...]] = {
     Place.POINT: (
-        "points.smooth", "points.cusp", "points.delete", SEPARATOR,
+        "points.smooth", "points.cusp", "points.first", "points.delete", SEPARATOR,
         "points.select_all", "points.transform", SEPARATOR,
         "feather.reset", "feather.all_keys", SEPARATOR,
         "key.set", "key.set_points", "key.delete", SEPARATOR,

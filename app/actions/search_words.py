@@ -34,6 +34,8 @@ WORDS: Mapping[str, str] = {
     "points.smooth": N_("tangents curve handles"),
     "points.cusp": N_("corner linear sharp"),
     "points.toggle_closed": N_("cyclic finish open spline"),
+    "shape.reverse": N_("flip order clockwise winding path morph paint stroke"),
+    "points.first": N_("start vertex begin order morph paint stroke"),
     "shape.duplicate": N_("copy clone"),
     "shape.group": N_("folder layer parent"),
     "shape.raise": N_("order stack bring forward to front up above restack arrange"),

@@ -149,6 +149,12 @@ SPECS: tuple[ActionSpec, ...] = (
     ),
     ActionSpec("points.toggle_closed", N_("Open or close"), _VIEWER),
     ActionSpec(
+        "shape.reverse", N_("Reverse direction"), tip=N_("Let the selected shapes run the other way, on all keys")
+    ),
+    ActionSpec(
+        "points.first", N_("Set as first point"), tip=N_("Let the shape begin with the selected point, on all keys")
+    ),
+    ActionSpec(
         "shape.select_all", N_("Select all shapes"), _VIEWER, tip=N_("Select the shapes in sight that are not locked")
     ),
     ActionSpec("shape.select_none", N_("Select nothing"), _VIEWER, tip=N_("Let go of all shapes, points and layers")),

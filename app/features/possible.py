@@ -25,6 +25,11 @@ def is_possible(project: Project, view: ViewState, action_id: str) -> bool:
         return any(not item.visible for item in project.root.items())
     if action_id == "shape.solo":
         return bool(view.solo.ids or view.layers or shapes)
+    if action_id == "points.first":
+        counts = [(shape.closed, len(view.selection.indices_of(shape.id))) for shape in shapes]
+        return any(count for _, count in counts) and all(
+            count == 0 or (closed and count == 1) for closed, count in counts
+        )
     test = _OF_SHAPES.get(action_id)
     return test is None or test(shapes, view.frame)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -182,6 +182,11 @@ class PlanarTrack(QObject):
                     confidence=found.confidence,
                 )
             )
+
+    def let_go(self, shape_ids: Collection[str]) -> None:
+        """The points of these shapes get other numbers: a run that moves some of them by number ends."""
+        if self._run is not None and any(shape_id in shape_ids for shape_id, _ in self._run.vertices):
+            self.drop()
 
     def _guard(self, _ids: frozenset[str]) -> None:
         """An edit or undo that takes the layer or a shape away, or the motion back, ends the run; so does a lock."""

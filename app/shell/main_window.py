@@ -72,6 +72,7 @@ from ..panels.tracker import TrackerPanel
 from ..timeline.timeline import Timeline
 from ..timeline.transport import Transport
 from ..tools.edit.feather import FeatherActions
+from ..tools.edit.order_actions import OrderActions
 from ..tools.edit.transform_actions import TransformActions
 from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
@@ -293,6 +294,7 @@ class MainWindow(QMainWindow):
             ObjectVerbs(self.document, self.view_state),
             self.planar_tracking,
             TransformActions(self.document, self.view_state, self),
+            OrderActions(self.document, self.view_state, self.planar.let_go),
             self.services,
             self.workspace,
             self.accessibility,

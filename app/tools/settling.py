@@ -33,7 +33,16 @@ def with_same_outline(before: Project, after: RotoShape) -> Project:
 
     No tracked frame of it, or of the others of its object, is stale for that.
     """
-    together = Stamps.of(before.shapes, before.clip).together(before.shape(after.id))
+    return with_same_outlines(before, before.with_shape(after), [after.id])
+
+
+def with_same_outlines(before: Project, after: Project, shape_ids: Iterable[str]) -> Project:
+    """The project `after` in which the outlines of these shapes are told otherwise, and are on every key as `before`.
+
+    No tracked frame of them, or of the others of their objects, is stale for that.
+    """
+    stamps = Stamps.of(before.shapes, before.clip)
+    together = {shape.id for shape_id in shape_ids for shape in stamps.together(before.shape(shape_id))}
     return restamped(
-        before, before.with_shape(after), [shape.id for shape in together], range(-LAST_FRAME, LAST_FRAME + 1)
+        before, after, [shape.id for shape in before.shapes if shape.id in together], range(-LAST_FRAME, LAST_FRAME + 1)
     )

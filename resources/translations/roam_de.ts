@@ -221,6 +221,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n shape(s) is/are begun with the selected point now, on all keys.</source>
+        <translation>
+            <numerusform>%n Form beginnt jetzt mit dem ausgewählten Punkt, auf allen Keyframes.</numerusform>
+            <numerusform>%n Formen beginnen jetzt mit dem ausgewählten Punkt, auf allen Keyframes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s) is/are reversed now, on all keys.</source>
+        <translation>
+            <numerusform>%n Form läuft jetzt andersherum, auf allen Keyframes.</numerusform>
+            <numerusform>%n Formen laufen jetzt andersherum, auf allen Keyframes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n shape(s) not tracked: their first keys lie ahead. Track from there, or set keys here (&lt;key.set&gt;).</source>
         <translation>
             <numerusform>%n Form nicht getrackt: ihre ersten Keyframes liegen voraus. Von dort tracken oder hier Keyframes setzen (&lt;key.set&gt;).</numerusform>
@@ -2344,6 +2358,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ebene stillstehen lassen; jeder Keyframe bleibt, wo er zu sehen ist</translation>
     </message>
     <message>
+        <source>Let the selected shapes run the other way, on all keys</source>
+        <translation>Die ausgewählten Formen andersherum laufen lassen, auf allen Keyframes</translation>
+    </message>
+    <message>
+        <source>Let the shape begin with the selected point, on all keys</source>
+        <translation>Die Form mit dem ausgewählten Punkt beginnen lassen, auf allen Keyframes</translation>
+    </message>
+    <message>
         <source>Libraries</source>
         <translation>Bibliotheken</translation>
     </message>
@@ -3681,6 +3703,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Eingabe, Esc</translation>
     </message>
     <message>
+        <source>Reverse direction</source>
+        <translation>Richtung umkehren</translation>
+    </message>
+    <message>
         <source>Review</source>
         <translation>Review</translation>
     </message>
@@ -3849,6 +3875,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Punkte mit einem Lasso auswählen</translation>
     </message>
     <message>
+        <source>Select the one point with which a shape is to begin.</source>
+        <translation>Den einen Punkt auswählen, mit dem eine Form beginnen soll.</translation>
+    </message>
+    <message>
         <source>Select the points that are right here first; a run then derives the others anew.</source>
         <translation>Zuerst die Punkte auswählen, die hier stimmen; ein Lauf leitet die anderen dann neu her.</translation>
     </message>
@@ -3875,6 +3905,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Selected: {names}.</source>
         <translation>Ausgewählt: {names}.</translation>
+    </message>
+    <message>
+        <source>Set as first point</source>
+        <translation>Als ersten Punkt setzen</translation>
     </message>
     <message>
         <source>Set in</source>
@@ -5741,6 +5775,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>spiegeln horizontal umdrehen</translation>
     </message>
     <message>
+        <source>flip order clockwise winding path morph paint stroke</source>
+        <translation>umdrehen reihenfolge uhrzeigersinn pfad morph strich</translation>
+    </message>
+    <message>
         <source>flip vertical</source>
         <translation>spiegeln vertikal umdrehen</translation>
     </message>
@@ -6337,6 +6375,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>starten stoppen</translation>
     </message>
     <message>
+        <source>start vertex begin order morph paint stroke</source>
+        <translation>startpunkt anfang reihenfolge morph strich</translation>
+    </message>
+    <message>
         <source>step back arrow</source>
         <translation>schritt zurück pfeil</translation>
     </message>
@@ -6782,6 +6824,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name!r} is not shown while others are soloed; &lt;shape.solo&gt; shows all.</source>
         <translation>{name!r} ist nicht zu sehen, solange andere auf Solo stehen; &lt;shape.solo&gt; zeigt alle.</translation>
+    </message>
+    <message>
+        <source>{name!r} is open and begins at one of its ends; reverse its direction to begin at the other.</source>
+        <translation>{name!r} ist offen und beginnt an einem ihrer Enden; damit sie am anderen beginnt, die Richtung umkehren.</translation>
     </message>
     <message>
         <source>{name!r} is open or invisible, no object: it is left out.</source>

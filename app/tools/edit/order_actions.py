@@ -1,0 +1,79 @@
+"""OrderActions: in which direction the selected shapes run, and with which point they begin."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
+
+from roam_core.errors import RoamError
+from roam_core.roto import RotoShape
+from roam_core.roto.point_order import reversed_direction, with_first_point
+
+from ...features.verbs.shapes import ALL_LOCKED, NOTHING_SELECTED
+from ...model.document import Document
+from ...model.reasons import LOCKED_STAYS
+from ...model.view_state import ViewState, selected_shapes
+from ...translation import sentence_of, tr
+from ..settling import with_same_outlines
+
+
+class OrderActions:
+    """Each is one undo step, on all keys at once, and changes no outline: nothing tracked is out of date for it.
+
+    `reordering` is told the shapes before their points get other numbers.
+    """
+
+    def __init__(
+        self, document: Document, view_state: ViewState, reordering: Callable[[Collection[str]], object]
+    ) -> None:
+        self._document, self._view, self._reordering = document, view_state, reordering
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"shape.reverse": self.reverse, "points.first": self.begin_here}
+
+    def reverse(self) -> None:
+        """Let the selected shapes run the other way."""
+        shapes = selected_shapes(self._document.project, self._view.selection)
+        if not shapes:
+            self._view.say(tr(NOTHING_SELECTED))
+            return
+        told = tr("%n shape(s) is/are reversed now, on all keys.", "", len(self._free(shapes)))
+        self._reorder(tr("Reverse direction"), shapes, {shape.id: reversed_direction for shape in shapes}, told)
+
+    def begin_here(self) -> None:
+        """Let each closed shape of which one point is selected begin with that point."""
+        project, selection = self._document.project, self._view.selection
+        chosen = {shape.id: selection.indices_of(shape.id) for shape in selected_shapes(project, selection)}
+        first = {shape_id: indices[0] for shape_id, indices in chosen.items() if len(indices) == 1}
+        if not first or any(len(indices) > 1 for indices in chosen.values()):
+            self._view.say(tr("Select the one point with which a shape is to begin."))
+            return
+        shapes = [project.shape(shape_id) for shape_id in first]
+        verbs = {shape_id: partial(with_first_point, index=index) for shape_id, index in first.items()}
+        told = tr("%n shape(s) is/are begun with the selected point now, on all keys.", "", len(self._free(shapes)))
+        self._reorder(tr("Set as first point"), shapes, verbs, told)
+
+    def _free(self, shapes: Sequence[RotoShape]) -> list[str]:
+        return [shape.id for shape in shapes if not self._document.project.is_locked(shape.id)]
+
+    def _reorder(
+        self, text: str, shapes: Sequence[RotoShape], verbs: Mapping[str, Callable[[RotoShape], RotoShape]], told: str
+    ) -> None:
+        before, refused, changed = self._document.project, "", list[str]()
+        free, after = self._free(shapes), before
+        for shape_id in free:
+            try:
+                after = after.map_item(shape_id, verbs[shape_id])
+                changed.append(shape_id)
+            except RoamError as error:  # the others can
+                refused = refused or sentence_of(error)
+        if not free:
+            self._view.say(tr(ALL_LOCKED))
+            return
+        if changed:
+            self._reordering(changed)
+            self._document.apply(text, with_same_outlines(before, after, changed))
+            # The points have other numbers, and an undo gives back the old ones: none of them is selected.
+            self._view.select(self._view.selection.shapes)
+        self._view.say(refused or (tr(LOCKED_STAYS) if len(free) < len(shapes) else told))
