@@ -22,7 +22,7 @@ from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
 from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
-from roam_core.cli.picking import EVERYTHING, Picking, trackable
+from roam_core.cli.picking import EVERYTHING, NothingToSolve, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plain_start import plain_start
 from roam_core.cli.plate import Plate, add_reading, opened, tell
@@ -296,7 +296,7 @@ def given_project(init: Path) -> Project | None:
         return None
     project = file.load(init)
     if not trackable(project):
-        raise RoamError(f"{init} holds no closed, unlocked shape to track.")
+        raise NothingToSolve(f"{init} holds no closed, unlocked shape to track.")
     return project
 
 
