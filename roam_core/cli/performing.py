@@ -188,7 +188,7 @@ def _keep_others(path: Path, known: str | None) -> None:
         kept_aside(path)
 
 
-WORK = Work(perform_on_worker, cancel)
+WORK = Work(perform_on_worker, cancel, ("roam_core.propagate.between.span", "roam_core.propagate.run"))
 """What a batch asks of its workers."""
 
 
