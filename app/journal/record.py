@@ -35,9 +35,16 @@ class Damaged(Exception):
 
 def encoded(entry: Entry) -> bytes:
     """The entry as it lies in the file."""
+    return b"".join(_parts(entry))
+
+
+def _parts(entry: Entry) -> tuple[bytes, ...]:
+    """The entry as it lies in the file, its text by itself: that may be a large project."""
+    header = f"{json.dumps(entry.header)}\n".encode()
     # A name that is no UTF-8 reaches us as lone surrogates, which JSON writes as escapes.
-    payload = f"{json.dumps(entry.header)}\n{entry.text}".encode("utf-8", "backslashreplace")
-    return b"%d %08x\n%b\n" % (len(payload), zlib.crc32(payload), payload)
+    text = entry.text.encode("utf-8", "backslashreplace")
+    frame = b"%d %08x\n" % (len(header) + len(text), zlib.crc32(text, zlib.crc32(header)))
+    return frame + header, text, b"\n"
 
 
 def entries(path: Path) -> Iterator[Entry]:
@@ -61,11 +68,13 @@ def entries(path: Path) -> Iterator[Entry]:
 
 def append(file: IO[bytes], entry: Entry) -> int:
     """Write an entry to the end of an unbuffered file; gives its length in bytes. Raises `OSError`."""
-    content = memoryview(encoded(entry))
-    written = 0
-    while written < len(content):
-        written += file.write(content[written:])
-    return written
+    total = 0
+    for content in _parts(entry):
+        part, written = memoryview(content), 0
+        while written < len(part):
+            written += file.write(part[written:])
+        total += written
+    return total
 
 
 def _frame(line: bytes, *, is_last: bool) -> tuple[int, int]:

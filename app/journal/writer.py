@@ -10,6 +10,7 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import IO
 
@@ -31,6 +32,8 @@ MOST_DELTAS = 8 << 20
 """Bytes of deltas after which the whole project is written beside them, so that a replay stays short."""
 DELTAS_PER_BASE = 2
 """The same as a multiple of the last whole project: large ones are not written all the time."""
+COPIED = 1 << 20
+"""Bytes of the artist's file that are copied at a time."""
 BASES = 2
 """Whole projects that are kept of a journal: the last one may be damaged."""
 AGAIN = 1.0
@@ -366,7 +369,7 @@ class _Open:
                 if original is not None and copied(target):
                     folder = original.parent
                 else:
-                    write_atomically(target, file.dumps(project, ROOT).encode("utf-8", "backslashreplace"))
+                    write_atomically(target, file.contents(project, ROOT))
                     folder = ROOT
                 self._made = Entry({"kind": "base", "name": target.name, "after": after, "folder": str(folder)})
                 self._post(_BaseIsWritten())
@@ -382,7 +385,8 @@ class _Open:
         assert original is not None
         assert held is not None
         try:
-            write_atomically(target, original.read_bytes())
+            with original.open("rb") as opened:
+                write_atomically(target, iter(partial(opened.read, COPIED), b""))
         except OSError:
             return False
         now = Fingerprint.of(target)

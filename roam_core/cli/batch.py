@@ -183,7 +183,8 @@ class _Terminal(driver.Watcher):
         if self._as_json:
             print_json(outcome)
         line = f"{outcome['job']}  {outcome['step']}  {outcome['status']}  {outcome['seconds']:.1f} s"
-        if outcome["status"] in ("failed", "skipped") and outcome.get("said"):
+        is_idle = bool(outcome.get("idle")) and outcome["status"] == "done"
+        if (is_idle or outcome["status"] in ("failed", "skipped")) and outcome.get("said"):
             line += f"  {outcome['said'].splitlines()[-1].removeprefix('roam: ')}"
         if self._bar is None:
             if not self._as_json:
@@ -191,7 +192,7 @@ class _Terminal(driver.Watcher):
             return
         with self._lock:
             self._at.pop(outcome["job"], None)
-            if outcome["status"] == "failed":
+            if is_idle or outcome["status"] == "failed":
                 self._bar.write(line, file=sys.stderr)
             self._bar.update()
             self._show()

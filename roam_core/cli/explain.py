@@ -6,6 +6,7 @@ import argparse
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -25,10 +26,11 @@ from roam_core.features import PreparedFrame
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.files import signed_png
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.propagate.engines.protocol import REGION
-from roam_core.propagate.explain import Explanation, explain
-from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Origin, Project, RotoShape
+
+if TYPE_CHECKING:
+    from roam_core.propagate.explain import Explanation
+    from roam_core.propagate.parts.edges import Edges
 
 Row = Mapping[str, object]
 
@@ -102,6 +104,8 @@ def keyed_shapes(project: Project, path: Path, frame: int, names: Sequence[str] 
 
 def explained(plate: Plate, project: Project, frame: int, wanted: Sequence[RotoShape]) -> list[Explanation]:
     """The wanted shapes' keys taken apart; shapes that were tracked with them are carried along."""
+    from roam_core.propagate.explain import explain  # numba: a command's help must not wait for it
+
     names = {shape.id for shape in wanted}
     with cancelling() as token:
         return explain(
@@ -214,6 +218,8 @@ def edge_lines(each: Explanation) -> list[str]:
 
 
 def _told(found: Edges) -> str:
+    from roam_core.propagate.parts.edges import Edge
+
     words = {Edge.FREE: "is free", Edge.SEAM: "a seam", Edge.HIDDEN: "hidden", Edge.UNKNOWN: "outside the picture"}
     shares = [(word, found.share(kind)) for kind, word in words.items()]
     return ", ".join(f"{share:.0%} {word}" for word, share in shares if share or word != "outside the picture")
@@ -241,6 +247,8 @@ def _piece_lines(each: Explanation) -> list[str]:
 
 def _sum_lines(each: Explanation) -> list[str]:
     """Each term's sum and its share of what all terms weigh."""
+    from roam_core.propagate.engines.protocol import REGION
+
     sums = {name: value for name, value in each.account.sums.items() if name != REGION}
     weight = sum(abs(value) for value in sums.values()) or 1.0
     rows: list[Row] = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -11,7 +12,9 @@ import numpy as np
 from roam_core.arrays import Array, Indices, UInt8
 from roam_core.features import Region
 from roam_core.geometry import bezier
-from roam_core.propagate.explain import Explanation
+
+if TYPE_CHECKING:  # numba: a command's help must not wait for it
+    from roam_core.propagate.explain import Explanation
 
 Colour = tuple[int, int, int]
 

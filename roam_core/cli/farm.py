@@ -9,6 +9,7 @@ from pathlib import Path
 from roam_core.atomic_write import new_folder, write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_word
+from roam_core.cli.picking import NothingToSolve
 from roam_core.cli.plate import loaded
 from roam_core.cli.spans import asked_frames, gaps_of
 from roam_core.errors import RoamError
@@ -75,5 +76,5 @@ def found_gaps(project: Project, path: Path) -> list[tuple[int, int]]:
     """The gaps between artist keys, none where there are none."""
     try:
         return gaps_of(project, path)
-    except RoamError:
+    except NothingToSolve:
         return []

@@ -12,6 +12,7 @@ from typing import Any
 
 from tqdm import tqdm
 
+from roam_core import propagate
 from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
 from roam_core.cli.configuring import configured
@@ -31,8 +32,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
-from roam_core.propagate import Termination, warm_up
-from roam_core.propagate.between.span import fill_span
+from roam_core.propagate import Termination
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
 from roam_core.propagate.shapes.provenance import clip_stamp, takes_part
 from roam_core.roto import Origin, Project, RotoShape
@@ -145,7 +145,7 @@ def fill_project(
     seconds: dict[int, float] = {}
     done: list[Gap] = []
     if gaps:
-        warm_up(params.config)
+        propagate.warm_up(params.config)  # what solves is loaded here: a command's help must not wait for it
     with (
         cancelling() as token,
         kept(keep) as keeper,
@@ -178,7 +178,7 @@ def _filled(
     stamp = clip_stamp(project.clip)
     asked = {shape.id for shape in trackable(project, picking) if takes_part(shape, gap)}
     shapes = [shape for shape in project.shapes if shape.closed]
-    filled = fill_span(
+    filled = propagate.fill_span(
         plate.parts_or_bridge, shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone
     )
     return [shape for shape in filled if shape.id in asked]

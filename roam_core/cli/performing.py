@@ -17,13 +17,15 @@ from roam_core.cancel import CancelToken
 from roam_core.cli.configuring import configured
 from roam_core.cli.environment import take_decoder
 from roam_core.cli.main import INTERRUPTED, main
-from roam_core.cli.picking import Picking
+from roam_core.cli.picking import NothingToSolve, Picking
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.spans import gaps_of, is_filled, pieces_of
 from roam_core.cli.stopping import cancelled_by
+from roam_core.cli.track import given_project, initial_project
 from roam_core.errors import RoamError
 from roam_core.interchange.targets import kept_aside
 from roam_core.params import DEFAULT_CONFIG
+from roam_core.roto import file
 from roam_core.studio import cluster
 from roam_core.studio.driver import Work
 from roam_core.studio.pictures import write_doubtful
@@ -44,7 +46,8 @@ def perform(batch: str, plain: dict[str, Any], pictures: str = "", tell: Tell | 
     """Carry out a task (`Task.plain`) unless its record says that it is done; what is said of it, as values of JSON.
 
     `status` is done, kept (it was done before), split (it can be divided: `pieces`), failed or cancelled; `said` is
-    what the command told, `frames` its confidence and seconds by frame, `outputs` what it wrote.
+    what the command told, `frames` its confidence and seconds by frame, `outputs` what it wrote. A track or fill whose
+    project leaves nothing to do hands that on as it is: it is done, and `idle`.
 
     Parameters
     ----------
@@ -59,9 +62,12 @@ def perform(batch: str, plain: dict[str, Any], pictures: str = "", tell: Tell | 
         inputs = inputs_of(task.reads, task.plate, task.layer, before, task.content)
         if before is not None and before.holds(task.settings, inputs, Path(task.folder)):
             return {**told, **before.outcome, "status": "kept", "outputs": sorted(before.outputs)}
-        if task.can_split and len(pieces := _pieces(task)) > 1:
-            return {**told, "status": "split", "pieces": pieces}
-        outcome = {**told, **_carried_out(batch, task, before, tell)}
+        try:
+            if len(pieces := _pieces(task)) > 1:
+                return {**told, "status": "split", "pieces": pieces}
+            outcome = {**told, **_carried_out(batch, task, before, tell)}
+        except NothingToSolve as reason:
+            outcome = {**told, **_handed_on(task, before, str(reason))}
         if outcome["status"] == "done":
             outcome |= _kept(task, before, inputs, outcome, pictures, began)
     except (RoamError, OSError) as error:
@@ -85,7 +91,14 @@ def cancel(batch: str) -> int:
 
 
 def _pieces(task: Task) -> list[Any]:
-    """What of a fill is left to do, gap by gap and object by object."""
+    """What of a fill that may be divided is left to do, gap by gap and object by object.
+
+    Raises `NothingToSolve` where a track or a fill finds nothing to do.
+    """
+    if task.verb == "track":
+        given_project(Path(task.reads[0]))
+    if not task.can_split:
+        return []
     project = loaded(Path(task.reads[0]))
     options = task.settings["options"]
     picking = Picking(options.get("shape"), options.get("alone", False))
@@ -116,9 +129,23 @@ def _carried_out(batch: str, task: Task, before: Record | None, tell: Tell | Non
     if status:
         return {**outcome, "status": "failed"}
     if part is not None and made is not None:
-        _put_in_place(made, part, _digest(before, made, Path(task.folder)))
+        _put_in_place(task, before)
     outputs = [str(made)] if made is not None else lines.files
     return {**outcome, "status": "done", "outputs": outputs}
+
+
+def _handed_on(task: Task, before: Record | None, reason: str) -> dict[str, Any]:
+    """Make the result of a step with nothing to do: its project as it is, on the plate of the job."""
+    init, told = Path(task.reads[0]), io.StringIO()
+    project = loaded(init)
+    with _alone, redirect_stderr(told):
+        if task.verb == "track":
+            with opened(task.plate, project.clip, *task.settings["read"]) as plate:
+                project = initial_project(init, project, plate, plate.source.frames[0])
+        file.save(project, task.part)
+    _put_in_place(task, before)
+    said = f"{told.getvalue()}{reason} What is left of the job is done with the project as it is."
+    return {"said": said, "idle": True, "frames": {}, "status": "done", "outputs": [task.made]}
 
 
 def _status_of(task: Task) -> int:
@@ -137,7 +164,7 @@ def _kept(
     if task.made and pictures and outcome["frames"]:
         more["pictures"] = write_doubtful(task.made, outcome["frames"], Path(pictures), f"{task.job}.{task.step}")
     outputs = {os.path.relpath(path, folder): digest_of(Path(path)) for path in outcome["outputs"]}
-    told = {name: outcome[name] for name in ("said", "frames")} | more
+    told = {name: outcome[name] for name in ("said", "frames", "idle") if name in outcome} | more
     told["seconds"] = round(time.perf_counter() - began, 3)
     if task.result:
         content = Path(task.made).read_bytes()
@@ -149,10 +176,11 @@ def _kept(
     return {**more, "outputs": sorted(outputs)}
 
 
-def _put_in_place(made: Path, part: Path, known: str | None) -> None:
+def _put_in_place(task: Task, before: Record | None) -> None:
     """Give a finished project its name; another one of that name, which no record knows, is kept beside it."""
-    _keep_others(made, known)
-    part.replace(made)
+    made = Path(task.made)
+    _keep_others(made, None if before is None else before.outputs.get(os.path.relpath(made, task.folder)))
+    Path(task.part).replace(made)
 
 
 def _keep_others(path: Path, known: str | None) -> None:
@@ -160,11 +188,7 @@ def _keep_others(path: Path, known: str | None) -> None:
         kept_aside(path)
 
 
-def _digest(record: Record | None, made: Path, folder: Path) -> str | None:
-    return None if record is None else record.outputs.get(os.path.relpath(made, folder))
-
-
-WORK = Work(perform_on_worker, cancel)
+WORK = Work(perform_on_worker, cancel, ("roam_core.propagate.between.span", "roam_core.propagate.run"))
 """What a batch asks of its workers."""
 
 

@@ -12,6 +12,10 @@ from roam_core.roto import Project, RotoShape
 from roam_core.roto.layers import only
 
 
+class NothingToSolve(RoamError):
+    """A sound project of whose shapes none, or none of the frames, is there to be tracked or filled."""
+
+
 @dataclass(frozen=True)
 class Picking:
     """What `--shape` and `--alone` say: names or ids of the shapes that are wanted, None for all; and how."""

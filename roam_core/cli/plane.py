@@ -8,6 +8,7 @@ import time
 from collections import deque
 from collections.abc import Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 from roam_core.cancel import CancelToken
 from roam_core.cli.bar import bar
@@ -24,11 +25,13 @@ from roam_core.errors import RoamError
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.motion.plane_track import PlaneStep, track_plane
 from roam_core.params import is_doubtful
 from roam_core.roto import Project, RotoShape
 from roam_core.roto.following import followed, with_moving_layer
 from roam_core.roto.surfaces import LeaveOut, adjusted_frames, covering, covers_at, legs_of, outlines_at
+
+if TYPE_CHECKING:
+    from roam_core.motion.plane_track import PlaneStep
 
 WAYS = tuple(way.value for way in LeaveOut if way is not LeaveOut.CHOSEN)
 
@@ -116,6 +119,8 @@ def follow(
     tells: bool,
 ) -> tuple[float, int]:
     """Track the surface, leg by leg, and offer what is finished; the least confidence and its frame."""
+    from roam_core.motion.plane_track import track_plane  # numba: a command's help must not wait for it
+
     shapes, covers = work
     ids = [shape.id for shape in shapes]
     legs = legs_of(frames, adjusted_frames(project, ids))

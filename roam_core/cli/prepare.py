@@ -14,6 +14,7 @@ from time import perf_counter
 import cv2
 import numpy as np
 
+from roam_core import propagate
 from roam_core.arrays import Image
 from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
@@ -22,10 +23,6 @@ from roam_core.interchange import ExportOptions, KeyChoice, MaskOptions, read_sh
 from roam_core.interchange.reading import ImportOptions
 from roam_core.matte import render_matte
 from roam_core.params import CONFIGS
-from roam_core.propagate import fill_span
-from roam_core.propagate.run import track
-from roam_core.propagate.warming import warm_up
-from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Clip, Interpolation, Keyframe, MotionBlur, Project, RotoShape, edit
 
 FRAMES = range(4)
@@ -59,7 +56,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def work() -> list[Step]:
     """All that has to be done once for every kernel to be compiled, with a name each."""
-    tracking: list[Step] = [(f"tracking ({config})", partial(warm_up, config)) for config in CONFIGS]
+    tracking: list[Step] = [(f"tracking ({config})", partial(propagate.warm_up, config)) for config in CONFIGS]
     return [*tracking, ("filling, a figure in parts", _filled), ("keys and mattes", _exported), ("masks", _imported)]
 
 
@@ -88,8 +85,8 @@ def _pictures() -> dict[int, Image]:
 def _filled() -> None:
     pictures = _pictures()
     parts = _figure()[:2]
-    fill_span(pictures, parts, FRAMES[0], FRAMES[-1])
-    for _ in track(pictures.__getitem__, [replace(part, keys=part.keys[:1]) for part in parts], FRAMES):
+    propagate.fill_span(pictures, parts, FRAMES[0], FRAMES[-1])
+    for _ in propagate.track(pictures.__getitem__, [replace(part, keys=part.keys[:1]) for part in parts], FRAMES):
         pass
 
 
@@ -108,6 +105,8 @@ def _exported() -> None:
 
 
 def _imported() -> None:
+    from roam_core.proposal.mask_keys.keys import keys_from_mask  # numba: a command's help must not wait for it
+
     clip = Clip(Path("warm-up"), FRAMES[0], FRAMES[-1], SIZE)
     with tempfile.TemporaryDirectory() as folder:
         mask = np.zeros((SIZE[1], SIZE[0]), dtype=np.uint8)

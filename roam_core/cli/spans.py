@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
 
-from roam_core.cli.picking import EVERYTHING, Picking, trackable
+from roam_core.cli.picking import EVERYTHING, NothingToSolve, Picking, trackable
 from roam_core.cli.plate import Plate
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams
@@ -21,9 +21,9 @@ Piece = tuple[Gap, tuple[str, ...]]
 
 
 def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list[Gap]:
-    """Every gap between neighbouring artist keys of a shape, in order; one sentence where there is none."""
+    """Every gap between neighbouring artist keys of a shape, in order; `NothingToSolve` where there is none."""
     if not trackable(project, picking):
-        raise RoamError(f"{path} holds no closed, unlocked shape to fill.")
+        raise NothingToSolve(f"{path} holds no closed, unlocked shape to fill.")
     gaps = {
         gap
         for shape in trackable(project, picking)
@@ -31,7 +31,7 @@ def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list
         if any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
     }
     if not gaps:
-        raise RoamError(
+        raise NothingToSolve(
             f"{path} has no gap to fill: no shape has artist keys on two frames with others between them. "
             "Set a key on a later frame first."
         )

@@ -6,6 +6,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
@@ -14,8 +15,10 @@ from roam_core.cli.picking import add_shapes
 from roam_core.cli.plate_task import PlateTask
 from roam_core.errors import RoamError
 from roam_core.params.steadiness import RESIDUAL, STEADINESS
-from roam_core.propagate.steadiness.steadying import Steadied, steadying, told
 from roam_core.roto import Origin, RotoShape
+
+if TYPE_CHECKING:
+    from roam_core.propagate.steadiness.steadying import Steadied
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -38,6 +41,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
+    from roam_core.propagate.steadiness.steadying import steadying, told  # SciPy: help must not wait for it
+
     strength = arguments.strength
     if not 0.0 <= strength <= 1.0:
         raise RoamError(f"--strength {strength:g} is not between 0 and 1.")

@@ -14,6 +14,7 @@ from typing import Any
 from numpy.typing import NDArray
 from tqdm import tqdm
 
+from roam_core import propagate
 from roam_core.bounded import require_regular
 from roam_core.cli.configuring import configured
 from roam_core.cli.joining import Joining
@@ -22,7 +23,7 @@ from roam_core.cli.lines import print_json
 from roam_core.cli.matte_files import matte_targets, write_mattes
 from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
-from roam_core.cli.picking import EVERYTHING, Picking, trackable
+from roam_core.cli.picking import EVERYTHING, NothingToSolve, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plain_start import plain_start
 from roam_core.cli.plate import Plate, add_reading, opened, tell
@@ -45,7 +46,7 @@ from roam_core.matte.vectorise import (
 from roam_core.media.numbering import split_number
 from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
-from roam_core.propagate import FrameResult, Termination, track, warm_up
+from roam_core.propagate import FrameResult, Termination
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
 from roam_core.propagate.shapes.provenance import clip_stamp, has_begun
 from roam_core.roto import Clip, Layer, Project, RotoShape, edit, file
@@ -189,7 +190,7 @@ def track_project(
     joining = Joining.of(wanted, frames)
     asked = {shape.id for shape in wanted if joining.is_taken(shape)}
     stamp = clip_stamp(project.clip)
-    warm_up(config)
+    propagate.warm_up(config)  # what solves is loaded here: a command's help must not wait for it
     pictures = None if mattes is None else Mattes(plate, mattes)
 
     def finished(solved: FrameResult) -> None:
@@ -207,7 +208,7 @@ def track_project(
     quiet = not sys.stderr.isatty()
     with cancelling() as token, kept(keep) as keeper:
         keeper.offer(project)
-        solved = track(
+        solved = propagate.track(
             plate.parts_or_bridge, shapes, frames, config, token, stamp, begun=finished, only=asked, alone=picking.alone
         )
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
@@ -296,7 +297,7 @@ def given_project(init: Path) -> Project | None:
         return None
     project = file.load(init)
     if not trackable(project):
-        raise RoamError(f"{init} holds no closed, unlocked shape to track.")
+        raise NothingToSolve(f"{init} holds no closed, unlocked shape to track.")
     return project
 
 

@@ -12,6 +12,9 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions
 from roam_core.roto import Project
 from roam_core.translatable import sentence
 
+CHUNK = 1 << 20
+"""Letters that are encoded at once."""
+
 
 class TextExporter(ABC):
     """An `Exporter` whose file is one text, in `encoding`."""
@@ -32,9 +35,9 @@ class TextExporter(ABC):
         return told
 
     def pieces(self, project: Project, options: ExportOptions) -> tuple[Iterable[str], tuple[str, ...]]:
-        """As `document`, with the text in pieces that are made one after the other; by default it is one."""
+        """As `document`, with the text in pieces, which need not all be there at once; by default parts of it."""
         text, told = self.document(project, options)
-        return (text,), told
+        return (text[start : start + CHUNK] for start in range(0, len(text), CHUNK)), told
 
     def _encoded(self, pieces: Iterable[str], name: str, options: ExportOptions) -> Iterator[bytes]:
         for piece in pieces:

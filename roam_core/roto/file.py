@@ -24,6 +24,7 @@ from roam_core.roto.to_json import pieces
 __all__ = [
     "MAX_BYTES",
     "DamagedProject",
+    "contents",
     "digest",
     "dumps",
     "is_saved",
@@ -34,13 +35,13 @@ __all__ = [
     "save_checked",
 ]
 
-MAX_BYTES = 448 << 20
-"""Larger files are neither read nor written: with what is made of it, it fits into a gigabyte of memory."""
+MAX_BYTES = 1440 << 20
+"""Larger files are neither read nor written: with what is made of it, it fits into three gigabytes of memory."""
 MAX_VALUES = 12_000_000
 """Commas and opening brackets of a file: what a list or object costs in memory goes by these."""
 MAX_NAMES = 2_000_000
 """Colons of a file: what the names of fields cost goes by these."""
-MAX_MEMORY = 920 << 20
+MAX_MEMORY = 3072 << 20
 """Bytes that reading may take: two for each of the file's, and `VALUE_COST` for each value in it."""
 VALUE_COST = 64
 UNREADABLE = (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
@@ -66,8 +67,18 @@ def save(project: Project, path: str | Path, before_replacing: Callable[[], obje
         was there is then still there, whole.
     """
     path = path_of(path)
-    content = _limited(_encoded(pieces(project, path.parent)))
-    write_atomically(path, content, before_replacing=before_replacing)
+    write_atomically(path, contents(project, path.parent), before_replacing=before_replacing)
+
+
+def contents(project: Project, folder: Path) -> Iterator[bytes]:
+    """A project file that lies in `folder`, shape by shape: a large one need not be held at once.
+
+    Raises
+    ------
+    RoamError
+        when it becomes too large to be read again.
+    """
+    return _limited(_encoded(pieces(project, folder)))
 
 
 def is_saved(project: Project, path: Path) -> bool:
@@ -96,12 +107,13 @@ def save_checked(project: Project, path: str | Path) -> None:
     if not isinstance(project, Project):
         raise ValueError(f"a project file holds a Project, not {shown(project)}")
     try:
-        content = b"".join(_limited(_encoded(pieces(project, path.parent))))
-        document = json.loads(content, parse_float=_finite, parse_constant=_finite)
+        text = "".join(content.decode() for content in contents(project, path.parent))
+        document = json.loads(text, parse_float=_finite, parse_constant=_finite)
+        del text
         read_project(migrate(document, VERSION), path.parent)
     except UNREADABLE as error:
         raise ValueError(f"the project cannot be saved, for it could not be opened again: {_reason(error)}") from None
-    write_atomically(path, content)
+    write_atomically(path, contents(project, path.parent))
 
 
 def load(path: str | Path) -> Project:

@@ -32,16 +32,18 @@ class Work:
     """What workers are asked to do: functions of modules, which workers import by name.
 
     `perform(batch, task, pictures)` carries out a task, a plain value; `cancel(batch)` has the steps of a batch stop at
-    their next safe point.
+    their next safe point. `engine` are modules that `perform` loads only when it needs them; workers have them from
+    their beginning.
     """
 
     perform: Callable[[str, dict[str, Any], str], Outcome]
     cancel: Callable[[str], int]
+    engine: tuple[str, ...] = ()
 
     @property
     def modules(self) -> tuple[str, ...]:
-        """The modules of these functions, which workers load."""
-        return tuple(sorted({self.perform.__module__, self.cancel.__module__}))
+        """The modules that workers load: those of these functions, and of the engine."""
+        return tuple(sorted({self.perform.__module__, self.cancel.__module__, *self.engine}))
 
 
 class Watcher:

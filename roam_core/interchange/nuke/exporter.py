@@ -7,7 +7,7 @@ incoming handle, anchor, outgoing handle; keys carry a value and a slope in unit
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -60,6 +60,10 @@ class NukeExporter(TextExporter):
         """The script; everything that ROAM knows of a shape has its place in it."""
         return roto_document(project, options)
 
+    def pieces(self, project: Project, options: ExportOptions) -> tuple[Iterable[str], tuple[str, ...]]:
+        """The script line by line: put together it takes several times the room of the file."""
+        return _pieces(project, options)
+
 
 def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text of a script with all shapes of `project`, and a sentence for each thing that it says otherwise.
@@ -67,12 +71,17 @@ def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
     One Roto node holds them all, unless a layer must be a matte of its own (`nuke.graph`): then several, and the nodes
     that join them.
     """
+    pieces, notes = _pieces(project, options)
+    return "".join(pieces), notes
+
+
+def _pieces(project: Project, options: ExportOptions) -> tuple[list[str], tuple[str, ...]]:
     project = readied(project, options)
     clip = project.require_clip()
     writer = _Writer(clip, options, len(project.shapes), names=Names.of(project.root))
     writer.notes += (*told(project.root), *writer.names.notes())
-    nodes = [writer.roto(project.root, 1)] if is_one_node(project.root) else list(writer.joined(project.root))
-    return HEAD + "".join(nodes), gathered(writer.notes)
+    nodes = writer.roto(project.root, 1) if is_one_node(project.root) else writer.joined(project.root)
+    return [HEAD, *nodes], gathered(writer.notes)
 
 
 @dataclass
@@ -81,7 +90,7 @@ class _Writer(ShapeWriter):
 
     names: Names = field(default_factory=Names)
 
-    def roto(self, root: Layer, number_of: int, *, is_over: bool = False) -> str:
+    def roto(self, root: Layer, number_of: int, *, is_over: bool = False) -> Iterator[str]:
         """A Roto node that paints what lies in a layer, over the last node's matte or over nothing."""
         width, height = self.clip.size
         first, last = (frame + self.options.frame_offset for frame in (self.clip.first, self.clip.last))
@@ -108,9 +117,8 @@ class _Writer(ShapeWriter):
             f" last_frame {last}",
             *names,
             "}",
-            "",
         ]
-        return "\n".join(lines)
+        return (part for line in lines for part in (line, "\n"))
 
     def joined(self, root: Layer) -> Iterator[str]:
         """The nodes of `nuke_graph.steps`, in the order of a script: each takes the last ones that are left."""
@@ -118,7 +126,7 @@ class _Writer(ShapeWriter):
         for step in steps(root):
             if isinstance(step, Painted):
                 rotos += 1
-                yield self.roto(step.layer, rotos, is_over=step.is_over)
+                yield from self.roto(step.layer, rotos, is_over=step.is_over)
             elif isinstance(step, Joined):
                 yield _node("Merge2", ["inputs 2", f"operation {OPERATIONS[step.mode]}"])
                 if step.mode is BlendMode.PLUS:

@@ -6,16 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier
 from roam_core.params import is_doubtful
-from roam_core.propagate.frame.topology_proposals import Proposal
-from roam_core.proposal.reshaping.topology import TopologyChange
 from roam_core.roto import Keyframe, Origin, RotoShape
+
+if TYPE_CHECKING:  # numba: a command's help must not wait for it
+    from roam_core.propagate.frame.topology_proposals import Proposal
+    from roam_core.proposal.reshaping.topology import TopologyChange
 
 
 class Termination(StrEnum):

@@ -68,7 +68,7 @@ def interrupt(monkeypatch: pytest.MonkeyPatch) -> Callable[[int], None]:
                 if result.frame == frame:
                     raise KeyboardInterrupt
 
-        monkeypatch.setattr("roam_core.cli.track.track", interrupting)
+        monkeypatch.setattr("roam_core.propagate.track", interrupting)
 
     return at
 

@@ -70,7 +70,7 @@ def test_what_is_filled_is_not_solved_again(roam: Roam, keyed: Path, monkeypatch
         asked.append((start, stop))
         return fill_span(images, shapes, start, stop, *rest, **options)
 
-    monkeypatch.setattr("roam_core.cli.fill.fill_span", watched)
+    monkeypatch.setattr("roam_core.propagate.fill_span", watched)
     assert roam("fill", keyed, *CONFIG).err == "Filled 0 gap(s); 2 already filled.\n"
     assert (asked, keyed.read_bytes()) == ([], once)
     project = file.load(keyed)
@@ -140,7 +140,7 @@ def test_an_interrupted_fill_keeps_its_finished_gaps(roam: Roam, keyed: Path, mo
             raise KeyboardInterrupt
         return fill_span(images, shapes, start, *rest, **options)
 
-    monkeypatch.setattr("roam_core.cli.fill.fill_span", interrupting)
+    monkeypatch.setattr("roam_core.propagate.fill_span", interrupting)
     assert roam("fill", keyed, *CONFIG).status == 130
     assert file.load(keyed).shapes[0].frames == (1001, 1002, 1003, 1004, 1006)
 

@@ -135,7 +135,7 @@ def on_frame(monkeypatch: pytest.MonkeyPatch) -> Callable[[int, Callable[[], obj
                 if result.frame == frame:
                     act()
 
-        monkeypatch.setattr("roam_core.cli.track.track", watched)
+        monkeypatch.setattr("roam_core.propagate.track", watched)
 
     return arrange
 
@@ -164,7 +164,7 @@ def test_a_signal_keeps_what_is_filled(
             signal.raise_signal(number)
         return fill_span(images, shapes, start, *rest, **options)
 
-    monkeypatch.setattr("roam_core.cli.fill.fill_span", stopped)
+    monkeypatch.setattr("roam_core.propagate.fill_span", stopped)
     assert roam("fill", keyed, *CONFIG).status == 128 + number
     assert file.load(keyed).shapes[0].frames == (1001, 1002, 1003, 1004, 1006)
 

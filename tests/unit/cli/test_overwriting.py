@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from roam_core import atomic_write
-from roam_core.cli import fill
 from roam_core.cli.overwriting import project_writer
 from roam_core.errors import RoamError
 from roam_core.interchange.targets import BACKUPS
@@ -275,7 +274,7 @@ def test_the_demo_keeps_to_the_same_rules(roam: Roam, tmp_path: Path) -> None:
 def test_what_somebody_saved_during_a_run_is_kept(roam: Roam, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The run writes what it read and made; the other state, saved meanwhile, becomes a backup."""
     theirs = replace(file.load(project), root=Layer("root", "Theirs"))
-    monkeypatch.setattr(fill, "warm_up", lambda _: file.save(theirs, project))
+    monkeypatch.setattr("roam_core.propagate.warm_up", lambda _: file.save(theirs, project))
     done = roam("fill", project, *CONFIG)
     assert done.status == 0
     assert f"{project} was changed by somebody else meanwhile; what it held is kept as p.roam.1." in done.err

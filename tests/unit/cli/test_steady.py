@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 import pytest
 
-from roam_core.cli import steady
 from roam_core.media import open_clip
+from roam_core.propagate.steadiness import steadying
 from roam_core.roto import Clip, Origin, Project, edit, file
 from tests.golden.shots import blob, gliding
 from tests.unit.cli.conftest import Roam
@@ -64,8 +64,8 @@ def test_frames_that_hold_no_tracked_key_cost_nothing(
 ) -> None:
     """Every frame up to the one that was named was gone through: a minute for a number of nine digits."""
     given: list[range] = []
-    whole = steady.steadying
-    monkeypatch.setattr(steady, "steadying", lambda *words: (given.append(words[2]), whole(*words))[1])
+    whole = steadying.steadying
+    monkeypatch.setattr(steadying, "steadying", lambda *words: (given.append(words[2]), whole(*words))[1])
     for k, words in enumerate([(), ("--start", -999_999_999, "--end", 999_999_999)]):
         assert roam("steady", trembling, *words, "--save", tmp_path / f"{k}.roam").status == 0
     assert given[0] == given[1]

@@ -251,6 +251,28 @@ def test_what_could_not_be_read_again_is_not_saved(tmp_path: Path, monkeypatch: 
 # ---- sizes -----------------------------------------------------------------------------------------------------------
 
 
+def test_a_long_shot_of_many_shapes_is_within_the_bounds() -> None:
+    """300 shapes of 60 points, tracked on 500 frames, could not be saved."""
+    points, sure = np.random.default_rng(1).normal(size=(500, 60, 3, 2)), np.full((500, 60), 0.7)
+    keys = tuple(
+        Keyframe(k, points[k], origin=Origin.ENGINE, confidence=0.7, vertex_confidence=sure[k], inputs="track:" * 20)
+        for k in range(500)
+    )
+    project = Project(root=Layer("root", "Root", (RotoShape("a", "A", keys),)))
+    content = b"".join(file.contents(project, FOLDER))
+    values, names = file._counts(content)
+    assert 300 * len(content) <= file.MAX_BYTES
+    assert not file._is_too_much(300 * len(content), 300 * values, 300 * names)
+    assert file.loads(content.decode(), FOLDER) == project
+
+
+def test_a_project_is_written_shape_by_shape() -> None:
+    """What one shape takes in memory is all that writing takes, beside the project."""
+    shapes = tuple(RotoShape(name, name, (Keyframe(1, CURVE),)) for name in "abcdefgh")
+    parts = list(file.contents(Project(root=Layer("root", "Root", shapes)), FOLDER))
+    assert max(sum(part.count(b'"RotoShape"') for part in [each]) for each in parts) == 1
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from roam_core.cli import main
+from roam_core.cli import batch, main
 from roam_core.studio.pictures import doubtful
 from roam_core.studio.report import page
 from tests.conftest import ROOT
@@ -188,3 +188,12 @@ def test_a_fill_on_several_processes_is_the_fill_of_one(tmp_path: Path) -> None:
     assert {line["seconds"] for line in lines if line["termination"] == "artist_key"} == {0.0}
     assert main([*words, str(tmp_path / "one.roam")]) == 0
     assert (tmp_path / "two.roam").read_bytes() == (tmp_path / "one.roam").read_bytes()
+
+
+def test_the_terminal_says_why_a_step_had_nothing_to_do(capsys: pytest.CaptureFixture[str]) -> None:
+    outcome = {"job": "sh010", "step": "1-fill", "status": "done", "said": "P.roam has no gap to fill.", "seconds": 0.0}
+    with batch._Terminal(as_json=False) as terminal:
+        terminal.ended(outcome | {"idle": True})
+        terminal.ended(outcome)
+    told = ["sh010  1-fill  done  0.0 s  P.roam has no gap to fill.", "sh010  1-fill  done  0.0 s"]
+    assert capsys.readouterr().err.splitlines() == told

@@ -138,7 +138,7 @@ from tests.unit.studio.work import loaded
 
 if __name__ == "__main__":
     with cluster.local(cluster.Shares.of(2, 4 << 30), dashboard=False, loading=WORK.modules) as client:
-        print(client.run(loaded, ["roam_core.cli.performing", "bokeh"]).values())
+        print(client.run(loaded, ["roam_core.cli.performing", "roam_core.propagate.run", "bokeh"]).values())
         here = psutil.Process()
         listening = [
             connection.laddr.ip
@@ -151,7 +151,7 @@ if __name__ == "__main__":
 """
     loaded, bound, is_ignored = carried_out(program, ROOT).stdout.splitlines()
     if sys.platform == "linux":  # where workers are forks
-        assert loaded == "dict_values([[True, False], [True, False]])"
+        assert loaded == "dict_values([[True, True, False], [True, True, False]])"
     assert bound == "True {'127.0.0.1'}"
     assert is_ignored == "{True}"  # a terminal sends Ctrl-C to all: the batch stops them
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from roam_core import load_project
+from roam_core import edit, load_project
 from roam_core.cancel import CancelToken
 from roam_core.cli import main, performing
 from roam_core.cli.main import INTERRUPTED
@@ -142,6 +142,38 @@ def test_mattes_become_a_project_and_mattes_again(show: Path, tmp_path: Path) ->
     assert [outcome["status"] for outcome in outcomes] == ["done", "done"]
     assert load_project(tmp_path / "again/sh010/sh010.roam").shapes
     assert len(list((tmp_path / "again/sh010/mattes").iterdir())) == 6
+
+
+@pytest.mark.parametrize(("verb", "reason"), [("fill", "no gap to fill"), ("track", "no closed, unlocked shape")])
+def test_what_has_nothing_to_track_or_fill_goes_on_to_its_render(tmp_path: Path, verb: str, reason: str) -> None:
+    """The step failed, and the mattes and exports of a finished shot were left out."""
+    show = tmp_path / "show"
+    plate, init = put_plate(show / "sh010" / "plate"), show / "sh010" / "init.roam"
+    project = load_project(put_gaps(init, plate))
+    for shape in project.shapes:
+        finished = {"keys": shape.keys[:1]} if verb == "fill" else {"locked": True}
+        project = edit.set_properties(project, shape.id, **finished)
+    file.save(project, init)
+    outcomes = carried_out(show, tmp_path / "out", steps=f"{verb},render,export:json")
+    assert [outcome["status"] for outcome in outcomes] == ["done"] * 3, outcomes
+    assert outcomes[0]["idle"]
+    assert reason in outcomes[0]["said"]
+    made = tmp_path / "out" / "sh010"
+    assert load_project(made / "sh010.roam").shapes == project.shapes
+    assert load_project(made / "sh010.roam").require_clip().path == plate
+    assert len(list((made / "mattes").iterdir())) == 6
+    again = carried_out(show, tmp_path / "out", steps=f"{verb},render,export:json")
+    assert [outcome["status"] for outcome in again] == ["kept"] * 3
+    assert again[0]["idle"]
+
+
+def test_a_shape_that_is_not_there_is_no_reason_to_go_on(tmp_path: Path) -> None:
+    given = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
+    job = {"name": "sh010", "init": str(given), "steps": [{"fill": {"shape": ["Nobody"]}}]}
+    (tmp_path / "jobs.json").write_text(json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [job]}))
+    (outcome,) = carried_out(tmp_path / "jobs.json", tmp_path / "out")
+    assert outcome["status"] == "failed"
+    assert "Nobody" in outcome["said"]
 
 
 def test_a_refusal_is_told_and_nothing_recorded(show: Path, tmp_path: Path) -> None:
