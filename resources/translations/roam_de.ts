@@ -961,6 +961,14 @@ Jetzt: {level}, {changes}</translation>
         <translation>Kopieren für {program} …</translation>
     </message>
     <message>
+        <source>Corner pin</source>
+        <translation>Eckpunkt versetzen</translation>
+    </message>
+    <message>
+        <source>Corner pin {dx:+.1f}, {dy:+.1f} px</source>
+        <translation>Eckpunkt versetzen {dx:+.1f}, {dy:+.1f} px</translation>
+    </message>
+    <message>
         <source>Ctrl+Alt+click</source>
         <translation>Strg+Alt+Klick</translation>
     </message>
@@ -2072,8 +2080,8 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Punkt einfügen</translation>
     </message>
     <message>
-        <source>Inside the box moves, handles scale, sides shear, outside a corner turns; Shift and Ctrl vary it. Esc ends.</source>
-        <translation>Innen bewegt, Anfasser skalieren, Seiten scheren, außerhalb einer Ecke dreht; Umschalt und Strg variieren es. Esc beendet.</translation>
+        <source>Inside moves, handles scale, Ctrl pins corners, sides shear, beside a corner turns; Shift, Ctrl vary it.</source>
+        <translation>Innen bewegt, Anfasser skalieren, Strg versetzt eine Ecke allein, Seiten scheren, neben einer Ecke dreht; Umschalt, Strg variieren es.</translation>
     </message>
     <message>
         <source>Intersect</source>
@@ -2970,6 +2978,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>On</source>
         <translation>An</translation>
+    </message>
+    <message>
+        <source>On another key points would go beyond the horizon of this perspective; pull the corner less far.</source>
+        <translation>Auf einem anderen Schlüsselbild lägen Punkte hinter dem Horizont dieser Perspektive; ziehen Sie die Ecke weniger weit.</translation>
     </message>
     <message>
         <source>On empty background: add points to the selection, take them away</source>
