@@ -58,6 +58,7 @@ class Files(QObject):
     Signals
     -------
     progress(fraction, text), finished(ending, sentence) : news for the status bar.
+    saving(path) : the document is about to be written to a file.
     saved() : the document was written to its file.
     not_saved() : it could not be written; the sentence is told by `finished`.
     doubted(path, doubt) : it was not written, because the file is not as it was left: the sentence says why.
@@ -72,6 +73,7 @@ class Files(QObject):
 
     progress = Signal(float, str)
     finished = Signal(object, str)
+    saving = Signal(object)
     saved = Signal()
     not_saved = Signal()
     doubted = Signal(object, str)
@@ -263,6 +265,7 @@ class Files(QObject):
         project, known = document.project, document.fingerprint if path == document.path else None
         is_modified = document.is_modified
         told: list[str | Fingerprint | None] = []
+        self.saving.emit(path)
 
         def work(report: Report) -> str:
             against = "" if anyway else doubt(path, known, self._written)

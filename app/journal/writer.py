@@ -62,6 +62,13 @@ class _Change:
 
 
 @dataclass(frozen=True)
+class _Saving:
+    """The work is being written to a file that is not the one that it builds on."""
+
+    path: Path
+
+
+@dataclass(frozen=True)
 class _BaseIsWritten:
     """The thread that writes whole projects has finished one."""
 
@@ -101,6 +108,10 @@ class JournalWriter:
     def note(self, project: Project, *, is_modified: bool) -> None:
         """Keep this state."""
         self._queue.put(_State(project, is_modified, time.time()))
+
+    def saving(self, path: Path) -> None:
+        """Keep where the work is about to be saved: ended meanwhile, it may lie there though nobody noted it."""
+        self._queue.put(_Saving(path))
 
     def end(self, why: str) -> None:
         """Nothing of the journal needs to be recovered: its work is `saved` or `discarded`."""
@@ -163,6 +174,8 @@ class JournalWriter:
             self._open.note_base()
         elif isinstance(wish, _Change):
             self._change(wish)
+        elif isinstance(wish, _Saving) and self._open is not None and not self._open.is_broken:
+            self._open.note_saving(wish.path)
 
     def _change(self, wish: _Change) -> None:
         self._is_told = False  # as after a save, whose own sentence stands now where that of the journal stood
@@ -328,6 +341,13 @@ class _Open:
             for old in self._bases[:-BASES]:
                 old.unlink(missing_ok=True)
             self._bases = self._bases[-BASES:]
+
+    def note_saving(self, path: Path) -> None:
+        """Tell to which file the work is about to be saved; without it, that work is offered once more."""
+        try:
+            self.write(Entry({"kind": "saving", "path": str(path)}))
+        except OSError:
+            log.exception("where the work is saved cannot be noted")
 
     def settle(self) -> None:
         """Wait for a base that is being written: without it edits may not be enough, once the artist's file changes."""

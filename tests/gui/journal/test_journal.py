@@ -156,6 +156,34 @@ def test_what_the_file_holds_already_is_not_offered_though_the_journal_did_not_e
     assert [each.settled for each in crashed(journal, root)] == ["saved", "saved"]
 
 
+@pytest.mark.parametrize("is_titled", [False, True])
+def test_what_a_save_under_another_name_wrote_is_not_offered_though_the_journal_did_not_end(
+    document: Document, journal: Journal, root: Path, tmp_path: Path, is_titled: bool
+) -> None:
+    (tmp_path / "plate").mkdir()
+    other = tmp_path / "other ü.roam"
+    document.apply("Clip", replace(document.project, clip=Clip(tmp_path / "plate", 1, 9, (20, 10))))
+    if is_titled:
+        document.save(tmp_path / "mine.roam")
+    draw(document)
+    journal.note_saving(other)
+    (found,) = recovery.offered(crashed(journal, root))  # killed before the file is in its place
+    assert recovery.load(found)[0] == document.project
+    file.save(document.project, other)  # and now, before the program knows
+    assert recovery.offered(crashed(journal, root)) == []
+
+
+def test_edits_after_what_a_killed_save_under_another_name_wrote_are_offered(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    draw(document)
+    journal.note_saving(tmp_path / "mine.roam")
+    file.save(document.project, tmp_path / "mine.roam")
+    draw(document)
+    (found,) = recovery.offered(crashed(journal, root))
+    assert recovery.load(found)[0] == document.project
+
+
 def test_edits_after_what_a_killed_save_wrote_are_offered(
     document: Document, journal: Journal, root: Path, tmp_path: Path
 ) -> None:
