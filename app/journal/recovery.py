@@ -321,7 +321,8 @@ def _after(project: Project, entry: Entry) -> Project:
     if parts.clip is not None:
         parts = replace(parts, clip=replace(parts.clip, path=Path(header["clip"])))
     dropped = {str(item_id): tuple(frames) for item_id, frames in header["dropped"].items()}
-    return applied(project, Delta(parts, header["tree"], dropped))
+    partly = tuple(map(str, header.get("partly", ())))  # version 1 has none
+    return applied(project, Delta(parts, header["tree"], dropped, partly=partly))
 
 
 def _is_same(original: Path | None, path: Path) -> bool:

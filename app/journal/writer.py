@@ -24,7 +24,7 @@ from .delta import between
 from .record import Entry, append
 from .session import RECOVERED, Session
 
-VERSION = 1
+VERSION = 2
 ROOT = Path("/")
 """The folder from which the texts in a journal name the plate."""
 MOST_DELTAS = 8 << 20
@@ -294,6 +294,7 @@ class _Open:
             "clip": None if clip is None else str(clip.path),
             "tree": delta.tree,
             "dropped": delta.dropped,
+            "partly": delta.partly,
         }
         self._since_base += self.write(Entry(header, file.dumps(delta.parts, ROOT)))
         self._last = state.project

@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import IO
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -25,6 +26,7 @@ from app.model.document import Document
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, backups, edit, file, timing
+from roam_core.roto.following import followed, with_moving_layer
 from tests.gui.journal.test_delta import random_edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -498,6 +500,20 @@ def test_tracked_frames_are_counted_apart(document: Document, journal: Journal, 
         assert journal.flush()
     (found,) = crashed(journal, root)
     assert found.sentence == "1 edit and 3 tracked frames in 1 shape"
+    assert recovery.load(found)[0] == document.project
+
+
+def test_frames_of_a_planar_track_are_counted_apart(document: Document, journal: Journal, root: Path) -> None:
+    draw(document)
+    project, layer_id = with_moving_layer(document.project, [document.project.shapes[0].id], 1)
+    document.apply("Planar track", project)
+    assert journal.flush()
+    motion = np.array([[1.0, 0.0, 2.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]])
+    for frame in range(1, 5):
+        document.amend("Planar track", lambda p, f=frame: followed(p, layer_id, 1, f, motion, 0.9), "run-1")
+        assert journal.flush()
+    (found,) = crashed(journal, root)
+    assert found.sentence.startswith("2 edits and 4 tracked frames in 2 shapes")
     assert recovery.load(found)[0] == document.project
 
 
