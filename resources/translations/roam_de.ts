@@ -5099,6 +5099,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Nach Zahlen transformieren…</translation>
     </message>
     <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
         <source>Turn all of them back to 100 %</source>
         <translation>Alle auf 100 % zurückdrehen</translation>
     </message>
@@ -5384,6 +5388,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Your project is as it was, and every edit is in the journal.</source>
         <translation>Das Projekt ist, wie es war, und jede Bearbeitung ist im Journal.</translation>
+    </message>
+    <message>
+        <source>Your work is still here. Save it elsewhere; or make room there, or see to the permissions, and try again.</source>
+        <translation>Ihre Arbeit ist noch da. Speichern Sie sie an einem anderen Ort; oder schaffen Sie dort Platz oder Zugriffsrechte, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -6851,6 +6859,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is not saved yet.</source>
         <translation>{name} ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>{name} is not saved.</source>
+        <translation>{name} ist nicht gespeichert.</translation>
     </message>
     <message>
         <source>{name} is not tracked: its first key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>
