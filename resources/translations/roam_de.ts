@@ -2981,7 +2981,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>On another key points would go beyond the horizon of this perspective; pull the corner less far.</source>
-        <translation>Auf einem anderen Schlüsselbild lägen Punkte hinter dem Horizont dieser Perspektive; ziehen Sie die Ecke weniger weit.</translation>
+        <translation>Auf einem anderen Keyframe lägen Punkte hinter dem Horizont dieser Perspektive; ziehen Sie die Ecke weniger weit.</translation>
     </message>
     <message>
         <source>On empty background: add points to the selection, take them away</source>
@@ -3252,6 +3252,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Paste the copied shapes, also those copied in Nuke or Fusion</source>
         <translation>Kopierte Formen einfügen, auch in Nuke oder Fusion kopierte</translation>
+    </message>
+    <message>
+        <source>Pasted into the selected shapes, in their order: {names}.</source>
+        <translation>In die ausgewählten Formen eingefügt, der Reihe nach: {names}.</translation>
     </message>
     <message>
         <source>Pattern {pattern:.0f} px, search {search:.0f} px.</source>
