@@ -72,6 +72,20 @@ def ask_doubted(parent: QWidget, doubt: str) -> Doubted:
     return answers.get(_ask(parent, doubt, weak, tuple(answers)), Doubted.CANCEL)
 
 
+def not_saved_question(parent: QWidget, name: str, sentence: str) -> QMessageBox:
+    """That a project could not be saved, why, and the ways on: accepted by Save as (which accepts) and Try again."""
+    box = QMessageBox(QMessageBox.Icon.Warning, "ROAM", tr("{name} is not saved.", name=name), parent=parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    remedy = tr(
+        "Your work is still here. Save it elsewhere; or make room there, or see to the permissions, and try again."
+    )
+    box.setInformativeText(f"{sentence}\n\n{remedy}")
+    box.setDefaultButton(box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole))
+    box.addButton(tr("Try again"), QMessageBox.ButtonRole.YesRole)
+    box.addButton(tr("Later"), QMessageBox.ButtonRole.RejectRole)
+    return box
+
+
 def _ask(parent: QWidget, text: str, weak: str, choices: Sequence[str]) -> str:
     """Ask with a button for each choice, the first one ready to be pressed, and Cancel; gives the one pressed."""
     box = QMessageBox(parent)

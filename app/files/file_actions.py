@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMessageBox, QWidget
+from shiboken6 import isValid
 
 from roam_core.errors import RoamError
 from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes
@@ -69,9 +70,10 @@ class FileActions(QObject):
         """Where choosers begin."""
         self._after_saving: Callable[[], object] | None = None
         self._export_dialog: ExportDialog | None = None
+        self._not_saved: QMessageBox | None = None
         files.saved.connect(self._saved)
         export.written.connect(lambda path: self.folders.note(Purpose.EXPORT, path.parent))
-        files.not_saved.connect(self._disarm)
+        files.not_saved.connect(self._tell_not_saved)
         document.replaced.connect(self._disarm)
         files.doubted.connect(self._ask_doubted)
         files.contested.connect(self._ask_contested)
@@ -360,6 +362,25 @@ class FileActions(QObject):
     def _disarm(self) -> None:
         """What was to be done after saving is not done."""
         self._after_saving = None
+
+    def _tell_not_saved(self, path: Path, sentence: str) -> None:
+        """Say so where nobody overlooks it, with the ways on; the artist may go on to work first."""
+        self._disarm()
+        sitting = self._document.sitting
+        if self._not_saved is not None and isValid(self._not_saved):
+            self._not_saved.reject()
+        self._not_saved = box = questions.not_saved_question(self._window, path.name, sentence)
+
+        def go_on() -> None:
+            if sitting != self._document.sitting:
+                return
+            if box.buttonRole(box.clickedButton()) is QMessageBox.ButtonRole.AcceptRole:
+                self.save_as()
+            else:
+                self._files.save(path)
+
+        box.accepted.connect(go_on)
+        box.open()
 
     def _ask_doubted(self, path: Path, doubt: str) -> None:
         answer = questions.ask_doubted(self._window, doubt)

@@ -58,8 +58,9 @@ class Files(QObject):
     Signals
     -------
     progress(fraction, text), finished(ending, sentence) : news for the status bar.
+    saving(path) : the document is about to be written to a file.
     saved() : the document was written to its file.
-    not_saved() : it could not be written; the sentence is told by `finished`.
+    not_saved(path, sentence) : it could not be written, and why; `finished` tells that, too.
     doubted(path, doubt) : it was not written, because the file is not as it was left: the sentence says why.
     overtaken(show) : what was opened has come, but the document was changed meanwhile and not saved: it takes the
         document's place when `show` is called.
@@ -72,8 +73,9 @@ class Files(QObject):
 
     progress = Signal(float, str)
     finished = Signal(object, str)
+    saving = Signal(object)
     saved = Signal()
-    not_saved = Signal()
+    not_saved = Signal(object, str)
     doubted = Signal(object, str)
     overtaken = Signal(object)
     contested = Signal(object, object)
@@ -263,6 +265,7 @@ class Files(QObject):
         project, known = document.project, document.fingerprint if path == document.path else None
         is_modified = document.is_modified
         told: list[str | Fingerprint | None] = []
+        self.saving.emit(path)
 
         def work(report: Report) -> str:
             against = "" if anyway else doubt(path, known, self._written)
@@ -290,7 +293,7 @@ class Files(QObject):
                 self._document.mark_saved(project, path, last)
                 self.saved.emit()
             elif ending is Ending.FAILED:
-                self.not_saved.emit()
+                self.not_saved.emit(path, sentence)
             if not isinstance(last, str):
                 self.finished.emit(ending, sentence)
 

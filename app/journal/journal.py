@@ -43,6 +43,11 @@ class Journal(QObject):
         """Wait until every edit is on the disk; False where that takes longer than `wait` seconds or cannot be."""
         return self._writer.flush(wait)
 
+    def note_saving(self, path: Path) -> None:
+        """The project is about to be saved to a file; of its own one the journal knows that."""
+        if path != self._document.path:
+            self._writer.saving(path)
+
     def leave_for_recovery(self) -> None:
         """The program has to end and cannot ask the artist: unsaved work is offered at the next start."""
         self._waits_for_recovery = self._document.is_modified

@@ -50,6 +50,7 @@ class Recovery:
     edits, tracked, shapes : how many edits, but those that only brought tracked or filled frames; how many of these
         frames; and how many shapes and layers both touched.
     settled : "" while it is to be offered; else what became of it: saved, discarded, declined or recovered.
+    saved_to : the file to which it was about to be saved last, where that is another one.
     is_recovered : True where the first of the edits is work that was recovered from another journal.
     is_damaged : True where the journal cannot be read to its end.
     """
@@ -62,6 +63,7 @@ class Recovery:
     tracked: int = 0
     shapes: int = 0
     settled: str = ""
+    saved_to: Path | None = None
     is_recovered: bool = False
     is_damaged: bool = False
 
@@ -223,22 +225,29 @@ def _looked_at(journal: Path) -> Recovery | None:
 
 
 def _settled_by_file(found: Recovery) -> Recovery:
-    """As saved where the artist's file holds just this work: the program ended after it wrote the file, but before it
-    wrote that down. Remembered, for the file may change again."""
-    if found.settled or found.original is None or found.is_damaged:
+    """As saved where the artist's file, or the one that it was to be saved to, holds just this work: the program ended
+    after it wrote the file, but before it wrote that down. Remembered, for the file may change again."""
+    if found.settled or found.is_damaged:
         return found
-    now = Fingerprint.of(found.original)
-    if now is None or now.digest == found.digest:
+    written = [place for place in (found.original, found.saved_to) if place is not None and place.is_file()]
+    places = [place for place in written if place != found.original or not _is_as_it_was(found, place)]
+    if not places:
         return found
     try:
         project, loss = load(found)
     except RoamError:
         return found
-    if loss or not file.is_saved(project, found.original):
+    if loss or not any(file.is_saved(project, place) for place in places):
         return found
     with suppress(OSError):  # found out again the next time
         found.journal.with_suffix(SAVED).touch()
     return replace(found, settled="saved")
+
+
+def _is_as_it_was(found: Recovery, original: Path) -> bool:
+    """Whether the artist's file holds, as far as can be read, what the work builds on."""
+    now = Fingerprint.of(original)
+    return now is None or now.digest == found.digest
 
 
 def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str]) -> Recovery | None:
@@ -259,6 +268,8 @@ def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str])
         tracked = found.tracked + header["tracked"]
         settled = "" if header["is_modified"] else "saved"  # undone up to what the file holds
         return replace(found, when=_time(header), edits=edits, tracked=tracked, settled=settled)
+    if entry.kind == "saving":
+        return replace(found, saved_to=Path(header["path"]))
     return replace(found, settled=str(header["why"])) if entry.kind == "end" else found
 
 
@@ -310,7 +321,8 @@ def _after(project: Project, entry: Entry) -> Project:
     if parts.clip is not None:
         parts = replace(parts, clip=replace(parts.clip, path=Path(header["clip"])))
     dropped = {str(item_id): tuple(frames) for item_id, frames in header["dropped"].items()}
-    return applied(project, Delta(parts, header["tree"], dropped))
+    partly = tuple(map(str, header.get("partly", ())))  # version 1 has none
+    return applied(project, Delta(parts, header["tree"], dropped, partly=partly))
 
 
 def _is_same(original: Path | None, path: Path) -> bool:

@@ -25,7 +25,7 @@ from .delta import between
 from .record import Entry, append
 from .session import RECOVERED, Session
 
-VERSION = 1
+VERSION = 2
 ROOT = Path("/")
 """The folder from which the texts in a journal name the plate."""
 MOST_DELTAS = 8 << 20
@@ -62,6 +62,13 @@ class _Change:
     why: str
     beginning: Beginning
     state: _State | None
+
+
+@dataclass(frozen=True)
+class _Saving:
+    """The work is being written to a file that is not the one that it builds on."""
+
+    path: Path
 
 
 @dataclass(frozen=True)
@@ -104,6 +111,10 @@ class JournalWriter:
     def note(self, project: Project, *, is_modified: bool) -> None:
         """Keep this state."""
         self._queue.put(_State(project, is_modified, time.time()))
+
+    def saving(self, path: Path) -> None:
+        """Keep where the work is about to be saved: ended meanwhile, it may lie there though nobody noted it."""
+        self._queue.put(_Saving(path))
 
     def end(self, why: str) -> None:
         """Nothing of the journal needs to be recovered: its work is `saved` or `discarded`."""
@@ -166,6 +177,8 @@ class JournalWriter:
             self._open.note_base()
         elif isinstance(wish, _Change):
             self._change(wish)
+        elif isinstance(wish, _Saving) and self._open is not None and not self._open.is_broken:
+            self._open.note_saving(wish.path)
 
     def _change(self, wish: _Change) -> None:
         self._is_told = False  # as after a save, whose own sentence stands now where that of the journal stood
@@ -284,6 +297,7 @@ class _Open:
             "clip": None if clip is None else str(clip.path),
             "tree": delta.tree,
             "dropped": delta.dropped,
+            "partly": delta.partly,
         }
         self._since_base += self.write(Entry(header, file.dumps(delta.parts, ROOT)))
         self._last = state.project
@@ -331,6 +345,13 @@ class _Open:
             for old in self._bases[:-BASES]:
                 old.unlink(missing_ok=True)
             self._bases = self._bases[-BASES:]
+
+    def note_saving(self, path: Path) -> None:
+        """Tell to which file the work is about to be saved; without it, that work is offered once more."""
+        try:
+            self.write(Entry({"kind": "saving", "path": str(path)}))
+        except OSError:
+            log.exception("where the work is saved cannot be noted")
 
     def settle(self) -> None:
         """Wait for a base that is being written: without it edits may not be enough, once the artist's file changes."""

@@ -127,6 +127,7 @@ class MainWindow(QMainWindow):
         self.export = Export(self.document, self.exporter, self, *asks)
         self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
         self.journal = Journal(self.document, journal_root, self)
+        self.files.saving.connect(self.journal.note_saving)
         solving = self.document, self.view_state, self.solver
         self.propagation = Propagation(*solving, self.reader.engine_parts, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)

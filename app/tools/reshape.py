@@ -63,7 +63,7 @@ class Grab:
         return self.transformed(project, affine.translation(delta))
 
     def transformed(self, project: Project, matrix: Array) -> Project:
-        """The project with the grabbed points carried by `matrix (2, 3)` from where they began."""
+        """The project with the grabbed points carried by `matrix`, `(2, 3)` or `(3, 3)`, from where they began."""
         return self.changed(project, lambda each: transform_like(self.start[each], self.weights[each], matrix))
 
     def settled(self, before: Project, after: Project) -> Project:

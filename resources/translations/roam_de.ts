@@ -982,6 +982,14 @@ Jetzt: {level}, {changes}</translation>
         <translation>Kopieren für {program} …</translation>
     </message>
     <message>
+        <source>Corner pin</source>
+        <translation>Eckpunkt versetzen</translation>
+    </message>
+    <message>
+        <source>Corner pin {dx:+.1f}, {dy:+.1f} px</source>
+        <translation>Eckpunkt versetzen {dx:+.1f}, {dy:+.1f} px</translation>
+    </message>
+    <message>
         <source>Ctrl+Alt+click</source>
         <translation>Strg+Alt+Klick</translation>
     </message>
@@ -2101,8 +2109,8 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Punkt einfügen</translation>
     </message>
     <message>
-        <source>Inside the box moves, handles scale, sides shear, outside a corner turns; Shift and Ctrl vary it. Esc ends.</source>
-        <translation>Innen bewegt, Anfasser skalieren, Seiten scheren, außerhalb einer Ecke dreht; Umschalt und Strg variieren es. Esc beendet.</translation>
+        <source>Inside moves, handles scale, Ctrl pins corners, sides shear, beside a corner turns; Shift, Ctrl vary it.</source>
+        <translation>Innen bewegt, Anfasser skalieren, Strg versetzt eine Ecke allein, Seiten scheren, neben einer Ecke dreht; Umschalt, Strg variieren es.</translation>
     </message>
     <message>
         <source>Intersect</source>
@@ -3017,6 +3025,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>An</translation>
     </message>
     <message>
+        <source>On another key points would go beyond the horizon of this perspective; pull the corner less far.</source>
+        <translation>Auf einem anderen Keyframe lägen Punkte hinter dem Horizont dieser Perspektive; ziehen Sie die Ecke weniger weit.</translation>
+    </message>
+    <message>
         <source>On empty background: add points to the selection, take them away</source>
         <translation>Auf leerem Hintergrund: Punkte zur Auswahl hinzufügen, aus ihr entfernen</translation>
     </message>
@@ -3285,6 +3297,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Paste the copied shapes, also those copied in Nuke or Fusion</source>
         <translation>Kopierte Formen einfügen, auch in Nuke oder Fusion kopierte</translation>
+    </message>
+    <message>
+        <source>Pasted into the selected shapes, in their order: {names}.</source>
+        <translation>In die ausgewählten Formen eingefügt, der Reihe nach: {names}.</translation>
     </message>
     <message>
         <source>Pattern {pattern:.0f} px, search {search:.0f} px.</source>
@@ -5160,6 +5176,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Nach Zahlen transformieren…</translation>
     </message>
     <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
         <source>Turn all of them back to 100 %</source>
         <translation>Alle auf 100 % zurückdrehen</translation>
     </message>
@@ -5445,6 +5465,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Your project is as it was, and every edit is in the journal.</source>
         <translation>Das Projekt ist, wie es war, und jede Bearbeitung ist im Journal.</translation>
+    </message>
+    <message>
+        <source>Your work is still here. Save it elsewhere; or make room there, or see to the permissions, and try again.</source>
+        <translation>Ihre Arbeit ist noch da. Speichern Sie sie an einem anderen Ort; oder schaffen Sie dort Platz oder Zugriffsrechte, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -6940,6 +6964,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is not saved yet.</source>
         <translation>{name} ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>{name} is not saved.</source>
+        <translation>{name} ist nicht gespeichert.</translation>
     </message>
     <message>
         <source>{name} is not tracked: its first key lies on frame {key}. Track from there, or set a key here (&lt;key.set&gt;).</source>

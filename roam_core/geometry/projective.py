@@ -69,3 +69,48 @@ def apply(matrix: Array, positions: ArrayLike) -> Array:
     if not matrix[2, :2].any() and matrix[2, 2] == 1.0:
         return np.asarray(carried)
     return np.asarray(carried / np.maximum(depth(matrix, given), HORIZON)[..., None])
+
+
+def of_square(corners: ArrayLike) -> Array:
+    """The map `(3, 3)` that carries the unit square to four corners `(4, 2)`.
+
+    The square goes once around from (0, 0) over (1, 0), (1, 1) and (0, 1), and (0, 0) has the depth 1. Affine where the
+    corners are those of a parallelogram. (Heckbert, "Fundamentals of texture mapping and image warping", 1989.)
+
+    Raises
+    ------
+    ValueError
+        where all corners but the first lie on one line.
+    """
+    first, second, across, last = np.asarray(corners, dtype=np.float64)
+    sides, lack = np.column_stack([second - across, last - across]), first - second + across - last
+    if not lack.any():
+        return _stacked(np.column_stack([second - first, last - first]), first, np.zeros(2))
+    try:
+        lean = np.linalg.solve(sides, lack)
+    except np.linalg.LinAlgError:
+        raise ValueError("corners lie on one line") from None
+    linear = np.column_stack([second - first + lean[0] * second, last - first + lean[1] * last])
+    return _stacked(linear, first, lean)
+
+
+def shifted(matrix: Array, shift: ArrayLike) -> Array:
+    """The same map of a place that lies `shift (2,)` further on: what is there goes the way that it went here."""
+    by = np.asarray(shift, dtype=np.float64)
+    return np.asarray(_stacked(np.eye(2), by, np.zeros(2)) @ matrix @ _stacked(np.eye(2), -by, np.zeros(2)))
+
+
+def apply_to_arms(matrix: Array, positions: ArrayLike, arms: ArrayLike) -> Array:
+    """Short `arms (..., 2)` that lie at `positions (..., 2)`, carried by the derivative of `matrix (3, 3)` there.
+
+    A curve through the position that leaves along the arm is carried to one that leaves along the carried arm, as
+    fast as it tells.
+    """
+    given, ways = np.asarray(positions, dtype=np.float64), np.asarray(arms, dtype=np.float64)
+    there, depths = apply(matrix, given), np.maximum(depth(matrix, given), HORIZON)
+    return np.asarray((ways @ matrix[:2, :2].T - there * (ways @ matrix[2, :2])[..., None]) / depths[..., None])
+
+
+def _stacked(linear: Array, shift: Array, lean: Array) -> Array:
+    """The map with these parts, and 1 in its last corner."""
+    return np.vstack([np.column_stack([linear, shift]), [*lean, 1.0]])

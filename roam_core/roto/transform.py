@@ -1,4 +1,4 @@
-"""Transforming points: affine maps of an outline, each point following by its weight, and how weights fall off."""
+"""Transforming points: maps of an outline, each point following by its weight, and how weights fall off."""
 
 from __future__ import annotations
 
@@ -8,33 +8,62 @@ from dataclasses import replace
 import numpy as np
 
 from roam_core.arrays import Array
-from roam_core.geometry import affine
+from roam_core.errors import RoamError
+from roam_core.geometry import affine, projective
+from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto.keying import Change
 from roam_core.roto.shape import Outline
+from roam_core.translatable import sentence
 
 
 def transformed(outline: Outline, weights: Array, matrix: Array) -> Outline:
-    """The outline with its points carried by `matrix (2, 3)`, each as far as its weight in `weights (P,)` says.
+    """The outline with its points carried by `matrix`, each as far as its weight in `weights (P,)` says.
 
     Weight 1 carries a point, with its handles, wholly; 0 leaves it bit by bit. Feather offsets turn and scale with it.
+    The map is affine, `(2, 3)`, or projective, `(3, 3)`, with the points before it in a positive depth: then handles
+    and feather offsets go as its derivative at their point says, so that tangents stay tangents.
+
+    Raises
+    ------
+    RoamError
+        where a projective map sends a point beyond its horizon.
     """
-    points = _weighted(outline.points, affine.apply(matrix, outline.points), weights)
-    if outline.feather is None:
+    carried, arms = _affinely(outline, matrix) if len(matrix) == 2 else _in_perspective(outline, weights, matrix)
+    points = _weighted(outline.points, carried, weights)
+    if outline.feather is None or arms is None:
         return replace(outline, points=points)
-    feather = _weighted(outline.feather, outline.feather @ matrix[:, :2].T, weights)
-    return replace(outline, points=points, feather=feather)
+    return replace(outline, points=points, feather=_weighted(outline.feather, arms, weights))
+
+
+def _affinely(outline: Outline, matrix: Array) -> tuple[Array, Array | None]:
+    """Points and feather offsets under an affine map."""
+    feather = None if outline.feather is None else outline.feather @ matrix[:, :2].T
+    return affine.apply(matrix, outline.points), feather
+
+
+def _in_perspective(outline: Outline, weights: Array, matrix: Array) -> tuple[Array, Array | None]:
+    """Points and feather offsets under a projective map."""
+    anchors = outline.points[:, ANCHOR, None]
+    if (projective.depth(matrix, outline.anchors[weights > 0.0]) <= projective.HORIZON).any():
+        raise RoamError(
+            sentence("On another key points would go beyond the horizon of this perspective; pull the corner less far.")
+        )
+    arms = projective.apply_to_arms(matrix, anchors, outline.points - anchors)
+    feather = None if outline.feather is None else projective.apply_to_arms(matrix, anchors, outline.feather)
+    return projective.apply(matrix, anchors) + arms, feather
 
 
 def transform_like(start: Outline, weights: Array, matrix: Array) -> Change:
-    """The change that does on any key what `matrix (2, 3)` does to the outline `start`.
+    """The change that does on any key what `matrix`, `(2, 3)` or `(3, 3)`, does to the outline `start`.
 
     The place about which it turns and scales goes with the shape: it lies on every key as it lies on `start` to the
     weighted middle of the anchors.
     """
     middle = centre(start, weights)
+    shifted = affine.shifted if len(matrix) == 2 else projective.shifted
 
     def change(outline: Outline) -> Outline:
-        return transformed(outline, weights, affine.shifted(matrix, centre(outline, weights) - middle))
+        return transformed(outline, weights, shifted(matrix, centre(outline, weights) - middle))
 
     return change
 

@@ -103,7 +103,7 @@ class KeyVerbs:
             self.delete(tr("Cut keys"))
 
     def paste(self) -> None:
-        """Put the copied keys into their shapes, or those of one shape into the selected ones; the first one here."""
+        """Put the copied keys into their shapes, or into the selected ones (`_targets`); the first one here."""
         if not self._copied:
             self._view.say(tr(NOTHING_COPIED))
             return
@@ -121,6 +121,9 @@ class KeyVerbs:
         taking = {shape_id for shape_id, _ in places}
         if left_out := [shape.name for shape in project.shapes if shape.id in copied and shape.id not in taking]:
             self._view.say(tr(FITS_SOME, names=", ".join(left_out)))
+        elif len(copied) > 1 and not self._copied.keys() & copied.keys():
+            names = ", ".join(project.shape(shape_id).name for shape_id in copied)
+            self._view.say(tr("Pasted into the selected shapes, in their order: {names}.", names=names))
 
     def delete(self, text: str = "") -> None:
         """Delete the chosen keys; the engine's stay, and are shown as stale. `text` names the step.
@@ -166,10 +169,16 @@ class KeyVerbs:
         return free
 
     def _targets(self) -> dict[str, tuple[Keyframe, ...]]:
-        """The copied keys by the shape that they go to."""
-        selected = self._view.selection.shapes
+        """The copied keys by the shape that they go to.
+
+        Those of one shape go to all that are selected; those of several to as many others that are, in their order,
+        as in the viewer; else to their own.
+        """
+        selected = [shape.id for shape in selected_shapes(self._document.project, self._view.selection)]
         if len(self._copied) == 1 and selected:
             return dict.fromkeys(selected, next(iter(self._copied.values())))
+        if len(self._copied) == len(selected) and not self._copied.keys() & set(selected):
+            return dict(zip(selected, self._copied.values(), strict=True))
         return self._copied
 
     def _meant(self) -> frozenset[Place]:

@@ -35,7 +35,13 @@ def paint_box(painter: QPainter, viewport: Viewport, box: Box, hovered: Part | N
     turns = hovered is not None and hovered.act is Act.TURN
     _knob(painter, stalk, HANDLE + 1.0, lit=turns, is_round=True)
     for place in HANDLES:
-        _knob(painter, spot(box.at(place)), HANDLE, lit=hovered == Part(Act.SCALE, place), is_round=False)
+        _knob(
+            painter,
+            spot(box.at(place)),
+            HANDLE,
+            lit=hovered in (Part(Act.SCALE, place), Part(Act.PIN, place)),
+            is_round=False,
+        )
     _pivot(painter, spot(box.at(box.pivot)), lit=hovered is not None and hovered.act is Act.PIVOT)
 
 

@@ -1,17 +1,20 @@
-"""TransformTool: a box about the selected points or shapes that moves, turns, scales and shears them."""
+"""TransformTool: a box about the selected points or shapes that moves, turns, scales, shears and corner-pins them."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
+from roam_core.errors import RoamError
 from roam_core.roto import Project
 
 from ...model.document import Document
 from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
-from ...translation import N_, tr
+from ...translation import N_, sentence_of, tr
 from ..gestures import INSERT, Edit, Gesture
 from ..reshape import Grab, grab_selection, grabbed_indices, selection_extent
 from ..tool import Pointer
@@ -41,7 +44,7 @@ class TransformTool(SelectTool):
     name = "transform"
     title = N_("Transform")
     hint = N_(
-        "Inside the box moves, handles scale, sides shear, outside a corner turns; Shift and Ctrl vary it. Esc ends."
+        "Inside moves, handles scale, Ctrl pins corners, sides shear, beside a corner turns; Shift, Ctrl vary it."
     )
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
@@ -89,9 +92,9 @@ class TransformTool(SelectTool):
     def release(self, pointer: Pointer) -> None:
         drag = self._gesture if isinstance(self._gesture, BoxDrag) else None
         super().release(pointer)
-        if drag and drag.is_dragging:
-            # The box goes along as it is, turned and sheared; it is put about the points anew only when they change
-            # in another way.
+        if drag and drag.is_made:
+            # The box goes along as it is, turned, sheared and pinned; it is put about the points anew only when they
+            # change in another way.
             self._box, self._seen = drag.box_now, self._look()
 
     def hover(self, pointer: Pointer) -> None:
@@ -126,7 +129,7 @@ class TransformTool(SelectTool):
     def put_pivot(self, place: tuple[float, float]) -> None:
         """Put the pivot at a place in the box."""
         if self._box:
-            self._box = Box(self._box.corner, self._box.sides, place)
+            self._box = replace(self._box, pivot=place)
 
     def _look(self) -> Seen:
         project, view = self.document.project, self.view_state
@@ -147,11 +150,13 @@ class BoxDrag(Edit):
     ) -> None:
         super().__init__(document, view_state, pressed, grab, _step_text(part, grab, view_state.selection))
         self.box, self.part = box, part
+        self.is_made = False
+        self._held = np.concatenate([each.anchors[grab.weights[name] > 0.0] for name, each in grab.start.items()])
 
     @property
     def pull(self) -> Pull:
         """What the drag does so far."""
-        return pulled(self.box, self.part, self.pressed, self.last)
+        return pulled(self.box, self.part, self.pressed, self.last, self._held)
 
     @property
     def box_now(self) -> Box:
@@ -162,8 +167,19 @@ class BoxDrag(Edit):
         return self.grab.transformed(self.document.project, self.pull.matrix)
 
     def drag(self, pointer: Pointer) -> None:
-        super().drag(pointer)
-        self.view_state.say(self.pull.sentence)
+        try:
+            super().drag(pointer)
+            self.view_state.say(self.pull.sentence)
+        except RoamError as error:  # a key beside this frame that the edit reaches cannot take the perspective
+            self.view_state.say(sentence_of(error))
+
+    def finish(self, pointer: Pointer) -> None:
+        try:
+            super().finish(pointer)
+            self.is_made = True
+        except RoamError as error:
+            self.drop()
+            self.view_state.say(sentence_of(error))
 
 
 class PivotDrag(Gesture):

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QMessageBox
 from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
@@ -122,6 +123,33 @@ def test_a_failed_save_arms_nothing(
     qtbot.waitUntil(lambda: "The disk is full." in window.status.sentence.text(), timeout=WAIT)
     saved(qtbot, window, mine)  # later, for its own sake
     assert left == []
+
+
+@pytest.mark.parametrize("way", ["Save as…", "Try again", "Later"])
+def test_a_failed_save_is_told_in_a_dialog_with_the_ways_on(
+    qtbot: QtBot, window: MainWindow, mine: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, way: str
+) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise RoamError("The disk is full.")
+
+    elsewhere = tmp_path / "elsewhere.roam"
+    monkeypatch.setattr("app.dialogs.questions.choose_save", lambda *_: elsewhere)
+    draw(window)
+    with monkeypatch.context() as full:
+        full.setattr(file, "save", refuse)
+        with qtbot.waitSignal(window.files.not_saved, timeout=WAIT):
+            window.files.save(mine)
+    (box,) = (each for each in window.findChildren(QMessageBox) if each.isVisible())
+    assert box.text() == "mine.roam is not saved."
+    assert box.informativeText().startswith("The disk is full.")
+    (button,) = (each for each in box.buttons() if each.text() == way)
+    button.click()
+    if way == "Later":
+        assert window.document.is_modified
+        return
+    where = elsewhere if way == "Save as…" else mine
+    qtbot.waitUntil(lambda: not window.document.is_modified, timeout=WAIT)
+    assert file.load(where) == window.document.project
 
 
 def saved_states(qtbot: QtBot, window: MainWindow, path: Path, count: int) -> list[Project]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterable
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +14,7 @@ import pytest
 from app.journal.delta import applied, between
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file, timing
+from roam_core.roto.following import followed, pinned, still, surface_at, unpinned, with_moving_layer, with_points
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Layer
 
@@ -48,6 +51,46 @@ def test_what_an_edit_did_not_touch_stays_the_same_object(project: Project) -> N
     assert again == after
     assert again.shapes[1] is project.shapes[1]
     assert between(project, after).tracked == 0
+
+
+def moving(project: Project, frames: Iterable[int]) -> tuple[Project, str]:
+    """The project with a planar track of its first shape on some frames."""
+    project, layer_id = with_moving_layer(project, [project.shapes[0].id], 1)
+    for frame in frames:
+        project = followed(project, layer_id, 1, frame, affine_of(frame), 0.5 + frame / 100)
+    return project, layer_id
+
+
+def affine_of(frame: int) -> np.ndarray:
+    return np.array([[1.0, 0.01, frame], [0.0, 1.0, frame / 3], [1e-5, 0.0, 1.0]])
+
+
+def test_a_frame_of_a_planar_track_is_one_matrix_and_known_as_such(project: Project) -> None:
+    before, layer_id = moving(project, range(2, 40))
+    after = followed(before, layer_id, 1, 40, affine_of(40), 0.7)
+    delta = between(before, after)
+    assert (delta.ids, delta.tree, delta.tracked, delta.partly) == ((layer_id,), None, 1, (layer_id,))
+    (part,) = delta.parts.root.children
+    assert isinstance(part, Layer)
+    assert part.transform is not None
+    assert part.transform.frames == (40,)
+    assert applied(before, delta) == after
+
+
+def test_what_becomes_of_a_motion_comes_back_whole(project: Project) -> None:
+    start, layer_id = moving(project, range(2, 12))
+    corners = surface_at(start, layer_id, 8) + np.array([(3.0, 1.0), (0.0, 0.0), (0.0, 2.0), (1.0, 0.0)])
+    states = [start]
+    states.append(pinned(states[-1], layer_id, 8, corners))
+    states.append(followed(states[-1], layer_id, 8, 9, affine_of(1), 0.9))
+    states.append(unpinned(states[-1], layer_id, 8))
+    states.append(with_points(states[-1], layer_id, 1, np.array([(2.0, 3.0)]), (5.0, 9.0)))
+    states.append(states[-1].map_item(layer_id, lambda item: replace(item, name="Plane", opacity=0.5)))
+    states.append(still(states[-1], layer_id))
+    for before, after in (*pairwise(states), *pairwise(reversed(states))):
+        delta = between(before, after)
+        again = replace(delta, parts=file.loads(file.dumps(delta.parts, Path("/")), Path("/")))
+        assert applied(before, again) == after
 
 
 def random_edit(project: Project, choose: random.Random) -> Project:

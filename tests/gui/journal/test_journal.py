@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import IO
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -25,6 +26,7 @@ from app.model.document import Document
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, backups, edit, file, timing
+from roam_core.roto.following import followed, with_moving_layer
 from tests.gui.journal.test_delta import random_edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -154,6 +156,34 @@ def test_what_the_file_holds_already_is_not_offered_though_the_journal_did_not_e
     assert recovery.offered(crashed(journal, root)) == []
     file.save(Project(), mine)  # the artist goes on: what was found out once holds
     assert [each.settled for each in crashed(journal, root)] == ["saved", "saved"]
+
+
+@pytest.mark.parametrize("is_titled", [False, True])
+def test_what_a_save_under_another_name_wrote_is_not_offered_though_the_journal_did_not_end(
+    document: Document, journal: Journal, root: Path, tmp_path: Path, is_titled: bool
+) -> None:
+    (tmp_path / "plate").mkdir()
+    other = tmp_path / "other ü.roam"
+    document.apply("Clip", replace(document.project, clip=Clip(tmp_path / "plate", 1, 9, (20, 10))))
+    if is_titled:
+        document.save(tmp_path / "mine.roam")
+    draw(document)
+    journal.note_saving(other)
+    (found,) = recovery.offered(crashed(journal, root))  # killed before the file is in its place
+    assert recovery.load(found)[0] == document.project
+    file.save(document.project, other)  # and now, before the program knows
+    assert recovery.offered(crashed(journal, root)) == []
+
+
+def test_edits_after_what_a_killed_save_under_another_name_wrote_are_offered(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    draw(document)
+    journal.note_saving(tmp_path / "mine.roam")
+    file.save(document.project, tmp_path / "mine.roam")
+    draw(document)
+    (found,) = recovery.offered(crashed(journal, root))
+    assert recovery.load(found)[0] == document.project
 
 
 def test_edits_after_what_a_killed_save_wrote_are_offered(
@@ -470,6 +500,20 @@ def test_tracked_frames_are_counted_apart(document: Document, journal: Journal, 
         assert journal.flush()
     (found,) = crashed(journal, root)
     assert found.sentence == "1 edit and 3 tracked frames in 1 shape"
+    assert recovery.load(found)[0] == document.project
+
+
+def test_frames_of_a_planar_track_are_counted_apart(document: Document, journal: Journal, root: Path) -> None:
+    draw(document)
+    project, layer_id = with_moving_layer(document.project, [document.project.shapes[0].id], 1)
+    document.apply("Planar track", project)
+    assert journal.flush()
+    motion = np.array([[1.0, 0.0, 2.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]])
+    for frame in range(1, 5):
+        document.amend("Planar track", lambda p, f=frame: followed(p, layer_id, 1, f, motion, 0.9), "run-1")
+        assert journal.flush()
+    (found,) = crashed(journal, root)
+    assert found.sentence.startswith("2 edits and 4 tracked frames in 2 shapes")
     assert recovery.load(found)[0] == document.project
 
 

@@ -259,6 +259,33 @@ def test_keys_are_pasted_into_their_own_shape_and_those_that_are_selected_with_i
     assert timeline.keys.places == {("shape-1", 1040), ("shape-2", 1040)}
 
 
+def test_keys_of_several_shapes_are_pasted_into_as_many_others_in_their_order(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    """They went back to their own shapes, which were not selected."""
+    project, ids = document.project, []
+    for name in ("Third", "Fourth"):
+        points = project.shape("shape-1").at(1001).points
+        project, made = edit.new_shape(project, points, 1001, name=name)
+        ids.append(made.id)
+    document.apply("More", project)
+    first, second = project.shape("shape-1").at(1030).points, project.shape("shape-2").at(1010).points
+    timeline.keys.select(frozenset({("shape-2", 1010), ("shape-1", 1030)}))
+    timeline.verbs.copy()
+    view_state.select(frozenset(ids))
+    view_state.set_frame(1020)
+    timeline.verbs.paste()
+    assert (artist(document, "shape-1"), artist(document, "shape-2")) == ((1001, 1030), (1010, 1030))
+    assert (artist(document, ids[0]), artist(document, ids[1])) == ((1001, 1040), (1001, 1020))
+    np.testing.assert_array_equal(document.project.shape(ids[0]).at(1040).points, first)
+    np.testing.assert_array_equal(document.project.shape(ids[1]).at(1020).points, second)
+    assert view_state.message == "Pasted into the selected shapes, in their order: Third, Fourth."
+    view_state.select(frozenset({ids[0]}))  # one for two: they go back to their own
+    view_state.set_frame(1012)
+    timeline.verbs.paste()
+    assert (artist(document, "shape-1"), artist(document, "shape-2")) == ((1001, 1030, 1032), (1010, 1012, 1030))
+
+
 @pytest.mark.parametrize("verb", ["delete", "nudge", "hold"])
 def test_of_chosen_keys_those_of_a_locked_shape_stay_and_that_is_said(
     timeline: Timeline, document: Document, view_state: ViewState, verb: str

@@ -111,6 +111,96 @@ def test_handles_of_points_are_carried_along(hand: Hand, view_state: ViewState, 
     np.testing.assert_array_equal(only().at(1).points, before + 10.0)
 
 
+# ---- the corner pin
+
+
+def test_ctrl_on_a_corner_pins_it_and_the_others_stay(
+    hand: Hand, document: Document, view_state: ViewState, boxed: str, only: OnlyShape
+) -> None:
+    hand.drag((120.0, 100.0), (150.0, 120.0), CTRL)
+    np.testing.assert_allclose(placed(only), [(40, 40), (120, 40), (150, 120), (40, 100)], atol=1e-9)
+    assert document.undo_stack.undoText() == "Corner pin shape"
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+
+
+def test_a_corner_pin_is_told(hand: Hand, view_state: ViewState, boxed: str) -> None:
+    hand.press((120.0, 100.0), CTRL)
+    hand.move((150.0, 110.0), CTRL)
+    assert view_state.message == "Corner pin +30.0, +10.0 px"
+    hand.move((150.0, 110.0), CTRL | SHIFT)
+    assert view_state.message == "Corner pin +30.0, +0.0 px"
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((150.0, 110.0), CTRL)
+
+
+def test_one_corner_after_the_other_is_put_in_its_place(hand: Hand, boxed: str, only: OnlyShape) -> None:
+    hand.drag((120.0, 100.0), (150.0, 120.0), CTRL)
+    hand.drag((40.0, 40.0), (30.0, 55.0), CTRL)
+    hand.drag((120.0, 40.0), (130.0, 30.0), CTRL)
+    np.testing.assert_allclose(placed(only), [(30, 55), (130, 30), (150, 120), (40, 100)], atol=1e-9)
+
+
+def test_points_inside_go_along_in_perspective(
+    hand: Hand, document: Document, view_state: ViewState, boxed: str
+) -> None:
+    project, other = edit.new_shape(document.project, polygon_points([(80.0, 70.0), (90.0, 70.0), (90.0, 80.0)]), 1)
+    document.open(project, None)
+    view_state.select(frozenset({boxed, other.id}))
+    hand.drag((120.0, 100.0), (200.0, 100.0), CTRL)
+    # The middle of the box goes to where the diagonals of what became of it cross, not to the mean of its corners.
+    x, y = document.project.shape(other.id).at(1).anchors[0]
+    assert (x - 40.0) / (200.0 - 40.0) == pytest.approx((y - 40.0) / 60.0)
+    assert (x - 120.0) / (40.0 - 120.0) == pytest.approx((y - 40.0) / 60.0)
+
+
+def test_a_pinned_box_still_moves_turns_and_scales_by_the_handle_under_the_pointer(
+    canvas: CanvasView, hand: Hand, boxed: str, only: OnlyShape
+) -> None:
+    hand.drag((120.0, 100.0), (150.0, 120.0), CTRL)
+    hand.drag((60.0, 60.0), (65.0, 55.0))
+    np.testing.assert_allclose(placed(only), [(45, 35), (125, 35), (155, 115), (45, 95)], atol=1e-9)
+    hand.drag((155.0, 115.0), (175.0, 105.0))
+    np.testing.assert_allclose(placed(only)[2], (175, 105), atol=1e-9)
+    np.testing.assert_allclose(placed(only)[0], (45, 35), atol=1e-9)
+
+
+def test_a_corner_stops_before_it_folds_the_box(hand: Hand, boxed: str, only: OnlyShape) -> None:
+    hand.drag((120.0, 100.0), (20.0, 30.0), CTRL)
+    (left, top), corner = (40.0, 40.0), placed(only)[2]
+    np.testing.assert_allclose(placed(only)[[0, 1, 3]], [(40, 40), (120, 40), (40, 100)], atol=1e-6)
+    # It stays on its side of the line between its neighbours.
+    assert (corner[0] - left) / 80.0 + (corner[1] - top) / 60.0 > 1.0
+
+
+def test_soft_selection_goes_along_and_nothing_flies_away(
+    hand: Hand, view_state: ViewState, boxed: str, only: OnlyShape
+) -> None:
+    view_state.select(frozenset(), frozenset({(boxed, 0), (boxed, 1)}))
+    view_state.editing.set(soft=True, soft_radius=90.0)
+    hand.drag((120.0, 40.0), (60.0, 90.0), CTRL)
+    assert np.abs(placed(only)).max() < 400.0
+
+
+def test_ripple_pins_every_key_with_the_shape(
+    hand: Hand, document: Document, view_state: ViewState, boxed: str, only: OnlyShape
+) -> None:
+    shape = edit.set_key(only(), 5, polygon_points([(x + 10.0, y + 5.0) for x, y in SQUARE]))
+    document.open(document.project.with_shape(shape), None)
+    view_state.select(frozenset({boxed}))
+    view_state.set_play_range(1, 6)
+    view_state.editing.set(ripple=True)
+    hand.drag((120.0, 100.0), (150.0, 120.0), CTRL)
+    np.testing.assert_allclose(placed(only)[2], (150, 120), atol=1e-9)
+    np.testing.assert_allclose(only().at(5).anchors[2], (160, 125), atol=1e-9)
+
+
+def test_ctrl_and_shift_on_a_corner_scale_about_the_pivot(hand: Hand, boxed: str, only: OnlyShape) -> None:
+    hand.drag((120.0, 100.0), (128.0, 106.0), CTRL | SHIFT)
+    np.testing.assert_allclose(placed(only), [(32, 34), (128, 34), (128, 106), (32, 106)])
+
+
 # ---- what is in the box
 
 
