@@ -81,7 +81,7 @@ def test_on_a_point_of_a_selected_shape_the_point_is_selected(window: MainWindow
     window.view_state.select(frozenset({"shape-1"}))
     offered = in_viewer(window, (80.0, 30.0))
     assert window.view_state.selection.points == {("shape-1", 1)}
-    assert offered[:3] == ["points.smooth", "points.cusp", "points.delete"]
+    assert offered[:4] == ["points.smooth", "points.cusp", "points.first", "points.delete"]
     assert "feather.reset" not in offered
 
 
