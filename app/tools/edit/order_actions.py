@@ -79,6 +79,6 @@ class OrderActions:
         if not free:
             self._view.say(tr(ALL_LOCKED))
             return
-        if changed:
-            self._document.apply(text, with_same_outlines(before, after, changed))
         self._view.say(refused or (tr(LOCKED_STAYS) if len(free) < len(shapes) else told))
+        if changed:  # last, so that a run that ends for it has the word
+            self._document.apply(text, with_same_outlines(before, after, changed))

@@ -52,6 +52,14 @@ def test_reversed_in_one_step_with_what_is_tracked_as_fresh_as_it_was(
     assert document.project == before
 
 
+def test_a_run_that_ends_for_it_has_the_word(actions: OrderActions, document: Document, view_state: ViewState) -> None:
+    opened(document, tracked())
+    view_state.select(frozenset({"shape-1"}))
+    document.changed.connect(lambda _: view_state.say("Filling stopped."))
+    actions.reverse()
+    assert view_state.message == "Filling stopped."
+
+
 def test_undo_and_redo_let_go_of_points_that_have_other_numbers_after_it(
     actions: OrderActions, document: Document, view_state: ViewState
 ) -> None:
