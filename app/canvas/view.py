@@ -281,7 +281,7 @@ class CanvasView(PointedWidget):
                 self._proposed.paint(painter, viewport, proposal, self._proposal_side)
             paint_feather(painter, viewport, self._project(), view.frame, view.selection.shapes)
             if self.viewing.shows_joints:
-                paint_joints(painter, viewport, self._project(), self.bones())
+                paint_joints(painter, viewport, self._project(), view.frame, self.bones())
             self.tool.paint(painter, viewport)
         painter.setClipping(False)
         if pinned is None:

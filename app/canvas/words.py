@@ -5,7 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QPainter
 
-from ..model.viewing import WITHOUT_SHAPES, ViewMode, title_of
+from ..model.shown import lacks_base
+from ..model.viewing import OF_MATTE, WITHOUT_SHAPES, ViewMode, title_of
 from ..paint.viewport import Viewport
 from ..translation import N_, tr
 from .items import edges
@@ -13,6 +14,7 @@ from .items.confidence import LEGEND
 from .plate.backdrop import paint_label, paint_sentence
 from .view_snapshot import ViewSnapshot
 
+NO_BASE = N_("Empty: what is shown only takes away, and nothing lies below it")
 OPENING, NO_PLATE = N_("Opening …"), N_("Drop a folder of images or a movie here")
 
 
@@ -33,11 +35,12 @@ def paint_words(
 
 def label_of(snapshot: ViewSnapshot) -> str:
     """What is to be known of the view: nothing where it is the usual one, of all shapes."""
-    told = _view_of(snapshot)
+    told = [_view_of(snapshot)]
     if snapshot.alone and snapshot.mode is not ViewMode.SOURCE:
-        solo = tr("Solo: {names}", names=snapshot.alone)
-        return f"{told}  ·  {solo}" if told else solo
-    return told
+        told.append(tr("Solo: {names}", names=snapshot.alone))
+    if snapshot.mode in OF_MATTE and lacks_base(snapshot.project, snapshot.frame):
+        told.append(tr(NO_BASE))
+    return "  ·  ".join(filter(None, told))
 
 
 def _view_of(snapshot: ViewSnapshot) -> str:

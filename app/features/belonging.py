@@ -21,7 +21,7 @@ from roam_core.roto import BlendMode, Project, RotoShape
 
 from ..jobs.runner import Report, Runner
 from ..model.document import Document
-from ..model.view_state import ViewState, shapes_in_hand
+from ..model.view_state import ViewState, shapes_looked_at
 from ..translation import tr
 
 
@@ -105,11 +105,14 @@ class Belonging(QObject):
         return self._places
 
     def bones(self) -> Sequence[Bone]:
-        """Where the objects of the selected shapes, or all where none is selected, hang together on this frame."""
+        """Where the objects of the selected shapes, or all where none is selected, hang together on this frame.
+
+        While shapes are soloed, of these alone.
+        """
         project, frame = self._document.project, self._view.frame
         if not any(frame in shape.artist_frames for shape in project.shapes):
             return ()
-        chosen = frozenset(shape.id for shape in shapes_in_hand(project, self._view.selection))
+        chosen = frozenset(shape.id for shape in shapes_looked_at(project, self._view))
         here = tuple(shape.key_at(frame) for shape in project.shapes)
         if self._is_new("bones", (self._decisive(project), frame, chosen, here)):
             self._find("bones", lambda: (frame, bones(project, frame, chosen)), self._take_bones)

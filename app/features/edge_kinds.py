@@ -15,7 +15,7 @@ from roam_core.roto import Project
 
 from ..jobs.runner import Report, Runner
 from ..model.document import Document
-from ..model.view_state import ViewState, shapes_in_hand
+from ..model.view_state import ViewState, shapes_looked_at
 
 Found = tuple[int, dict[str, Edges]]
 NOTHING: Found = (0, {})
@@ -50,11 +50,12 @@ class EdgeKinds(QObject):
         document.replaced.connect(self.forget)
 
     def here(self) -> Mapping[str, Edges]:
-        """The edges of the selected shapes, or of all where none is selected, by their ids."""
-        project, frame, selection = self._document.project, self._view.frame, self._view.selection
-        if project is not self._project or (frame, selection.shapes) != self._looked_at:  # paintings ask often
-            self._project, self._looked_at = project, (frame, selection.shapes)
-            self._ask(project, frame, frozenset(shape.id for shape in shapes_in_hand(project, selection)))
+        """The edges of the selected shapes, or of all where none is selected, by their ids; only of what solo shows."""
+        project, frame = self._document.project, self._view.frame
+        looked_at = frame, self._view.selection.shapes, self._view.solo.ids
+        if project is not self._project or looked_at != self._looked_at:  # paintings ask often
+            self._project, self._looked_at = project, looked_at
+            self._ask(project, frame, frozenset(shape.id for shape in shapes_looked_at(project, self._view)))
         return self._found[1] if self._found[0] == frame else {}
 
     def forget(self) -> None:

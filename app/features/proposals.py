@@ -23,6 +23,7 @@ Place = tuple[str, int]
 """A shape's id and a frame."""
 
 NONE_LEFT = N_("No proposal waits for an answer.")
+OUT_OF_SIGHT = N_("Proposals wait for shapes that are not shown while others are soloed; <shape.solo> shows all.")
 NOTHING_SELECTED = N_("Select the shapes first that you want to be asked about again.")
 
 
@@ -44,6 +45,8 @@ class Offer:
 
 class Proposals(QObject):
     """Collects the proposals of runs. An offer stands while the tracked key that it was made for does.
+
+    The artist is asked about what is shown: while shapes are soloed, about these alone.
 
     An object that stays in parts is offered again on every frame: such a stretch of frames is one question.
 
@@ -68,6 +71,7 @@ class Proposals(QObject):
         document.replaced.connect(self._begin_anew)
         document.path_changed.connect(self._follow_path)
         view_state.frame_changed.connect(self.changed)
+        view_state.solo.changed.connect(self.changed)
 
     def remembered(self) -> dict[str, dict[str, str]]:
         """What was answered for good for projects that have a file, to be kept."""
@@ -99,7 +103,10 @@ class Proposals(QObject):
     @property
     def frames(self) -> list[int]:
         """The frames on which the artist is asked: where each stretch begins, in the direction of its run."""
-        standing = {place: offer for place, offer in self._offers.items() if self._stands(place)}
+        left_out = self._left_out()
+        standing = {
+            place: offer for place, offer in self._offers.items() if place[0] not in left_out and self._stands(place)
+        }
         return sorted(
             {
                 frame
@@ -172,7 +179,7 @@ class Proposals(QObject):
         if frames:
             self._view.set_frame(next((frame for frame in frames if frame > self._view.frame), frames[0]))
         else:
-            self._view.say(tr(NONE_LEFT))
+            self._view.say(tr(OUT_OF_SIGHT if self._waits_out_of_sight() else NONE_LEFT))
 
     def answer(self, shape_id: str) -> Answer | None:
         """What was answered for good about a shape."""
@@ -182,17 +189,32 @@ class Proposals(QObject):
     def told(self, sentence: str) -> str:
         """The closing sentence of a run, with the questions that wait."""
         count = len(self.frames)
-        if not count:
+        if count:
+            waiting = tr("%n proposal(s) to answer: <proposal.next> goes there.", "", count)
+        elif self._waits_out_of_sight():
+            waiting = tr(OUT_OF_SIGHT)
+        else:
             return sentence
-        waiting = tr("%n proposal(s) to answer: <proposal.next> goes there.", "", count)
         return f"{sentence} {waiting}".lstrip()
 
     # ---- the rest is private
 
     def _current(self) -> Offer | None:
-        frame = self._view.frame
-        standing = [offer for place, offer in self._offers.items() if place[1] == frame and self._stands(place)]
+        frame, left_out = self._view.frame, self._left_out()
+        standing = [
+            offer
+            for place, offer in self._offers.items()
+            if place[1] == frame and place[0] not in left_out and self._stands(place)
+        ]
         return max(standing, key=lambda offer: offer.proposal.gain, default=None)
+
+    def _left_out(self) -> frozenset[str]:
+        """The shapes about which nothing is asked now; none are without offers."""
+        return self._view.solo.left_out(self._document.project) if self._offers else frozenset()
+
+    def _waits_out_of_sight(self) -> bool:
+        left_out = self._left_out()
+        return any(place[0] in left_out and self._stands(place) for place in self._offers)
 
     def _stands(self, place: Place) -> bool:
         """True while the shape is on the frame as it was tracked, from keys that have not changed."""

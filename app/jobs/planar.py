@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -18,6 +18,7 @@ from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
 from roam_core.roto.following import followed, with_moving_layer, with_points
+from roam_core.roto.point_order import is_reordered
 from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
 
 from ..model.document import Document
@@ -37,7 +38,7 @@ _run_numbers = itertools.count(1)
 class _Run:
     """What is known of the run under way.
 
-    `expected` is the layer's motion as the run left it in the document, `counts` how many points each shape had.
+    `expected` is the layer's motion as the run left it in the document, `known` the shapes as they were last.
     `keeps_undone`: nothing was undone when it began, so what is undone since is the artist's to do again.
     """
 
@@ -49,7 +50,7 @@ class _Run:
     layer_id: str = ""
     points: TrackPoints | None = None
     vertices: Vertices = frozenset()
-    counts: Mapping[str, int] = field(default_factory=dict)
+    known: Mapping[str, RotoShape] = field(default_factory=dict)
     expected: LayerTransform | None = None
     warned: bool = False
     reached: int | None = None
@@ -132,8 +133,8 @@ class PlanarTrack(QObject):
         job.progress.connect(self.progress)
         job.ended.connect(self._end)
         merge_key = f"planar-{next(_run_numbers)}"
-        counts = {shape.id: shape.point_count for shape in shapes}
-        self._run = _Run(job, tuple(shapes), frames[0], self._view.frame, merge_key, "", points, vertices, counts)
+        known = {shape.id: shape for shape in shapes}
+        self._run = _Run(job, tuple(shapes), frames[0], self._view.frame, merge_key, "", points, vertices, known)
         self._run.keeps_undone = not self._document.undo_stack.canRedo()
         self.progress.emit(0.0, tr("Starting the planar track …"))
         self.running_changed.emit()
@@ -183,11 +184,6 @@ class PlanarTrack(QObject):
                 )
             )
 
-    def let_go(self, shape_ids: Collection[str]) -> None:
-        """The points of these shapes get other numbers: a run that moves some of them by number ends."""
-        if self._run is not None and any(shape_id in shape_ids for shape_id, _ in self._run.vertices):
-            self.drop()
-
     def _guard(self, _ids: frozenset[str]) -> None:
         """An edit or undo that takes the layer or a shape away, or the motion back, ends the run; so does a lock."""
         run, project = self._run, self._document.project
@@ -200,8 +196,9 @@ class PlanarTrack(QObject):
             there = _motion(run, project) == run.expected
         if run.vertices and there:
             moved = [project.shape(shape_id) for shape_id in {shape_id for shape_id, _ in run.vertices}]
-            # Where points come or go, the numbers of the others mean other points.
-            there = all(shape.point_count == run.counts[shape.id] for shape in moved)
+            # Where points come or go, or have another order, the numbers of the others mean other points.
+            there = all(_has_same_numbers(run.known[shape.id], shape) for shape in moved)
+            run.known = {**run.known, **{shape.id: shape for shape in moved}}
             there &= not _is_gone(run, project)
         if not there:
             self.drop()
@@ -220,6 +217,11 @@ class PlanarTrack(QObject):
         self.finished.emit(ending, sentence)
 
 
+def _has_same_numbers(before: RotoShape, now: RotoShape) -> bool:
+    """Whether the numbers of a shape's points mean the points that they meant before."""
+    return before.point_count == now.point_count and not is_reordered(before, now)
+
+
 def _motion(run: _Run, project: Project) -> LayerTransform | None:
     """How the layer of a run moves; None where there is no such layer any more."""
     layer = project.find(run.layer_id) if project.has(run.layer_id) else None
@@ -228,7 +230,7 @@ def _motion(run: _Run, project: Project) -> LayerTransform | None:
 
 def _replaced(run: _Run, before: Project, after: Project, frame: int) -> dict[str, Keyframe | None]:
     """What lay on a frame of each shape to which a run does something there."""
-    ids = [shape_id for shape_id in run.counts if before.has(shape_id)]
+    ids = [shape_id for shape_id in run.known if before.has(shape_id)]
     keys = {shape_id: before.shape(shape_id).key_at(frame) for shape_id in ids}
     return {shape_id: key for shape_id, key in keys.items() if key != after.shape(shape_id).key_at(frame)}
 

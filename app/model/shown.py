@@ -10,7 +10,10 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.geometry.extent import extent
-from roam_core.roto import Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Layer, Project, RotoShape
+
+NEEDS_OTHERS = frozenset({BlendMode.SUBTRACT, BlendMode.INTERSECT})
+"""How a matte may join what lies under it that makes nothing of nothing."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +62,19 @@ def selection_bounds(
     if points:
         return bounds([outlines[i].control_points[p, ANCHOR] for i, p in points if i in outlines])
     return bounds([extent(outline.points, outline.closed) for outline in outlines.values()])
+
+
+def lacks_base(project: Project, frame: int) -> bool:
+    """Whether shapes are in sight at `frame` that only subtract or intersect, with nothing under them to do it to."""
+    return bool(shown_shapes(project, frame)) and not _gives(project.root, frame)
+
+
+def _gives(layer: Layer, frame: int) -> bool:
+    """Whether anything in a layer may make its matte more than nothing."""
+    if layer.invert:
+        return True
+    there = [child for child in layer.children if child.visible and child.blend not in NEEDS_OTHERS]
+    return any(_gives(child, frame) if isinstance(child, Layer) else child.exists_at(frame) for child in there)
 
 
 def _below(layer: Layer, locked: bool) -> Iterator[Shown]:

@@ -71,6 +71,14 @@ class Solo(QObject):
         self._seen = [*self._seen[-1:], (project, seen)]  # the document's, and that of a drag
         return seen
 
+    def left_out(self, project: Project) -> frozenset[str]:
+        """The shapes that are out of sight for it, by their ids; hidden ones among what is soloed are not."""
+        if not self._ids:
+            return frozenset()
+        soloed = [project.find(item_id) for item_id in self._ids if project.has(item_id)]
+        kept = {shape.id for item in soloed for shape in (item.shapes() if isinstance(item, Layer) else [item])}
+        return frozenset(shape.id for shape in project.shapes if shape.id not in kept)
+
 
 def _all_ids(project: Project) -> frozenset[str]:
     return frozenset(item.id for item in project.root.items())

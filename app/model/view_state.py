@@ -217,3 +217,11 @@ def selected_shapes(project: Project, selection: Selection) -> list[RotoShape]:
 def shapes_in_hand(project: Project, selection: Selection) -> list[RotoShape]:
     """What tracking and navigation act on: the selected shapes, or all where none is selected; bottom first."""
     return selected_shapes(project, selection) or list(project.shapes)
+
+
+def shapes_looked_at(project: Project, view: ViewState) -> list[RotoShape]:
+    """What marks of the viewer are about: the shapes in hand; while some are soloed, of these alone."""
+    if not (left_out := view.solo.left_out(project)):
+        return shapes_in_hand(project, view.selection)
+    shown = [shape for shape in project.shapes if shape.id not in left_out]
+    return [shape for shape in shown if shape.id in view.selection.shapes] or shown

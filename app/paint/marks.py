@@ -27,6 +27,10 @@ BRIGHT = QColor("#ffffff")
 
 OUTLINE_WIDTH, SELECTED_WIDTH, EDGE_WIDTH = 1.5, 2.25, 0.5
 ANCHOR_SIZE, HANDLE_SIZE, HOVER_GROWTH = 7.0, 5.0, 2.0
+FIRST_GROWTH = 3.0
+"""So much larger is the anchor with which a shape begins."""
+ARROW_AT, ARROW_SIZE, ARROW_ROOM = 14.0, 8.0, 28.0
+"""Of the arrow that tells a shape's direction: how far from its first point, how long, and how long a line has one."""
 PIN_SIZE = 12.0
 """Of the frame about a point that the artist set."""
 RING_SIZES = (13.0, 27.0)
@@ -73,6 +77,7 @@ class Anchor(NamedTuple):
     round_: bool
     filled: bool
     grown: bool
+    first: bool = False
 
 
 def anchors(painter: QPainter, each: Iterable[Anchor], colour: QColor) -> None:
@@ -80,8 +85,9 @@ def anchors(painter: QPainter, each: Iterable[Anchor], colour: QColor) -> None:
     rim, none = _pen(EDGE, 2 * EDGE_WIDTH), QPen(Qt.PenStyle.NoPen)
     plain, bright, hollow = QBrush(colour), QBrush(BRIGHT), QBrush(HOLLOW)
     held: QBrush | None = None
-    for at, round_, filled, grown in each:
-        box, brush = box_around(at, ANCHOR_SIZE + (HOVER_GROWTH if grown else 0.0)), bright if filled else plain
+    for at, round_, filled, grown, first in each:
+        size = ANCHOR_SIZE + (HOVER_GROWTH if grown else 0.0) + (FIRST_GROWTH if first else 0.0)
+        box, brush = box_around(at, size), bright if filled else plain
         if held is not brush:
             painter.setPen(rim)
             painter.setBrush(brush)
@@ -112,6 +118,20 @@ def handles(painter: QPainter, each: Iterable[tuple[QPointF, bool]], colour: QCo
     painter.setBrush(colour)
     for at, grown in each:
         painter.drawEllipse(box_around(at, HANDLE_SIZE + (HOVER_GROWTH if grown else 0.0)))
+
+
+def arrow(painter: QPainter, line: QPainterPath, colour: QColor) -> None:
+    """A small arrow on a line, near its beginning, in its direction; none where the line is too short for one."""
+    if line.length() < ARROW_ROOM:
+        return
+    along, half = line.percentAtLength(ARROW_AT), ARROW_SIZE / 2
+    painter.save()
+    painter.translate(line.pointAtPercent(along))
+    painter.rotate(-line.angleAtPercent(along))
+    painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
+    painter.setBrush(colour)
+    painter.drawPolygon(QPolygonF([QPointF(half, 0.0), QPointF(-half, half), QPointF(-half, -half)]))
+    painter.restore()
 
 
 def pin(painter: QPainter, at: QPointF, colour: QColor) -> None:

@@ -380,10 +380,12 @@ class ShapeTree(QTreeWidget):
             self._view.say(outdated)
 
     def _place(self, target: QTreeWidgetItem | None) -> tuple[str, int]:
-        """The layer and the index in it (0 = bottom) that a drop means."""
+        """The layer and the index in it (0 = bottom) that a drop means; below all rows: right below the last one."""
         root = self._document.project.root
         if target is None:
-            return root.id, 0
+            last = self.topLevelItem(self.topLevelItemCount() - 1)
+            lowest = "" if last is None else last.data(NAME, ID)
+            return root.id, next((index for index, child in enumerate(root.children) if child.id == lowest), 0)
         item = self._document.project.find(target.data(NAME, ID))
         where = self.dropIndicatorPosition()
         if where == QAbstractItemView.DropIndicatorPosition.OnItem and isinstance(item, Layer):

@@ -295,7 +295,7 @@ class MainWindow(QMainWindow):
             ObjectVerbs(self.document, self.view_state),
             self.planar_tracking,
             TransformActions(self.document, self.view_state, self),
-            OrderActions(self.document, self.view_state, self.planar.let_go),
+            OrderActions(self.document, self.view_state),
             self.services,
             self.workspace,
             self.accessibility,

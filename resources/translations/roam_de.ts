@@ -1322,6 +1322,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Ellipse</translation>
     </message>
     <message>
+        <source>Empty: what is shown only takes away, and nothing lies below it</source>
+        <translation>Leer: Was gezeigt wird, nimmt nur weg, und nichts liegt darunter</translation>
+    </message>
+    <message>
         <source>Equalise the handles</source>
         <translation>Tangenten gleich lang machen</translation>
     </message>
@@ -3509,6 +3513,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Proposal</source>
         <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>Proposals wait for shapes that are not shown while others are soloed; &lt;shape.solo&gt; shows all.</source>
+        <translation>Vorschläge warten zu Formen, die nicht zu sehen sind, solange andere auf Solo stehen; &lt;shape.solo&gt; zeigt alle.</translation>
     </message>
     <message>
         <source>Propose changes for the selected shapes again</source>

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from roam_core.errors import RoamError
 from roam_core.roto.control_points import settled
+from roam_core.roto.point_order import in_order_of
 from roam_core.roto.project import Project
 from roam_core.roto.shape import Keyframe, RotoShape
 from roam_core.translatable import sentence
@@ -60,14 +61,22 @@ def targets(project: Project, copied: Sequence[RotoShape], chosen: Sequence[Roto
 
     With no shape `chosen` each copied key goes back to its own shape. One copied key goes to every chosen shape;
     several go to those of the chosen ones that they were copied from, or, where they come from none of these and are
-    as many, to the chosen ones in their order.
+    as many, to the chosen ones in their order. A key that goes back comes in the order in which its shape has
+    its points by now, as far as that can be told.
     """
-    own = {shape.id: shape.keys[0] for shape in copied}
+    own = {shape.id: _in_order_now(project, shape) for shape in copied}
     if not chosen:
         return {shape_id: key for shape_id, key in own.items() if project.has(shape_id)}
     if len(copied) == 1:
-        return {shape.id: copied[0].keys[0] for shape in chosen}
+        return {shape.id: own.get(shape.id, copied[0].keys[0]) for shape in chosen}
     same = {shape.id: own[shape.id] for shape in chosen if shape.id in own}
     if not same and len(chosen) == len(copied):
         return {shape.id: other.keys[0] for shape, other in zip(chosen, copied, strict=True)}
     return same
+
+
+def _in_order_now(project: Project, copied: RotoShape) -> Keyframe:
+    """The copied key; where its shape runs the other way or begins elsewhere since, so does the key."""
+    key = copied.keys[0]
+    has_shape = any(shape.id == copied.id for shape in project.shapes)
+    return in_order_of(copied, project.shape(copied.id), key.frame).keys[0] if has_shape else key

@@ -15,6 +15,9 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto.shape import Keyframe, RotoShape
 from roam_core.translatable import sentence
 
+SAME = 1e-6
+"""Pixels between two places that are one."""
+
 
 def reversed_order(shape: RotoShape) -> Indices:
     """Which point comes in each place where the shape runs the other way: a closed one begins where it began."""
@@ -49,6 +52,45 @@ def with_first_point(shape: RotoShape, index: int) -> RotoShape:
     """The closed shape with point `index` as its first: the same curve on every frame; raises as `order_from`."""
     order = order_from(shape, index)
     return shape if index == 0 else _reordered(shape, order, parts=[ANCHOR, IN, OUT])
+
+
+def in_order_of(shape: RotoShape, other: RotoShape, frame: float) -> RotoShape:
+    """The shape with its points in the order that they have in another state of it, `other`.
+
+    What tells is where both have their points on `frame`. The shape as it is where that is in the same order, or where
+    no other first point or direction makes the one the other.
+    """
+    wanted, points = _anchors(other, frame), _anchors(shape, frame)
+    if shape.closed != other.closed or points.shape != wanted.shape or _are_same(points, wanted):
+        return shape
+    for turned in (shape, reversed_direction(shape)):
+        points = _anchors(turned, frame)
+        begins = np.flatnonzero(np.abs(points - wanted[0]).max(axis=1) < SAME) if shape.closed else [0]
+        for index in begins:
+            if _are_same(np.roll(points, -index, axis=0), wanted):
+                return with_first_point(turned, int(index)) if shape.closed else turned
+    return shape
+
+
+def is_reordered(before: RotoShape, after: RotoShape) -> bool:
+    """Whether the points of a shape have other numbers in another state of it, with as many points."""
+    if before.point_count != after.point_count or before.closed != after.closed:
+        return False
+    kept = {id(key) for key in after.keys}
+    return any(
+        in_order_of(before, after, key.frame) is not before
+        for key in before.keys
+        if id(key) not in kept and after.key_at(key.frame) is not None
+    )
+
+
+def _anchors(shape: RotoShape, frame: float) -> Array:
+    anchors: Array = shape.at(frame).control_points[:, ANCHOR]
+    return anchors
+
+
+def _are_same(one: Array, other: Array) -> bool:
+    return bool(np.abs(one - other).max() < SAME)
 
 
 def _reordered(shape: RotoShape, order: Indices, parts: list[int]) -> RotoShape:

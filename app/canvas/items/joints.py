@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from roam_core.roto import Project
 
 from ...features.belonging import Bone
+from ...model.shown import shown_shapes
 from ...paint import marks
 from ...paint.viewport import Viewport
 
@@ -18,14 +19,15 @@ RING, MIDDLE = 11.0, 4.0
 WIDTH = 1.5
 
 
-def paint_joints(painter: QPainter, viewport: Viewport, project: Project, bones: Sequence[Bone]) -> None:
-    """Paint the joints over the shapes; each line is in the colour of its part."""
-    colours = {shape.id: QColor.fromRgbF(*shape.colour) for shape in project.shapes}
+def paint_joints(painter: QPainter, viewport: Viewport, project: Project, frame: int, bones: Sequence[Bone]) -> None:
+    """Paint the joints of parts that are both in sight, over the shapes; each line is in the colour of its part."""
+    colours = {shown.shape.id: QColor.fromRgbF(*shown.shape.colour) for shown in shown_shapes(project, frame)}
+    bones = [bone for bone in bones if all(shape_id in colours for shape_id in bone.shapes)]
     painter.save()
     for bone in bones:
         joint = viewport.to_widget(*bone.joint.tolist())
         for shape_id, middle in zip(bone.shapes, bone.middles.tolist(), strict=True):
-            _paint_line(painter, joint, viewport.to_widget(*middle), colours.get(shape_id, marks.TEXT))
+            _paint_line(painter, joint, viewport.to_widget(*middle), colours[shape_id])
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for bone in bones:
         box = marks.box_around(viewport.to_widget(*bone.joint.tolist()), RING)

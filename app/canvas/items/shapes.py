@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from PySide6.QtCore import QLineF
+from PySide6.QtCore import QLineF, QPointF
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
-from roam_core.geometry.bezier import ANCHOR
+from roam_core.arrays import Array
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import DOUBTFUL
 from roam_core.propagate.parts.edges import Edges
 from roam_core.roto import Project, RotoShape, Spline
@@ -81,8 +82,9 @@ def shape_colour(shape: RotoShape) -> QColor:
 def _paint_points(
     painter: QPainter, viewport: Viewport, shape: RotoShape, chosen: Sequence[int], frame: int, hover: Hover
 ) -> None:
-    """Anchors of a selected shape, and the handles of its `chosen` points."""
-    colour, points = shape_colour(shape), shape.at(frame).control_points
+    """Anchors of a selected shape, the first one larger and with an arrow, and the handles of its `chosen` points."""
+    colour, outline = shape_colour(shape), shape.at(frame)
+    points = outline.control_points
     near, picked = np.flatnonzero(inside(points, painted_area(painter, viewport))).tolist(), set(chosen)
     handles = handles_of(points, [index for index in near if index in picked])
     sides = control_sides(len(points), shape.closed) if shape.spline is Spline.BSPLINE else []
@@ -92,10 +94,24 @@ def _paint_points(
     marks.arms(painter, [*lines, *(QLineF(spot[a][ANCHOR], spot[b][ANCHOR]) for a, b in sides)], colour)
     held = hover[1:] if hover is not None and hover[0] == shape.id else None
     marks.handles(painter, [(spot[i][part], held == (i, part)) for i, part in handles], colour)
+    if len(points) > 1 and inside(points[:1], painted_area(painter, viewport, marks.ARROW_AT + marks.ARROW_SIZE))[0]:
+        first = points[:2] if sides else outline.points[:2]
+        marks.arrow(painter, viewport.transform.map(_first_line(first, straight=bool(sides))), colour)
     smooth = [True] * len(points) if sides else are_smooth(points).tolist()
-    marks.anchors(
-        painter, (marks.Anchor(spot[i][ANCHOR], smooth[i], i in picked, held == (i, ANCHOR)) for i in near), colour
-    )
+    each = (marks.Anchor(spot[i][ANCHOR], smooth[i], i in picked, held == (i, ANCHOR), i == 0) for i in near)
+    marks.anchors(painter, each, colour)
+
+
+def _first_line(points: Array, *, straight: bool) -> QPainterPath:
+    """From the first of two points to the second: the curve, or the side of a B-spline's control polygon."""
+    first, second = ([QPointF(*part) for part in point] for point in points.tolist())
+    start, leave, arrive, end = first[ANCHOR], first[OUT], second[IN], second[ANCHOR]
+    path = QPainterPath(start)
+    if straight:
+        path.lineTo(end)
+    else:
+        path.cubicTo(leave, arrive, end)
+    return path
 
 
 def _paint_set_points(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:

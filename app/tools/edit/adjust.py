@@ -12,7 +12,7 @@ from roam_core.roto import Layer, Project
 from roam_core.roto.following import pinned, surface_at
 
 from ...model.document import Document
-from ...model.view_state import ViewState, shapes_in_hand
+from ...model.view_state import ViewState, shapes_looked_at
 from ...paint import marks
 from ...paint.viewport import Viewport
 from ...translation import N_, sentence_of, tr
@@ -87,9 +87,9 @@ class AdjustTool(GestureTool):
         self._hovered, self._is_over = None, False
 
     def layer(self) -> Layer | None:
-        """The innermost moving layer around the shapes in hand; None without one that is not locked."""
+        """The innermost moving layer around the shapes in hand that are shown; None without one that is not locked."""
         project = self.document.project
-        for shape in shapes_in_hand(project, self.view_state.selection):
+        for shape in shapes_looked_at(project, self.view_state):
             for layer in reversed(project.layers_above(shape.id)):
                 if layer.transform is not None:
                     return None if project.is_locked(layer.id) else layer

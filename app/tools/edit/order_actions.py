@@ -7,7 +7,7 @@ from functools import partial
 
 from roam_core.errors import RoamError
 from roam_core.roto import RotoShape
-from roam_core.roto.point_order import reversed_direction, with_first_point
+from roam_core.roto.point_order import is_reordered, reversed_direction, with_first_point
 
 from ...features.verbs.shapes import ALL_LOCKED, NOTHING_SELECTED
 from ...model.document import Document
@@ -20,13 +20,13 @@ from ..settling import with_same_outlines
 class OrderActions:
     """Each is one undo step, on all keys at once, and changes no outline: nothing tracked is out of date for it.
 
-    `reordering` is told the shapes before their points get other numbers.
+    Where points get other numbers, by an undo or redo too, none of them stays selected: it would be another one.
     """
 
-    def __init__(
-        self, document: Document, view_state: ViewState, reordering: Callable[[Collection[str]], object]
-    ) -> None:
-        self._document, self._view, self._reordering = document, view_state, reordering
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view, self._known = document, view_state, document.project
+        document.changed.connect(self._follow)
+        document.replaced.connect(lambda: self._follow(()))
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -54,6 +54,14 @@ class OrderActions:
         told = tr("%n shape(s) is/are begun with the selected point now, on all keys.", "", len(self._free(shapes)))
         self._reorder(tr("Set as first point"), shapes, verbs, told)
 
+    def _follow(self, ids: Collection[str]) -> None:
+        """An edit, undo or redo: let go of the points of shapes that have them in another order now."""
+        before, now, selection = self._known, self._document.project, self._view.selection
+        self._known = now
+        of_points = {shape_id for shape_id, _ in selection.points if before.has(shape_id) and now.has(shape_id)}
+        if other := {each for each in of_points.intersection(ids) if is_reordered(before.shape(each), now.shape(each))}:
+            self._view.select(selection.shapes, frozenset(each for each in selection.points if each[0] not in other))
+
     def _free(self, shapes: Sequence[RotoShape]) -> list[str]:
         return [shape.id for shape in shapes if not self._document.project.is_locked(shape.id)]
 
@@ -71,9 +79,6 @@ class OrderActions:
         if not free:
             self._view.say(tr(ALL_LOCKED))
             return
-        if changed:
-            self._reordering(changed)
-            self._document.apply(text, with_same_outlines(before, after, changed))
-            # The points have other numbers, and an undo gives back the old ones: none of them is selected.
-            self._view.select(self._view.selection.shapes)
         self._view.say(refused or (tr(LOCKED_STAYS) if len(free) < len(shapes) else told))
+        if changed:  # last, so that a run that ends for it has the word
+            self._document.apply(text, with_same_outlines(before, after, changed))

@@ -77,6 +77,18 @@ def test_all_shapes_are_measured_or_the_selected_ones(kinds: EdgeKinds, view_sta
     assert kinds.here()[ARM].share(Edge.SEAM) > 0.1
 
 
+def test_while_shapes_are_soloed_they_are_measured_whatever_is_selected(
+    kinds: EdgeKinds, document: Document, view_state: ViewState, qtbot: QtBot
+) -> None:
+    view_state.select(frozenset({ARM}))
+    assert asked(kinds, qtbot) == {ARM}
+    view_state.solo.set({BODY}, document.project)
+    assert asked(kinds, qtbot) == {BODY}
+    assert kinds.here()[BODY].share(Edge.HIDDEN) > 0.03  # the arm hides it, in sight or not
+    view_state.solo.set((), document.project)
+    assert asked(kinds, qtbot) == {ARM}
+
+
 def test_a_state_is_measured_once(
     kinds: EdgeKinds, document: Document, view_state: ViewState, reads: list[int], qtbot: QtBot
 ) -> None:

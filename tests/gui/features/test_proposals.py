@@ -134,6 +134,28 @@ def test_the_viewer_shows_before_and_after_with_the_gain(qtbot: QtBot, window: M
     assert change(40, 35) < 100  # what stays is as it was; the plate itself has moved by a frame
 
 
+def test_while_others_are_soloed_nothing_is_asked_about_what_is_not_shown(qtbot: QtBot, window: MainWindow) -> None:
+    bell = window.document.project.shapes[0].id
+    project, other = edit.new_shape(window.document.project, WHOLE + 3.0, FIRST, name="Other")
+    window.document.apply("Draw", project)
+    window.view_state.solo.set({other.id}, window.document.project)
+    track(qtbot, window)
+    assert window.view_state.message.endswith("not shown while others are soloed; Ctrl+H shows all.")
+    window.view_state.set_frame(OFFERED[0])
+    assert not window.proposal_bar.isVisible()
+    assert window.canvas.proposed() is None
+    window.view_state.say("")
+    window.proposals.next()
+    assert "Ctrl+H shows all" in window.view_state.message
+    window.view_state.solo.set({bell}, window.document.project)
+    assert window.proposal_bar.isVisible()
+    window.view_state.solo.set({other.id}, window.document.project)
+    assert not window.proposal_bar.isVisible()
+    assert not window.actions_by_id["proposal.keep"].isEnabled()
+    window.view_state.solo.set((), window.document.project)
+    assert window.proposals.frames == [OFFERED[0]]
+
+
 def test_an_answer_shows_what_it_would_leave_while_the_pointer_rests_on_it(qtbot: QtBot, window: MainWindow) -> None:
     track(qtbot, window)
     window.view_state.set_frame(OFFERED[0])

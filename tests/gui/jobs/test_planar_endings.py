@@ -15,6 +15,7 @@ from app.model.track_points import TrackPoints
 from app.model.view_state import ViewState
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, edit
+from roam_core.roto.point_order import reversed_direction
 from tests.unit.motion import test_plane_track as board
 
 KIND, LAST, WAIT = PlaneMotion.SIMILARITY, 6, 20_000
@@ -104,3 +105,24 @@ def test_what_the_artist_moves_meanwhile_leaves_a_track_of_points_alone(
         pass
     assert finished.args is not None
     assert finished.args[0] is Ending.DONE
+
+
+@pytest.mark.parametrize("comes_back", ["undo", "redo"])
+def test_a_track_of_points_ends_where_undo_gives_them_other_numbers(
+    qtbot: QtBot, document: Document, track: PlanarTrack, gate: threading.Semaphore, comes_back: str
+) -> None:
+    """Before its first frame nothing of it can be undone: it went on, and moved other points than were chosen."""
+    shape = document.project.shape("shape-1")
+    document.apply("Reverse direction", document.project.with_shape(reversed_direction(shape)))
+    if comes_back == "redo":
+        document.undo_stack.undo()
+    points = TrackPoints.on(1, (board.WIDTH, board.HEIGHT)).with_place((100.0, 80.0))
+    track.start(["shape-1"], range(1, LAST + 1), KIND, points=points, vertices=frozenset({("shape-1", 1)}))
+    with qtbot.waitSignal(track.finished, timeout=WAIT) as finished:
+        getattr(document.undo_stack, comes_back)()
+    assert finished.args is not None
+    assert finished.args[0] is Ending.CANCELLED
+    there = document.project
+    gate.release(10)
+    qtbot.waitUntil(lambda: track._runner.is_idle, timeout=WAIT)
+    assert document.project is there

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QTreeWidgetItem
 from pytestqt.qtbot import QtBot
 
@@ -213,3 +214,36 @@ def test_a_drop_between_listed_rows_goes_beside_the_row_that_is_seen(
     panel.search.setText("left")
     drop(panel, arm, QAbstractItemView.DropIndicatorPosition.AboveItem)
     assert document.project.shapes[0].name == "Sky", "what is not listed is not dragged"
+
+
+def test_a_drop_below_a_searched_list_is_the_bottom_of_what_is_listed(
+    panel: ShapesPanel, document: Document, view_state: ViewState
+) -> None:
+    project, _ = edit.new_shape(document.project, SQUARE, 1, name="Leg of the table")
+    document.apply("Draw", project)
+    lowest = document.project.root.children[0].name
+    panel.search.setText("leg")
+    assert [row.strip() for row in rows(panel)] == ["Leg of the table", "Right", "Leg", "Left Müller", "Leg"]
+    (table,) = [shape.id for shape in document.project.shapes if shape.name == "Leg of the table"]
+    view_state.select(frozenset({table}))
+    drop_below(panel)
+    assert [item.name for item in document.project.root.children] == [
+        lowest,
+        "Leg of the table",
+        "Left Müller",
+        "Right",
+    ]
+    assert [row.strip() for row in rows(panel)][-1] == "Leg of the table"
+    before = document.project.root
+    drop_below(panel)
+    assert document.project.root == before
+    panel.search.clear()
+    drop_below(panel)
+    assert document.project.root.children[0].name == "Leg of the table"
+
+
+def drop_below(panel: ShapesPanel) -> None:
+    """Let the selected rows go over the empty background below all rows."""
+    tree = panel.tree
+    place, action = QPointF(40.0, tree.viewport().height() - 4.0), Qt.DropAction.MoveAction
+    tree.dropEvent(QDropEvent(place, action, QMimeData(), Qt.MouseButton.LeftButton, NO_KEY))

@@ -14,7 +14,8 @@ from roam_core.matte import render_matte
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, Spline, edit
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.control_points import with_spline
-from roam_core.roto.point_order import reversed_direction, with_first_point
+from roam_core.roto.pasting import copied_key, paste_key, targets
+from roam_core.roto.point_order import in_order_of, is_reordered, reversed_direction, with_first_point
 
 
 def blob(closed: bool = True, feathered: bool = True) -> RotoShape:
@@ -108,3 +109,31 @@ def test_exports_follow_the_order(tmp_path) -> None:  # type: ignore[no-untyped-
             write_shapes(project.with_shape(each), path, name)
             texts.append(path.read_bytes())
         assert len(set(texts)) == 3, name
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_the_order_of_another_state_is_found_again(closed: bool) -> None:
+    shape = blob(closed)
+    states = [shape, reversed_direction(shape)]
+    if closed:
+        states += [with_first_point(state, index) for state in states[:2] for index in (1, 4)]
+    for state in states:
+        assert in_order_of(shape, state, 5) == state
+        assert in_order_of(state, shape, 5) == shape
+        assert is_reordered(shape, state) is (state != shape)
+    moved = shape.with_key(replace(shape.keys[0], points=shape.keys[0].points + 3.0))
+    assert in_order_of(moved, reversed_direction(shape), 1) is moved
+    assert in_order_of(moved, reversed_direction(shape), 9) == reversed_direction(moved)
+    assert not is_reordered(shape, moved)
+    assert not is_reordered(shape, replace(shape, closed=not closed))
+
+
+def test_a_copied_key_comes_back_in_the_order_that_its_shape_has_now() -> None:
+    shape, other = blob(), replace(blob(), id="shape-2")
+    copied = [copied_key(shape, 5)]
+    turned = with_first_point(reversed_direction(shape), 2)
+    project = Project(root=replace(Project().root, children=(turned, other)))
+    for chosen in ([], [turned], [turned, other]):
+        pasted = paste_key(turned, targets(project, copied, chosen)["shape-1"], [7])
+        assert np.array_equal(pasted.at(7).points, turned.at(5).points)
+    assert np.array_equal(targets(project, copied, [other])["shape-2"].points, shape.at(5).points)

@@ -10,11 +10,12 @@ from app.canvas.items.joints import RING, paint_joints
 from app.canvas.view import CanvasView
 from app.features.belonging import Bone
 from app.model.document import Document
+from app.model.view_state import ViewState
 from app.model.viewing import Viewing
 from app.paint.viewport import Viewport
 from roam_core.arrays import Bools, Int64
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit
+from roam_core.roto import edit
 from tests.gui.pixels import pixels_of
 
 BONE = Bone(("shape-1", "shape-2"), np.array([100.0, 75.0]), np.array([[60.0, 75.0], [140.0, 75.0]]))
@@ -59,13 +60,29 @@ def test_hidden_shapes_hide_their_joints(canvas: CanvasView, shapes: None) -> No
     assert not changed(without, pixels_of(canvas)).any()
 
 
+@pytest.mark.parametrize("way", ["solo", "hide"])
+def test_a_joint_with_a_part_out_of_sight_is_not_shown(
+    canvas: CanvasView, document: Document, view_state: ViewState, shapes: None, way: str
+) -> None:
+    canvas.viewing.show_joints(True)
+    both = pixels_of(canvas)
+    if way == "solo":
+        view_state.solo.set({"shape-1"}, document.project)
+    else:
+        document.apply("Hide", edit.set_properties(document.project, "shape-2", visible=False))
+    alone = pixels_of(canvas)
+    assert changed(both, alone).any()
+    canvas.bones = tuple
+    assert not changed(alone, pixels_of(canvas)).any()
+
+
 @pytest.mark.parametrize("scale", [0.5, 2.0])
-def test_a_ring_is_as_large_at_any_zoom(scale: float) -> None:
+def test_a_ring_is_as_large_at_any_zoom(shapes: None, document: Document, scale: float) -> None:
     image = QImage(400, 300, QImage.Format.Format_RGB32)
     image.fill(0)
     painter = QPainter(image)
     at = Bone(BONE.shapes, BONE.joint, np.array([BONE.joint, BONE.joint]))
-    paint_joints(painter, Viewport(scale), Project(), [at])
+    paint_joints(painter, Viewport(scale), document.project, 1, [at])
     painter.end()
     pixels = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(300, 400, 4)[:, :, 0]
     bright = np.nonzero(pixels == 255)[1]

@@ -17,7 +17,8 @@ from app.paint.viewport import Viewport
 from roam_core.arrays import Bools, Int64
 from roam_core.geometry.bezier import IN, OUT, polygon_points
 from roam_core.params import DOUBTFUL
-from roam_core.roto import Keyframe, Origin, Project, RotoShape
+from roam_core.roto import Keyframe, Origin, Project, RotoShape, Spline
+from roam_core.roto.point_order import reversed_direction
 
 CORNERS = [(20.0, 20.0), (80.0, 20.0), (80.0, 80.0), (20.0, 80.0)]
 ORANGE = (1.0, 0.5, 0.0)
@@ -137,6 +138,35 @@ def test_handles_of_selected_points_are_shown() -> None:
     assert orange(with_point)[33:37, 33:37].any()
 
 
+def test_the_first_point_of_a_selected_shape_is_larger_and_an_arrow_tells_its_direction() -> None:
+    chosen = painted(SHAPE, SELECTED)
+
+    def width(x: int, y: int) -> int:
+        """How far the anchor of a corner reaches into the outside of the shape, in a row just beside the outline."""
+        return int(marked(chosen[y - 4 : y + 5, x - 8 : x + 9])[1 if y < 50 else -2].sum())
+
+    for x, y in ((80, 80), (20, 80), (80, 20)):
+        assert width(20, 20) > width(x, y)
+    beside = [marked(chosen)[23, 30:40].any(), marked(chosen)[30:40, 23].any()]
+    assert beside == [True, False]  # below the upper side, not beside the left one
+    turned = painted(reversed_direction(SHAPE), SELECTED)
+    assert [marked(turned)[23, 30:40].any(), marked(turned)[30:40, 23].any()] == [False, True]
+    assert not marked(painted(SHAPE))[23, 30:40].any()
+
+
+def test_a_first_side_too_short_for_an_arrow_has_none() -> None:
+    points = polygon_points([(20.0, 20.0), (40.0, 20.0), (80.0, 80.0)])
+    pixels = marked(painted(replace(SHAPE, keys=(Keyframe(1, points),)), SELECTED))
+    assert not pixels[16, 28:35].any()
+
+
+@pytest.mark.parametrize("spline", list(Spline))
+def test_an_open_shape_of_any_kind_has_its_arrow_at_its_beginning(spline: Spline) -> None:
+    points = polygon_points([(20.0, 50.0), (80.0, 50.0), (80.0, 90.0)])
+    pixels = marked(painted(replace(SHAPE, keys=(Keyframe(1, points),), closed=False, spline=spline), SELECTED))
+    assert pixels[46:48, 31:34].any()
+
+
 def test_smooth_anchors_are_round() -> None:
     points = polygon_points(CORNERS)
     points[0, IN], points[0, OUT] = (20.0, 20.3), (20.0, 19.7)
@@ -150,7 +180,7 @@ def test_smooth_anchors_are_round() -> None:
 
 def test_hovered_anchor_is_larger() -> None:
     calm, hovered = painted(SHAPE, SELECTED), painted(SHAPE, SELECTED, hover=("s", 0, 0))
-    size = marks.ANCHOR_SIZE + marks.HOVER_GROWTH
+    size = marks.ANCHOR_SIZE + marks.FIRST_GROWTH + marks.HOVER_GROWTH
     assert marked(hovered)[10:30, 10:20].sum() > marked(calm)[10:30, 10:20].sum()
     outside = np.flatnonzero(marked(hovered)[17])
     assert abs(outside.min() - (20 - size / 2)) <= 1.5

@@ -14,14 +14,14 @@ from app.features.verbs.shapes import ShapeVerbs
 from app.features.verbs.solo import SoloVerbs
 from app.model.document import Document
 from app.model.reasons import why_not
-from app.model.shown import shown_shapes
+from app.model.shown import lacks_base, shown_shapes
 from app.model.view_state import ViewState
 from app.model.viewing import ViewMode
 from app.panels.shape_rows import NAME, SOLO
 from app.panels.shapes import ShapesPanel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import render_matte
-from roam_core.roto import Project, edit
+from roam_core.roto import BlendMode, Project, edit
 from roam_core.roto.file import digest
 from tests.gui.hand import Hand
 
@@ -199,3 +199,35 @@ def test_rows_are_soloed_one_by_one_and_tell_it(
     assert not view_state.selection.shapes
     document.apply("Hide", edit.set_properties(document.project, ids["b"], visible=False))
     assert dim() == {"b"}
+
+
+@pytest.mark.parametrize("blend", [BlendMode.SUBTRACT, BlendMode.INTERSECT])
+def test_a_soloed_shape_that_only_takes_away_says_why_its_matte_is_empty(
+    ids: dict[str, str], canvas: CanvasView, document: Document, view_state: ViewState, blend: BlendMode
+) -> None:
+    document.apply("Blend", edit.set_properties(document.project, ids["b"], blend=blend))
+    empty = "Empty: what is shown only takes away, and nothing lies below it"
+    view_state.solo.set({ids["b"]}, document.project)
+    assert label_of(canvas._snapshot()) == "Solo: b"
+    for mode, name in ((ViewMode.MATTE, "Matte"), (ViewMode.CUTOUT, "Cut-out")):
+        canvas.viewing.set_mode(mode)
+        assert label_of(canvas._snapshot()) == f"{name}  ·  Solo: b  ·  {empty}"
+    view_state.solo.set({ids["a"], ids["b"]}, document.project)
+    assert empty not in label_of(canvas._snapshot())
+    view_state.solo.set({ids["l"]}, document.project)
+    document.apply("Blend", edit.set_properties(document.project, ids["l"], blend=blend))
+    assert empty in label_of(canvas._snapshot())
+    document.apply("Hide", edit.set_properties(document.project, ids["c"], visible=False))
+    assert empty not in label_of(canvas._snapshot())  # nothing is shown at all
+    view_state.solo.set((), document.project)
+    assert label_of(canvas._snapshot()) == "Cut-out"
+
+
+@pytest.mark.parametrize("invert", [False, True])
+def test_what_is_told_of_an_empty_matte_is_so(document: Document, ids: dict[str, str], invert: bool) -> None:
+    project = edit.set_properties(document.project, ids["c"], blend=BlendMode.SUBTRACT)
+    for name in "ab":
+        project = edit.set_properties(project, ids[name], visible=False)
+    project = edit.set_properties(project, ids["l"], invert=invert)
+    assert lacks_base(project, 1) is not invert
+    assert (render_matte(project, 1, (100, 200)).max() == 0.0) is not invert

@@ -103,3 +103,17 @@ def test_a_layer_that_lies_in_a_locked_one_is_not_adjusted(hand: Hand, document:
     document.open(locked, None)
     hand.drag((220.0, 160.0), (230.0, 166.0))
     assert document.project is locked
+
+
+def test_a_surface_that_solo_leaves_out_of_sight_is_neither_shown_nor_pinned(
+    hand: Hand, document: Document, view_state: ViewState, canvas: CanvasView, tracked: str
+) -> None:
+    project, other = edit.new_shape(document.project, SQUARE, 1)
+    document.apply("Draw", project)
+    before = document.project
+    view_state.solo.set({other.id}, document.project)
+    hand.drag((220.0, 160.0), (230.0, 166.0))
+    assert document.project is before
+    view_state.solo.set({tracked}, document.project)
+    hand.drag((220.0, 160.0), (230.0, 166.0))
+    assert document.project is not before

@@ -21,13 +21,8 @@ BIG = polygon_points([(10, 10), (150, 10), (150, 110), (10, 110)])
 
 
 @pytest.fixture
-def told() -> list[set[str]]:
-    return []
-
-
-@pytest.fixture
-def actions(document: Document, view_state: ViewState, told: list[set[str]]) -> OrderActions:
-    return OrderActions(document, view_state, lambda ids: told.append(set(ids)))
+def actions(document: Document, view_state: ViewState) -> OrderActions:
+    return OrderActions(document, view_state)
 
 
 def stale(project: Project) -> list[tuple[str, int]]:
@@ -41,7 +36,7 @@ def opened(document: Document, *shapes: RotoShape, transform: LayerTransform | N
 
 
 def test_reversed_in_one_step_with_what_is_tracked_as_fresh_as_it_was(
-    actions: OrderActions, document: Document, view_state: ViewState, told: list[set[str]]
+    actions: OrderActions, document: Document, view_state: ViewState
 ) -> None:
     opened(document, tracked())
     before = document.project
@@ -53,9 +48,36 @@ def test_reversed_in_one_step_with_what_is_tracked_as_fresh_as_it_was(
     assert stale(before) == stale(document.project) == []
     assert view_state.selection == Selection(frozenset({"shape-1"})), "the points have other numbers"
     assert view_state.message == "1 shape is reversed now, on all keys."
-    assert told == [{"shape-1"}]
     document.undo_stack.undo()
     assert document.project == before
+
+
+def test_a_run_that_ends_for_it_has_the_word(actions: OrderActions, document: Document, view_state: ViewState) -> None:
+    opened(document, tracked())
+    view_state.select(frozenset({"shape-1"}))
+    document.changed.connect(lambda _: view_state.say("Filling stopped."))
+    actions.reverse()
+    assert view_state.message == "Filling stopped."
+
+
+def test_undo_and_redo_let_go_of_points_that_have_other_numbers_after_it(
+    actions: OrderActions, document: Document, view_state: ViewState
+) -> None:
+    opened(document, tracked(), replace(tracked(), id="shape-2"))
+    view_state.select(frozenset({"shape-1"}))
+    actions.reverse()
+    both = frozenset({"shape-1", "shape-2"})
+    for step in (document.undo_stack.undo, document.undo_stack.redo):
+        view_state.select(both, frozenset({("shape-1", 1), ("shape-2", 1)}))
+        step()
+        assert view_state.selection == Selection(both, frozenset({("shape-2", 1)}))
+    view_state.select(both, frozenset({("shape-1", 1)}))
+    moved = edit.set_key(
+        document.project.shape("shape-1"), 1003, document.project.shape("shape-1").at(1003).points + 2.0
+    )
+    document.apply("Move", document.project.with_shape(moved))
+    document.undo_stack.undo()
+    assert view_state.selection.points == {("shape-1", 1)}, "an edit gives points no other numbers"
 
 
 def test_what_was_out_of_date_stays_so(actions: OrderActions, document: Document, view_state: ViewState) -> None:
