@@ -1381,6 +1381,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Trotzdem exportieren</translation>
     </message>
     <message>
+        <source>Export elsewhere…</source>
+        <translation>Woandershin exportieren …</translation>
+    </message>
+    <message>
         <source>Export keys</source>
         <translation>Tasten exportieren</translation>
     </message>
@@ -5567,6 +5571,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Ihre Arbeit ist noch da. Speichern Sie sie an einem anderen Ort; oder schaffen Sie dort Platz oder Zugriffsrechte, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
+        <source>Your work is unharmed. Export elsewhere, or see to what stands in the way and try again.</source>
+        <translation>Ihre Arbeit ist unversehrt. Exportieren Sie woandershin, oder beheben Sie das Hindernis und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
         <source>Zoom at the pointer</source>
         <translation>Am Zeiger zoomen</translation>
     </message>
@@ -7056,6 +7064,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is locked; unlock it to track it.</source>
         <translation>{name} ist gesperrt; zum Tracken bitte entsperren.</translation>
+    </message>
+    <message>
+        <source>{name} is not exported.</source>
+        <translation>{name} ist nicht exportiert.</translation>
     </message>
     <message>
         <source>{name} is not saved yet.</source>
