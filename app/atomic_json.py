@@ -11,8 +11,9 @@ from typing import Any, TypeVar
 from roam_core.atomic_write import write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
 
-from .translation import tr
+from .translation import tr, translated
 
 Value = TypeVar("Value")
 
@@ -58,7 +59,7 @@ def set_aside(path: Path) -> str:
     try:
         path.rename(aside)
     except OSError as error:
-        return tr("The defaults are used; it could not be set aside ({reason}).", reason=error.strerror)
+        return tr("The defaults are used; it could not be set aside ({reason}).", reason=translated(reason_of(error)))
     return tr("The defaults are used; it was set aside as {name}.", name=aside.name)
 
 

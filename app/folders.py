@@ -7,9 +7,10 @@ from pathlib import Path
 import platformdirs
 
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
 from roam_core.temporary import is_writable, private_folder
 
-from .translation import tr
+from .translation import tr, translated
 
 
 def state_folder() -> Path:
@@ -40,7 +41,11 @@ def _writable(folder: Path, name: str) -> Path:
         return private_folder(name)
     except OSError as error:
         raise RoamError(
-            tr("Neither {folder} nor a temporary folder can be written to: {error}.", folder=folder, error=error)
+            tr(
+                "Neither {folder} nor a temporary folder can be written to: {error}.",
+                folder=folder,
+                error=translated(reason_of(error)),
+            )
         ) from None
 
 

@@ -17,6 +17,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
+from roam_core.translatable import sentence
 
 STALE_SECONDS = 3600.0
 """A temporary file that was not touched for so long, and whose process is gone, was left by a killed process."""
@@ -65,7 +67,14 @@ def write_atomically(
             flush_folder(target.parent)
     except OSError as error:
         _remove(temporary)
-        raise RoamError(f"{path} cannot be written: {error.strerror} ({target.parent}).") from None
+        raise RoamError(
+            sentence(
+                "{path} cannot be written: {reason} ({folder}).",
+                path=path,
+                reason=reason_of(error),
+                folder=target.parent,
+            )
+        ) from None
     except BaseException:
         _remove(temporary)
         raise
@@ -82,7 +91,9 @@ def make_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
+        raise RoamError(
+            sentence("The folder {folder} cannot be made: {reason}.", folder=folder, reason=reason_of(error))
+        ) from None
 
 
 @contextmanager
@@ -105,7 +116,11 @@ def new_folder(folder: Path) -> Iterator[None]:
 def require_open(folder: Path) -> None:
     """Refuse a folder in which this user may make no files, in a `RoamError`."""
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
+        raise RoamError(
+            sentence(
+                "The folder {folder} cannot be written to; choose another or change its permissions.", folder=folder
+            )
+        )
 
 
 def temporary_beside(target: Path) -> Path:
@@ -173,14 +188,15 @@ def writable_target(path: Path) -> Path:
     except FileNotFoundError:
         return target
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise RoamError(f"{path} cannot be written: {reason}.") from None
+        raise RoamError(sentence("{path} cannot be written: {reason}.", path=path, reason=reason_of(error))) from None
     if stat.S_ISDIR(mode):
-        raise RoamError(f"{path} cannot be written: it is a folder.")
+        raise RoamError(sentence("{path} cannot be written: it is a folder.", path=path))
     if not stat.S_ISREG(mode):
-        raise RoamError(f"{path} cannot be written: it is no regular file.")
+        raise RoamError(sentence("{path} cannot be written: it is no regular file.", path=path))
     if not mode & 0o222 or not os.access(target, os.W_OK):
-        raise RoamError(f"{path} cannot be written: it is read-only; change its permissions, or save elsewhere.")
+        raise RoamError(
+            sentence("{path} cannot be written: it is read-only; change its permissions, or save elsewhere.", path=path)
+        )
     return target
 
 

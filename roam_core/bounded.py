@@ -7,6 +7,8 @@ import stat
 from pathlib import Path
 
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
+from roam_core.translatable import sentence
 
 
 def require_regular(path: Path) -> None:
@@ -22,15 +24,17 @@ def require_regular(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
-        raise RoamError(f"{path} does not exist.") from None
+        raise RoamError(sentence("{path} does not exist.", path=path)) from None
     except (OSError, ValueError) as error:
         raise _unreadable(path, error) from None
     if stat.S_ISDIR(mode):
-        raise RoamError(f"{path} is a folder, not a file.")
+        raise RoamError(sentence("{path} is a folder, not a file.", path=path))
     if not stat.S_ISREG(mode):
-        raise RoamError(f"{path} is a pipe, a socket or a device, not a file; give a regular file.")
+        raise RoamError(sentence("{path} is a pipe, a socket or a device, not a file; give a regular file.", path=path))
     if not os.access(path, os.R_OK):
-        raise RoamError(f"{path} may not be read; give yourself the permission, or ask its owner for it.")
+        raise RoamError(
+            sentence("{path} may not be read; give yourself the permission, or ask its owner for it.", path=path)
+        )
 
 
 def bounded_bytes(path: Path, most: int, remedy: str = "split it into several files") -> bytes:
@@ -57,7 +61,7 @@ def bounded_bytes(path: Path, most: int, remedy: str = "split it into several fi
 
 
 def _unreadable(path: Path, error: Exception) -> RoamError:
-    return RoamError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.")
+    return RoamError(sentence("{path} cannot be read: {reason}.", path=path, reason=reason_of(error)))
 
 
 def _size(count: int) -> str:

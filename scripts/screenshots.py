@@ -255,7 +255,8 @@ def photograph_finding(shown: MainWindow) -> None:
 
 def photograph_export(shown: MainWindow) -> None:
     """The export dialog on the tracked demo, with the options of mattes."""
-    from app.dialogs.export_dialog import MATTES, ExportDialog
+    from app.dialogs.export_dialog import ExportDialog
+    from app.jobs.export import MATTES
 
     shown.actions_by_id["file.export"].trigger()
     dialog = shown.findChild(ExportDialog)

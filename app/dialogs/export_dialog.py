@@ -31,7 +31,7 @@ from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
 from roam_core.interchange.foresight import Foreseen
 
 from .. import style
-from ..jobs.export import Export
+from ..jobs.export import MATTES, Export
 from ..jobs.foreseeing import Foresight
 from ..jobs.runner import Ending
 from ..model.document import Document
@@ -60,8 +60,6 @@ LOOKING, NOTHING_LOST = (
     N_("Looking for what the format cannot hold …"),
     N_("The format holds all that is chosen."),
 )
-MATTES = "mattes"
-"""The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
 
 
 class ExportDialog(QDialog):

@@ -74,13 +74,25 @@ def ask_doubted(parent: QWidget, doubt: str) -> Doubted:
 
 def not_saved_question(parent: QWidget, name: str, sentence: str) -> QMessageBox:
     """That a project could not be saved, why, and the ways on: accepted by Save as (which accepts) and Try again."""
-    box = QMessageBox(QMessageBox.Icon.Warning, "ROAM", tr("{name} is not saved.", name=name), parent=parent)
-    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     remedy = tr(
         "Your work is still here. Save it elsewhere; or make room there, or see to the permissions, and try again."
     )
-    box.setInformativeText(f"{sentence}\n\n{remedy}")
-    box.setDefaultButton(box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole))
+    return _failed(parent, tr("{name} is not saved.", name=name), f"{sentence}\n\n{remedy}", tr("Save as…"))
+
+
+def not_exported_question(parent: QWidget, name: str, sentence: str) -> QMessageBox:
+    """That an export failed, why, and the ways on: accepted by Export elsewhere (which accepts) and Try again."""
+    remedy = tr("Your work is unharmed. Export elsewhere, or see to what stands in the way and try again.")
+    text = tr("{name} is not exported.", name=name)
+    return _failed(parent, text, f"{sentence}\n\n{remedy}", tr("Export elsewhere…"))
+
+
+def _failed(parent: QWidget, text: str, weak: str, elsewhere: str) -> QMessageBox:
+    """A question that waits for nobody, with the button `elsewhere`, Try again and Later."""
+    box = QMessageBox(QMessageBox.Icon.Warning, "ROAM", text, parent=parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setInformativeText(weak)
+    box.setDefaultButton(box.addButton(elsewhere, QMessageBox.ButtonRole.AcceptRole))
     box.addButton(tr("Try again"), QMessageBox.ButtonRole.YesRole)
     box.addButton(tr("Later"), QMessageBox.ButtonRole.RejectRole)
     return box

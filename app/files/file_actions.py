@@ -22,7 +22,7 @@ from ..dialogs import questions
 from ..dialogs.questions import Contested, Doubted, Unsaved
 from ..features.verbs.shifting import follow_numbers
 from ..folders import cache_folder
-from ..jobs.export import Export
+from ..jobs.export import MATTES, Export
 from ..jobs.found_clip import FoundClip
 from ..jobs.importing import Import
 from ..model.document import PROJECT_SUFFIX, Document
@@ -31,6 +31,7 @@ from ..model.personal import Personal
 from ..model.view_state import ViewState
 from ..translation import N_, sentence_of, tr
 from ..widgets.asking import ask
+from .failed_exports import FailedExports
 from .files import Files
 
 if TYPE_CHECKING:
@@ -74,6 +75,7 @@ class FileActions(QObject):
         files.saved.connect(self._saved)
         export.written.connect(lambda path: self.folders.note(Purpose.EXPORT, path.parent))
         files.not_saved.connect(self._tell_not_saved)
+        self._failed_exports = FailedExports(window, export)
         document.replaced.connect(self._disarm)
         files.doubted.connect(self._ask_doubted)
         files.contested.connect(self._ask_contested)
@@ -252,7 +254,7 @@ class FileActions(QObject):
             self._window, tr("Export mattes to a folder"), self._start_folder(Purpose.EXPORT)
         )
         if folder is not None:
-            self._export.start("mattes", folder)
+            self._export.start(MATTES, folder)
 
     def suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:
         """The file that is proposed for what is written of the project."""

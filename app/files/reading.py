@@ -13,6 +13,7 @@ from roam_core.roto import BlendMode, Clip, Origin, Project, edit, file
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
 from roam_core.roto.relinking import is_renumbered, open_plate, other_content, other_size, relinked
+from roam_core.system_errors import reason_of
 
 from ..jobs.runner import Report
 from ..translation import N_, tr, translated
@@ -111,7 +112,11 @@ def demo_project(report: Report) -> tuple[Project, Any]:
         demo.write_frames(folder, tell)
     except OSError as error:
         raise RoamError(
-            tr("The demo shot cannot be written to {folder}: {reason}.", folder=folder, reason=error.strerror or error)
+            tr(
+                "The demo shot cannot be written to {folder}: {reason}.",
+                folder=folder,
+                reason=translated(reason_of(error)),
+            )
         ) from None
     project, source = clip_project(folder)
     project, _ = edit.new_shape(project, demo.true_points(demo.FIRST), demo.FIRST, name="Manta")

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from roam_core.interchange import ExportOptions
 
 
+MATTES = "mattes"
+"""The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
 _numbers = itertools.count(1)
 
 
@@ -34,6 +36,7 @@ class Export(QObject):
     progress(fraction, text), finished(ending, sentence) : the job's news.
     noted(sentences) : a tuple: what the format cannot hold and was left out or changed, before `finished`.
     written(path) : an export was made as a whole, to the file or folder that was asked for.
+    failed(request, sentence) : one could not be made, and why; `finished` tells that, too. `again` takes the request.
 
     What the project is made of (plate, project file) is never written over. Files that ROAM did not make are, if
     `may_overwrite(paths)` says so: the artist, who is asked before anything is written. So is `may_lose(losses)` where
@@ -44,6 +47,7 @@ class Export(QObject):
     finished = Signal(object, str)
     noted = Signal(object)
     written = Signal(object)
+    failed = Signal(object, str)
 
     def __init__(
         self,
@@ -79,10 +83,21 @@ class Export(QObject):
         Of the shapes only those of the ids `shapes`, all for None. Waits for the exports before it. Gives its number.
         """
         project, file, number = self._document.project, self._document.path, next(_numbers)
-        self._start(_Request(number, only(project, shapes), file, format_name, path, options))
+        self._start(Request(number, only(project, shapes), file, format_name, path, options))
         return number
 
-    def _start(self, request: _Request) -> None:
+    def again(self, request: Request, path: Path | None = None) -> int:
+        """Write what was asked for, as the project was then, to the same place or another; gives its new number.
+
+        What the artist has answered about its files holds for the same place, about its losses anywhere.
+        """
+        request = replace(request, number=next(_numbers))
+        if path is not None:
+            request = replace(request, path=path, overwrites=False)
+        self._start(request)
+        return request.number
+
+    def _start(self, request: Request) -> None:
         foreign: list[Path] = []
         losses: list[str] = []
 
@@ -112,6 +127,8 @@ class Export(QObject):
                 self._end(ending, sentence)
                 if ending is Ending.DONE:
                     self.written.emit(request.path)
+                elif ending is Ending.FAILED:
+                    self.failed.emit(request, sentence)
 
         def begin() -> None:
             self._begun = job
@@ -151,7 +168,7 @@ class Export(QObject):
 
 
 @dataclass(frozen=True)
-class _Request:
+class Request:
     """A snapshot of everything that is asked for; `file` is the project's own."""
 
     number: int
@@ -163,8 +180,13 @@ class _Request:
     overwrites: bool = False
     loses: bool = False
 
+    @property
+    def is_folder(self) -> bool:
+        """Whether `path` is a folder of pictures."""
+        return self.format_name == MATTES
 
-def _foreign(request: _Request) -> tuple[Path, ...]:
+
+def _foreign(request: Request) -> tuple[Path, ...]:
     """The files that the artist must be asked about; `RoamError` for what is never written over."""
     from roam_core.interchange import EXPORTERS, ExportOptions
     from roam_core.interchange.targets import Sources, exported, obstacles
@@ -176,7 +198,7 @@ def _foreign(request: _Request) -> tuple[Path, ...]:
     return () if request.overwrites else found.foreign
 
 
-def _export(report: Report, request: _Request) -> str:
+def _export(report: Report, request: Request) -> str:
     """The work, on the worker thread."""
     from roam_core.interchange import EXPORTERS, ExportOptions
 

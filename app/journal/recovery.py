@@ -19,9 +19,10 @@ from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.backups import backup_path
 from roam_core.roto.fingerprint import Fingerprint
+from roam_core.system_errors import reason_of
 
 from ..model.preferences import MOST_BACKUPS
-from ..translation import moment, tr
+from ..translation import moment, tr, translated
 from .delta import Delta, applied
 from .record import Damaged, Entry, entries
 from .session import DECLINED, RECOVERED, SAVED, is_held, journals
@@ -135,7 +136,7 @@ def decline(recovery: Recovery) -> None:
         recovery.journal.with_suffix(DECLINED).touch()
     except OSError as error:
         raise RoamError(
-            tr("{journal} cannot be marked: {reason}.", journal=recovery.journal, reason=error.strerror)
+            tr("{journal} cannot be marked: {reason}.", journal=recovery.journal, reason=translated(reason_of(error)))
         ) from None
 
 
@@ -152,7 +153,7 @@ def load(recovery: Recovery) -> tuple[Project, str]:
         problem = tr("The journal is damaged: what came after its last sound entry is lost.")
     except OSError as error:
         raise RoamError(
-            tr("{journal} cannot be read: {reason}.", journal=recovery.journal, reason=error.strerror)
+            tr("{journal} cannot be read: {reason}.", journal=recovery.journal, reason=translated(reason_of(error)))
         ) from None
     if not found or found[0].kind != "begin":
         raise RoamError(

@@ -18,9 +18,10 @@ from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint
+from roam_core.system_errors import reason_of
 
 from ..model.beginning import Beginning
-from ..translation import tr
+from ..translation import tr, translated
 from .delta import between
 from .record import Entry, append
 from .session import RECOVERED, Session
@@ -221,7 +222,7 @@ class JournalWriter:
         if not self._is_told:
             self._is_told = True
             log.error("the journal cannot be written", exc_info=error)
-            reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+            reason = translated(reason_of(error))
             self._refused(
                 tr("Your edits cannot be written to the journal ({reason}); save the project yourself.", reason=reason)
             )

@@ -762,6 +762,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>CVAT blendet in Dateien keine Tracks aus: Das unsichtbare {name} ist dort zu sehen.</translation>
     </message>
     <message>
+        <source>Cannot allocate memory</source>
+        <translation>Der Arbeitsspeicher reicht nicht</translation>
+    </message>
+    <message>
         <source>Change keys</source>
         <translation>Tasten ändern</translation>
     </message>
@@ -912,6 +916,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Confidence: thin and blue is sure, broad and orange is doubtful, grey is not the engine&apos;s</source>
         <translation>Konfidenz: dünn und blau ist sicher, breit und orange ist zweifelhaft, grau ist nicht von der Engine</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Die Verbindung antwortet nicht</translation>
     </message>
     <message>
         <source>Contact sheet</source>
@@ -1141,12 +1149,20 @@ Jetzt: {level}, {changes}</translation>
         <translation>Lösen</translation>
     </message>
     <message>
+        <source>Device or resource busy</source>
+        <translation>Das Gerät oder die Datei wird gerade benutzt</translation>
+    </message>
+    <message>
         <source>Dials that were turned and are not offered (any more) stay at 100 %: {names}.</source>
         <translation>Regler, die verstellt waren und nicht (mehr) angeboten werden, bleiben bei 100 %: {names}.</translation>
     </message>
     <message>
         <source>Difference</source>
         <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Der zugeteilte Speicherplatz ist aufgebraucht</translation>
     </message>
     <message>
         <source>Display and view, for looking only: {shown}</source>
@@ -1369,6 +1385,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Trotzdem exportieren</translation>
     </message>
     <message>
+        <source>Export elsewhere…</source>
+        <translation>Woandershin exportieren …</translation>
+    </message>
+    <message>
         <source>Export keys</source>
         <translation>Tasten exportieren</translation>
     </message>
@@ -1443,6 +1463,18 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Die Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Der Dateiname ist zu lang</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Die Datei ist zu groß</translation>
     </message>
     <message>
         <source>Files</source>
@@ -2105,6 +2137,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>In: Frame {first}. Ziehen verschiebt</translation>
     </message>
     <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben des Datenträgers</translation>
+    </message>
+    <message>
         <source>Insert a point on the outline</source>
         <translation>Punkt auf dem Umriss einfügen</translation>
     </message>
@@ -2127,6 +2163,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Invert layer</source>
         <translation>Ebene invertieren</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Das ist ein Ordner</translation>
     </message>
     <message>
         <source>It goes on after what begins now.</source>
@@ -2786,6 +2826,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Nächster Vorschlag</translation>
     </message>
     <message>
+        <source>No backup of {path} can be kept: {reason} ({folder}).</source>
+        <translation>Von {path} kann keine Sicherung aufgehoben werden: {reason} ({folder}).</translation>
+    </message>
+    <message>
         <source>No boil is measured here</source>
         <translation>Hier ist kein Flimmern gemessen</translation>
     </message>
@@ -2854,6 +2898,18 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keine Form ist ausgewählt; bitte einige auswählen oder alle exportieren.</translation>
     </message>
     <message>
+        <source>No space left on device</source>
+        <translation>Auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>Das Gerät gibt es nicht</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Die Datei oder den Ordner gibt es nicht</translation>
+    </message>
+    <message>
         <source>No tracked key could be steadied; nothing was changed.</source>
         <translation>Kein getrackter Keyframe ließ sich beruhigen; nichts wurde geändert.</translation>
     </message>
@@ -2864,6 +2920,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Das ist kein Ordner</translation>
     </message>
     <message>
         <source>Note</source>
@@ -3199,6 +3259,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Wird geöffnet …</translation>
     </message>
     <message>
+        <source>Operation not permitted</source>
+        <translation>Das ist nicht erlaubt</translation>
+    </message>
+    <message>
         <source>Or drop a folder of images, a movie or a project anywhere in this window.</source>
         <translation>Oder einen Ordner mit Bildern, einen Film oder ein Projekt irgendwo in dieses Fenster ziehen.</translation>
     </message>
@@ -3317,6 +3381,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Per second</source>
         <translation>Pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Die Berechtigung fehlt</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -3597,6 +3665,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Read {shapes} from {name}.</source>
         <translation>{shapes} aus {name} gelesen.</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Der Datenträger ist schreibgeschützt</translation>
     </message>
     <message>
         <source>Reading {name} …</source>
@@ -4329,6 +4401,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>{name} in {count} Formen teilen?</translation>
     </message>
     <message>
+        <source>Stale file handle</source>
+        <translation>Die Datei auf dem Server gibt es nicht mehr</translation>
+    </message>
+    <message>
         <source>Stand still after the chosen keys, or this one</source>
         <translation>Nach den gewählten Keyframes oder diesem stillstehen</translation>
     </message>
@@ -4601,6 +4677,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The first frame to export</source>
         <translation>Der erste zu exportierende Frame</translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be made: {reason}.</source>
+        <translation>Der Ordner {folder} kann nicht angelegt werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be read: {reason}.</source>
+        <translation>Der Ordner {folder} kann nicht gelesen werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written to; choose another or change its permissions.</source>
+        <translation>In den Ordner {folder} kann nicht geschrieben werden; wählen Sie einen anderen oder ändern Sie seine Berechtigungen.</translation>
+    </message>
+    <message>
+        <source>The folder {folder} does not exist; check the path.</source>
+        <translation>Den Ordner {folder} gibt es nicht; prüfen Sie den Pfad.</translation>
     </message>
     <message>
         <source>The folder {wanted} cannot be written to: settings and the journal of edits are kept in {used} for now.</source>
@@ -5092,6 +5184,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>In den Formen liegt zu wenig vom Bild, um daran eine Fläche zu tracken.</translation>
     </message>
     <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Zu viele symbolische Links führen aufeinander</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele Dateien sind geöffnet</translation>
+    </message>
+    <message>
         <source>Track</source>
         <translation>Tracking</translation>
     </message>
@@ -5477,6 +5577,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Your work is still here. Save it elsewhere; or make room there, or see to the permissions, and try again.</source>
         <translation>Ihre Arbeit ist noch da. Speichern Sie sie an einem anderen Ort; oder schaffen Sie dort Platz oder Zugriffsrechte, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Your work is unharmed. Export elsewhere, or see to what stands in the way and try again.</source>
+        <translation>Ihre Arbeit ist unversehrt. Exportieren Sie woandershin, oder beheben Sie das Hindernis und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -6970,6 +7074,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist gesperrt; zum Tracken bitte entsperren.</translation>
     </message>
     <message>
+        <source>{name} is not exported.</source>
+        <translation>{name} ist nicht exportiert.</translation>
+    </message>
+    <message>
         <source>{name} is not saved yet.</source>
         <translation>{name} ist noch nicht gespeichert.</translation>
     </message>
@@ -7042,12 +7150,52 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{pace:.0f} ms pro Frame</translation>
     </message>
     <message>
+        <source>{path} cannot be read: {reason}.</source>
+        <translation>{path} kann nicht gelesen werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: it is a folder.</source>
+        <translation>{path} kann nicht geschrieben werden: Das ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: it is no regular file.</source>
+        <translation>{path} kann nicht geschrieben werden: Das ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: it is read-only; change its permissions, or save elsewhere.</source>
+        <translation>{path} kann nicht geschrieben werden: Die Datei ist schreibgeschützt; ändern Sie ihre Berechtigungen, oder speichern Sie woanders.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: {reason} ({folder}).</source>
+        <translation>{path} kann nicht geschrieben werden: {reason} ({folder}).</translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: {reason}.</source>
+        <translation>{path} kann nicht geschrieben werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>{path} does not exist.</source>
+        <translation>{path} gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{path} is a folder, not a file.</source>
+        <translation>{path} ist ein Ordner, keine Datei.</translation>
+    </message>
+    <message>
+        <source>{path} is a pipe, a socket or a device, not a file; give a regular file.</source>
+        <translation>{path} ist eine Pipe, ein Socket oder ein Gerät, keine Datei; geben Sie eine gewöhnliche Datei an.</translation>
+    </message>
+    <message>
         <source>{path} is damaged.</source>
         <translation>{path} ist beschädigt.</translation>
     </message>
     <message>
         <source>{path} is no keymap; keys are set in Edit &gt; Change keys.</source>
         <translation>{path} ist keine Tastenbelegung; Tasten werden unter Bearbeiten &gt; Tasten ändern festgelegt.</translation>
+    </message>
+    <message>
+        <source>{path} may not be read; give yourself the permission, or ask its owner for it.</source>
+        <translation>{path} darf nicht gelesen werden; geben Sie sich die Berechtigung, oder fragen Sie den Eigentümer danach.</translation>
     </message>
     <message>
         <source>{pixels:.1f} px</source>

@@ -26,6 +26,7 @@ from roam_core.matte import render_matte
 from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate import FrameResult
 from roam_core.roto import Clip, Project, RotoShape, edit
+from roam_core.system_errors import reason_of
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -92,7 +93,7 @@ def demo_frames(folder: Path | None = None) -> Path:
         try:
             demo.write_frames(place, lambda fraction, _: bar.update(fraction - bar.n))
         except OSError as error:
-            raise RoamError(f"The demo shot cannot be written to {place}: {error.strerror or error}.") from None
+            raise RoamError(f"The demo shot cannot be written to {place}: {reason_of(error)}.") from None
     return place
 
 

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
 
 
 def print_json(line: Mapping[str, object]) -> None:
@@ -62,7 +63,7 @@ def _told() -> Iterator[None]:
         raise
     except OSError as error:
         discard_output()
-        raise RoamError(f"The standard output cannot be written: {error.strerror}.") from None
+        raise RoamError(f"The standard output cannot be written: {reason_of(error)}.") from None
 
 
 def discard_output() -> None:

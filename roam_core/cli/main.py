@@ -17,6 +17,7 @@ from roam_core.cli.lines import discard_output, flush_output
 from roam_core.cli.parser import Parser
 from roam_core.cli.stopping import Stopped, raising
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
 
 COMMANDS: dict[str, str] = {
     "track": "carry shapes through a clip",
@@ -75,7 +76,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         # What reads and writes files tells of them by itself; what is left is mostly the output of a command.
         discard_output()
         what = f"{error.filename} cannot be used" if error.filename else "The standard output cannot be written"
-        print(f"roam: {what}: {error.strerror}.", file=sys.stderr)
+        print(f"roam: {what}: {reason_of(error)}.", file=sys.stderr)
         return FAILED
 
 

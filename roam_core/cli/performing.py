@@ -19,7 +19,9 @@ from roam_core.cli.environment import take_decoder
 from roam_core.cli.main import INTERRUPTED, main
 from roam_core.cli.picking import NothingToSolve, Picking
 from roam_core.cli.plate import loaded, opened
+from roam_core.cli.plate_task import asked_shapes
 from roam_core.cli.spans import gaps_of, is_filled, pieces_of
+from roam_core.cli.steady import tracked_frames
 from roam_core.cli.stopping import cancelled_by
 from roam_core.cli.track import given_project, initial_project
 from roam_core.errors import RoamError
@@ -30,7 +32,7 @@ from roam_core.studio import cluster
 from roam_core.studio.driver import Work
 from roam_core.studio.pictures import write_doubtful
 from roam_core.studio.records import Record, Seen, digest_of, inputs_of, is_as_written
-from roam_core.studio.tasks import Task
+from roam_core.studio.tasks import LOOKING, Task
 
 Tell = Callable[[Mapping[str, Any]], None]
 PAUSE = 0.5
@@ -46,8 +48,8 @@ def perform(batch: str, plain: dict[str, Any], pictures: str = "", tell: Tell | 
     """Carry out a task (`Task.plain`) unless its record says that it is done; what is said of it, as values of JSON.
 
     `status` is done, kept (it was done before), split (it can be divided: `pieces`), failed or cancelled; `said` is
-    what the command told, `frames` its confidence and seconds by frame, `outputs` what it wrote. A track or fill whose
-    project leaves nothing to do hands that on as it is: it is done, and `idle`.
+    what the command told, `frames` its confidence and seconds by frame, `outputs` what it wrote. A step whose
+    project leaves it nothing to do hands that on as it is: it is done, and `idle`.
 
     Parameters
     ----------
@@ -63,6 +65,7 @@ def perform(batch: str, plain: dict[str, Any], pictures: str = "", tell: Tell | 
         if before is not None and before.holds(task.settings, inputs, Path(task.folder)):
             return {**told, **before.outcome, "status": "kept", "outputs": sorted(before.outputs)}
         try:
+            _require_work(task)
             if len(pieces := _pieces(task)) > 1:
                 return {**told, "status": "split", "pieces": pieces}
             outcome = {**told, **_carried_out(batch, task, before, tell)}
@@ -90,13 +93,19 @@ def cancel(batch: str) -> int:
     return len(tokens)
 
 
-def _pieces(task: Task) -> list[Any]:
-    """What of a fill that may be divided is left to do, gap by gap and object by object.
-
-    Raises `NothingToSolve` where a track or a fill finds nothing to do.
-    """
+def _require_work(task: Task) -> None:
+    """Raise `NothingToSolve` where a step that has to look for its work finds none; of a fill `_pieces` does."""
+    path = Path(task.reads[0])
     if task.verb == "track":
-        given_project(Path(task.reads[0]))
+        given_project(path)
+    elif task.verb in LOOKING:
+        asked = asked_shapes(loaded(path), path, task.settings["options"].get("shape"), task.verb)
+        if task.verb == "steady":
+            tracked_frames(asked, path)
+
+
+def _pieces(task: Task) -> list[Any]:
+    """What of a fill that may be divided is left to do, by gap and object; `NothingToSolve` for no gap."""
     if not task.can_split:
         return []
     project = loaded(Path(task.reads[0]))

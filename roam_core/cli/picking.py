@@ -13,7 +13,7 @@ from roam_core.roto.layers import only
 
 
 class NothingToSolve(RoamError):
-    """A sound project of whose shapes none, or none of the frames, is there to be tracked or filled."""
+    """A sound project of whose shapes none, or none of the frames, is there to be worked on."""
 
 
 @dataclass(frozen=True)

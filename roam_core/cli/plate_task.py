@@ -11,11 +11,10 @@ from typing import TypeVar
 from roam_core.cancel import CancelToken, Progress
 from roam_core.cli.bar import progress_bar
 from roam_core.cli.overwriting import claimed, project_writer
-from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.picking import NothingToSolve, Picking, trackable
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_target
-from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media.source import ReadImage
@@ -46,15 +45,14 @@ class PlateTask:
         Raises
         ------
         RoamError
-            when the project cannot be read, or holds no closed, unlocked shape of those asked for.
+            when the project cannot be read, or lacks a shape that is named. `NothingToSolve` when it holds no closed,
+            unlocked shape of those asked for.
         """
         source = arguments.project
         target = source if arguments.save is None else arguments.save
         writer = project_writer(target, source)
         project = loaded(source)
-        asked = trackable(project, Picking(arguments.shape))
-        if not asked:
-            raise RoamError(f"{source} holds no closed, unlocked shape to {verb}.")
+        asked = asked_shapes(project, source, arguments.shape, verb)
         return cls(source, target, arguments.overwrite, project, asked, writer)
 
     def change(
@@ -85,3 +83,11 @@ class PlateTask:
             if new is not old:
                 project = project.with_shape(new)
         self.writer(project)
+
+
+def asked_shapes(project: Project, path: Path, names: Sequence[str] | None, verb: str) -> Sequence[RotoShape]:
+    """The closed, unlocked shapes of these names or ids, all for None; `NothingToSolve` where there is none."""
+    asked = trackable(project, Picking(names))
+    if not asked:
+        raise NothingToSolve(f"{path} holds no closed, unlocked shape to {verb}.")
+    return asked

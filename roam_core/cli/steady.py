@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
-from roam_core.cli.picking import add_shapes
+from roam_core.cli.picking import NothingToSolve, add_shapes
 from roam_core.cli.plate_task import PlateTask
 from roam_core.errors import RoamError
 from roam_core.params.steadiness import RESIDUAL, STEADINESS
@@ -62,9 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _frames(shapes: Sequence[RotoShape], start: int | None, end: int | None, path: Path) -> range:
     """The frames whose keys may move: those asked for, or all that have a tracked key."""
-    tracked = [key.frame for shape in shapes for key in shape.keys if key.origin is Origin.ENGINE]
-    if not tracked:
-        raise RoamError(f"{path} has no tracked or filled key to steady; track or fill its shapes first.")
+    tracked = tracked_frames(shapes, path)
     first, last = min(tracked) if start is None else start, max(tracked) if end is None else end
     if start is not None and end is not None and first > last:
         raise RoamError(f"--start {first} lies after --end {last}; give an earlier first frame.")
@@ -75,6 +73,14 @@ def _frames(shapes: Sequence[RotoShape], start: int | None, end: int | None, pat
     if not any(first <= frame <= last for frame in tracked):
         raise RoamError(f"Frames {first} to {last} hold no tracked key; there are some from {min(tracked)} on.")
     return range(max(first, min(tracked)), min(last, max(tracked)) + 1)
+
+
+def tracked_frames(shapes: Sequence[RotoShape], path: Path) -> list[int]:
+    """The frames of the keys that may be steadied, some more than once; `NothingToSolve` where there is none."""
+    tracked = [key.frame for shape in shapes for key in shape.keys if key.origin is Origin.ENGINE]
+    if not tracked:
+        raise NothingToSolve(f"{path} has no tracked or filled key to steady; track or fill its shapes first.")
+    return tracked
 
 
 def _print_lines(found: Steadied) -> None:

@@ -4,12 +4,40 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from typing import Any
 
 
 def javascript_literal(value: Any) -> str:
     """A plain value (strings, numbers, lists, mappings) as ASCII that JavaScript of any age reads as the same value."""
     return json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
+
+
+class Literal(str):
+    """Text that is a JavaScript literal already."""
+
+    __slots__ = ()
+
+
+def javascript_pieces(value: Any) -> Iterator[str]:
+    """The text of `javascript_literal` piece by piece; what is a `Literal` anywhere inside stands as it is."""
+    if isinstance(value, Literal):
+        yield value
+    elif isinstance(value, dict):
+        yield "{"
+        for number, (name, held) in enumerate(value.items()):
+            yield f"{',' if number else ''}{javascript_literal(name)}:"
+            yield from javascript_pieces(held)
+        yield "}"
+    elif isinstance(value, list):
+        yield "["
+        for number, held in enumerate(value):
+            if number:
+                yield ","
+            yield from javascript_pieces(held)
+        yield "]"
+    else:
+        yield javascript_literal(value)
 
 
 def python_literal(value: Any) -> str:

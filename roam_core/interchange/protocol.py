@@ -241,7 +241,10 @@ def readied(project: Project, options: ExportOptions) -> Project:
 
     The keys of outlines are chosen as each shape is begun. Where the engine's are among them, the opacity tells which
     shapes are out of sight.
+
+    Raises `RoamError` for frames that the clip does not have.
     """
+    options.frames_of(project.require_clip())
     project = bake_layers(project)
     project = replace(project, root=_opacities_as_seen(project.root))
     if options.keys is not KeyChoice.ARTIST:

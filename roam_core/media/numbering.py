@@ -10,6 +10,8 @@ from itertools import chain
 from pathlib import Path
 
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
+from roam_core.translatable import sentence
 
 WIDEST_RANGE = 1_000_000
 """Files whose numbers lie further apart are numbered by something else (a date, a time code) than by frame."""
@@ -210,9 +212,11 @@ def file_names(folder: Path) -> list[str]:
     try:
         return sorted(entry.name for entry in folder.iterdir() if not entry.name.startswith(".") and entry.is_file())
     except FileNotFoundError:
-        raise RoamError(f"The folder {folder} does not exist; check the path.") from None
+        raise RoamError(sentence("The folder {folder} does not exist; check the path.", folder=folder)) from None
     except OSError as error:
-        raise RoamError(f"The folder {folder} cannot be read: {error.strerror}.") from error
+        raise RoamError(
+            sentence("The folder {folder} cannot be read: {reason}.", folder=folder, reason=reason_of(error))
+        ) from error
 
 
 def _sequence(folder: Path, numbered: Iterable[tuple[int, str]], pattern: NamePattern) -> FileSequence:

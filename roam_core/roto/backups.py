@@ -12,6 +12,8 @@ from pathlib import Path
 
 from roam_core.atomic_write import flush_folder, temporary_beside
 from roam_core.errors import RoamError
+from roam_core.system_errors import reason_of
+from roam_core.translatable import sentence
 
 LONGEST_NAME = 255
 """Bytes that a file name may have."""
@@ -73,7 +75,14 @@ def rotate(path: Path, count: int, is_ours: Callable[[Path], bool] = lambda _: T
         flush_folder(target.parent)
         return places[0]
     except OSError as error:
-        raise RoamError(f"No backup of {path} can be kept: {error.strerror} ({target.parent}).") from None
+        raise RoamError(
+            sentence(
+                "No backup of {path} can be kept: {reason} ({folder}).",
+                path=path,
+                reason=reason_of(error),
+                folder=target.parent,
+            )
+        ) from None
     finally:
         with contextlib.suppress(OSError):
             temporary.unlink(missing_ok=True)

@@ -20,6 +20,8 @@ from roam_core.roto.from_json import read_project
 from roam_core.roto.migrate import VERSION, migrate
 from roam_core.roto.project import Project
 from roam_core.roto.to_json import pieces
+from roam_core.system_errors import reason_of
+from roam_core.translatable import sentence
 
 __all__ = [
     "MAX_BYTES",
@@ -197,9 +199,9 @@ def _content(path: Path) -> bytes:
         with path.open("rb") as file:
             content = file.read(MAX_BYTES + 1) if found.st_size <= MAX_BYTES else b""
     except FileNotFoundError:
-        raise RoamError(f"{path} does not exist.") from None
+        raise RoamError(sentence("{path} does not exist.", path=path)) from None
     except (OSError, ValueError) as error:  # a name that no file can have
-        raise RoamError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
+        raise RoamError(sentence("{path} cannot be read: {reason}.", path=path, reason=reason_of(error))) from None
     if max(found.st_size, len(content)) > MAX_BYTES:
         raise RoamError(f"{path} is larger than {MAX_BYTES >> 20} MiB; that is no ROAM project.")
     return content

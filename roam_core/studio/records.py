@@ -14,6 +14,8 @@ from roam_core.atomic_write import write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
+from roam_core.system_errors import reason_of
+from roam_core.translatable import sentence
 
 TYPE, VERSION = "roam.StepDone", 1
 MOST_BYTES = 256 << 20
@@ -40,7 +42,7 @@ class Seen:
                 return cls(path.name, before.size, before.changed, before.digest)
             return cls(path.name, found.st_size, found.st_mtime_ns, digest_of(path))
         except OSError as error:
-            raise RoamError(f"{path} cannot be read: {error.strerror}.") from None
+            raise RoamError(sentence("{path} cannot be read: {reason}.", path=path, reason=reason_of(error))) from None
 
 
 def digest_of(path: Path) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -34,6 +35,7 @@ from app.translation import (
     translated,
 )
 from app.widgets.fields import BLENDS
+from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, ExportOptions
@@ -41,6 +43,7 @@ from roam_core.interchange.nuke.names import Names
 from roam_core.interchange.protocol import LossyExport
 from roam_core.proposal.assist.cut_out import cut_box
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, edit
+from roam_core.system_errors import reason_of
 from roam_core.translatable import listed, sentence
 from tests.gui.windows import dialogs_of, opened_window, write_clip
 from tests.house.test_translations import of
@@ -210,3 +213,15 @@ def test_how_far_the_engine_is_is_said_in_german(german: None, qtbot: QtBot, run
     with qtbot.waitSignal(job.ended):
         pass
     assert told == ["Kurven von Teil 2 von 3"]
+
+
+def test_what_the_operating_system_refuses_is_told_in_german(german: None, tmp_path: Path) -> None:
+    """Its words, as `No such file or directory`, stood in the midst of German sentences, which were English, too."""
+    gone = tmp_path / "gone" / "a.nk"
+    with pytest.raises(RoamError) as refusal:
+        write_atomically(gone, b"")
+    told = f"{gone} kann nicht geschrieben werden: Die Datei oder den Ordner gibt es nicht ({gone.parent})."
+    assert sentence_of(refusal.value) == told
+    assert str(refusal.value) == f"{gone} cannot be written: No such file or directory ({gone.parent})."
+    for each in (errno.ENOSPC, errno.EACCES, errno.EROFS):
+        assert translated(reason_of(OSError(each, "?"))) not in ("?", reason_of(OSError(each, "?")))

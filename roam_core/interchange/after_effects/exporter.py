@@ -10,7 +10,7 @@ composition, Difference inverts it above white. The outcome is the layer's luma 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -31,7 +31,7 @@ from roam_core.interchange.flatten import (
     takes_part,
 )
 from roam_core.interchange.keys.reduction import Motion
-from roam_core.interchange.literals import javascript_literal
+from roam_core.interchange.literals import Literal, javascript_literal, javascript_pieces
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.text_exporter import TextExporter
@@ -82,6 +82,10 @@ class AfterEffectsExporter(TextExporter):
         """The text; what After Effects' masks cannot hold is told."""
         return mask_script(project, options)
 
+    def pieces(self, project: Project, options: ExportOptions) -> tuple[Iterable[str], tuple[str, ...]]:
+        """The script mask by mask: put together it takes the room of the file once more."""
+        return _script_pieces(project, options)
+
 
 def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The script for all shapes of `project`, and a sentence for each thing that it cannot hold.
@@ -89,6 +93,11 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
     Frame f of the plate lies (f + offset - first frame) / fps seconds after the start of a layer that is there; a
     composition that the script makes begins with the plate's first frame, and gives it its number and the offset.
     """
+    pieces, notes = _script_pieces(project, options)
+    return "".join(pieces), notes
+
+
+def _script_pieces(project: Project, options: ExportOptions) -> tuple[Iterator[str], tuple[str, ...]]:
     clip = project.require_clip()
     root = branched(readied(project, options), timed_intersect=False)
     shapes = list(root.shapes())
@@ -106,16 +115,22 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
         "offset": options.frame_offset,
         "blurred": any(shape.is_blurred for shape in shapes),
     }
-    lines = ",\n".join(f"    {javascript_literal(part)}" for part in parts)
-    text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace("@PARTS@", f"[\n{lines}\n  ]")
-    return text, settled(
-        [*hidden_notes(project, root), *tangent_notes(project.root), *writer.notes], writer.losses, options
-    )
+    told = [*hidden_notes(project, root), *tangent_notes(project.root), *writer.notes]
+    return _program(frame, parts), settled(told, writer.losses, options)
+
+
+def _program(frame: dict[str, Any], parts: list[dict[str, Any]]) -> Iterator[str]:
+    head, tail = PROGRAM.replace("@CLIP@", javascript_literal(frame)).split("@PARTS@")
+    yield f"{head}["
+    for number, part in enumerate(parts):
+        yield f"{',' if number else ''}\n    "
+        yield from javascript_pieces(part)
+    yield f"\n  ]{tail}"
 
 
 @dataclass
 class _Writer(ShapeWriter):
-    """Turns shapes into the plain values from which the script builds masks."""
+    """Turns layers into the plain values from which the script builds compositions, and each mask into its text."""
 
     def parts(self, branch: Branch) -> list[dict[str, Any]]:
         """The layers of a composition, bottom first: solids with masks, and compositions."""
@@ -140,31 +155,29 @@ class _Writer(ShapeWriter):
 
     def _masks(self, shapes: tuple[RotoShape, ...], blend: BlendMode) -> dict[str, Any]:
         """A solid with masks; black where it takes away from what lies under it."""
-        masks = [self.mask(shape) for shape in shapes]
+        grey, mode = 1, None
+        if blend in OPAQUE:
+            mode = BlendMode.ADD
+        elif blend is not BlendMode.ADD:
+            # Black that leaves out the shape is an intersection; a mask that subtracts leaves out, above a full layer.
+            grey, mode = 0, BlendMode.ADD if blend is BlendMode.SUBTRACT else BlendMode.SUBTRACT
+        masks = [self.mask(shape, mode or shape.blend) for shape in shapes]
         name = next((shape.name for shape in shapes if takes_part(shape)), "ROAM")
         # A solid whose masks all have the mode None would be full.
         opacity = 100.0 if any(takes_part(shape) for shape in shapes) else 0.0
-        solid = {"name": name, "grey": 1, "masks": masks, "blend": "NORMAL", "opacity": opacity}
+        solid = {"name": name, "grey": grey, "masks": masks, "blend": "NORMAL", "opacity": opacity}
         if blend in OPAQUE:
-            for mask in masks:
-                mask["mode"] = MODES[BlendMode.ADD] if mask["mode"] != HIDDEN else HIDDEN
             return {"name": name, "parts": [solid], "blend": LAYER_MODES[blend], "opacity": 100.0}
-        if blend is not BlendMode.ADD:
-            # Black that leaves out the shape is an intersection; a mask that subtracts leaves out, above a full layer.
-            mode = MODES[BlendMode.ADD if blend is BlendMode.SUBTRACT else BlendMode.SUBTRACT]
-            for mask in masks:
-                mask["mode"] = mode if mask["mode"] != HIDDEN else HIDDEN
-            solid["grey"] = 0
         return solid
 
-    def mask(self, shape: RotoShape) -> dict[str, Any]:
-        """One mask."""
+    def mask(self, shape: RotoShape, blend: BlendMode) -> Literal:
+        """One mask as text: the numbers of its keys would take several times the room."""
         shape, _ = self.begun_for(shape, Motion.EASED)
         self._note_losses(shape)
         is_feathered, feather = has_feather_curve(shape), beside_zeros(shape.feather)
-        return {
+        mask = {
             "name": shape.name,
-            "mode": MODES.get(shape.blend, "ADD") if shape.visible else HIDDEN,
+            "mode": MODES.get(blend, "ADD") if shape.visible else HIDDEN,
             "closed": shape.closed,
             "inverted": shape.invert,
             "locked": shape.locked,
@@ -175,6 +188,7 @@ class _Writer(ShapeWriter):
             "opacity": self._keyed(opacity_keys(shape), shape.opacity, 100.0),
             "keys": [self._key(key, shape.closed, is_feathered) for key in shape.keys],
         }
+        return Literal("".join(javascript_pieces(mask)))
 
     def _value(self, value: Animatable) -> Any:
         return self._keyed(straight_keys(value), value)
@@ -185,7 +199,7 @@ class _Writer(ShapeWriter):
             return scale * value_at(value, self.clip.first)
         return [[self._frame(key.frame), scale * key.value, key.interpolation is Interpolation.HOLD] for key in keys]
 
-    def _key(self, key: Keyframe, closed: bool, is_feathered: bool) -> dict[str, Any]:
+    def _key(self, key: Keyframe, closed: bool, is_feathered: bool) -> Literal:
         anchor = key.points[:, ANCHOR]
         values: dict[str, Any] = {
             "f": self._frame(key.frame),
@@ -196,7 +210,7 @@ class _Writer(ShapeWriter):
         }
         if is_feathered:
             values["r"] = _rounded(feather_radii(key, closed))
-        return values
+        return Literal(javascript_literal(values))
 
     def _frame(self, frame: int) -> int:
         return frame - self.clip.first

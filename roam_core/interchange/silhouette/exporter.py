@@ -8,9 +8,10 @@ description: what stands here follows the exporters that artists use to bring sh
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -67,6 +68,10 @@ class SilhouetteExporter(TextExporter):
         """The text; what Silhouette's file cannot hold is told."""
         return silhouette_document(project, options)
 
+    def pieces(self, project: Project, options: ExportOptions) -> tuple[Iterable[str], tuple[str, ...]]:
+        """The file shape by shape: put together it takes the room of the file once more."""
+        return _pieces(project, options)
+
 
 def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text of a shape file with all shapes of `project`, and a sentence for each thing that it cannot hold.
@@ -74,6 +79,11 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
     stays the plate's.
     """
+    pieces, notes = _pieces(project, options)
+    return "".join(pieces), notes
+
+
+def _pieces(project: Project, options: ExportOptions) -> tuple[Iterator[str], tuple[str, ...]]:
     project = readied(project, options)
     clip = project.require_clip()
     session = ET.Element(
@@ -94,8 +104,6 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     if not project.root.visible or project.root.locked:
         root.attrib.update(_flags(project.root))
     writer.fill_layer(root, replace(project.root, blend=BlendMode.ADD), 1.0)
-    ET.indent(session, " ")
-    text = f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n" + ET.tostring(session, encoding="unicode") + "\n"
     lost = [item.id for item in soft_sums(project.root)]
     sums = [item for item in project.root.items() if item.blend is BlendMode.PLUS]
     for told, items in (
@@ -108,7 +116,17 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
                     "Silhouette has one Add for ROAM's add and plus: that is what {some} becomes.", some=_some(items)
                 )
             )
-    return text, settled(writer.notes, writer.losses, options)
+    return _text(session, writer.keys), settled(writer.notes, writer.losses, options)
+
+
+def _text(session: ET.Element, keys: Sequence[str]) -> Iterator[str]:
+    """The file of a session, with the keys of each shape in place of the comment that has their number."""
+    ET.indent(session, " ")
+    yield f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n"
+    parts = re.split(r"<!--(\d+)-->", ET.tostring(session, encoding="unicode"))  # in names, `<` is escaped
+    for number, part in enumerate(parts):
+        yield keys[int(part)] if number % 2 else part
+    yield "\n"
 
 
 def _some(items: Sequence[Item]) -> str:
@@ -126,12 +144,16 @@ def normalised(points: Array, clip: Clip) -> Array:
 
 @dataclass
 class _Writer(ShapeWriter):
-    """Fills XML elements from layers and shapes; gathers what is lost on the way. `shown` has the ids of shapes that
-    make the matte."""
+    """Fills XML elements from layers and shapes; gathers what is lost on the way.
+
+    `shown` has the ids of shapes that make the matte. `keys` has the outlines of each shape as text, for which a
+    comment stands among the elements: an element for each point takes many times the room.
+    """
 
     KINDS = frozenset(PATH_KINDS)
 
     shown: frozenset[str] = frozenset()
+    keys: list[str] = field(default_factory=list)
 
     def veiled(self, layer: Layer) -> Layer:
         """The layer with a shape of its opacity lying inside of all that is in it, where its shapes cannot have it."""
@@ -152,8 +174,11 @@ class _Writer(ShapeWriter):
         held = layer.children if not layer.invert else (replace(layer, opacity=1.0, blend=BlendMode.ADD),)
         return replace(layer, children=(*held, veil), opacity=1.0, invert=False)
 
-    def fill_layer(self, element: ET.Element, layer: Layer, opacity: Animatable) -> None:
-        """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
+    def fill_layer(self, element: ET.Element, layer: Layer, opacity: Animatable, depth: int = 1) -> None:
+        """Properties and children of a layer, `depth` elements deep in the file.
+
+        `opacity` is what the layers around it leave of its shapes'.
+        """
         opacity = product(opacity, layer.opacity)
         if layer.opacity != 1.0:
             self.notes.append(
@@ -168,11 +193,11 @@ class _Writer(ShapeWriter):
             if isinstance(child, Layer):
                 inner = ET.SubElement(objects, "Object", type="Layer", label=xml_text(child.name), expanded="True")
                 inner.attrib.update(_flags(child))
-                self.fill_layer(inner, child, opacity if child.blend in SCALED_BY_THEIR_LAYER else 1.0)
+                self.fill_layer(inner, child, opacity if child.blend in SCALED_BY_THEIR_LAYER else 1.0, depth + 3)
             else:
-                self.add_shape(objects, child, opacity)
+                self.add_shape(objects, child, opacity, depth + 3)
 
-    def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
+    def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable, depth: int) -> None:
         shape = without_smooth_keys(self.begun(shape))
         if shape.point_count < 2 and _is_loop(shape):
             self.notes.append(
@@ -199,8 +224,9 @@ class _Writer(ShapeWriter):
         _constant(properties, "mode", MODES[shape.blend])
         _constant(properties, "invert", _truth(shape.invert))
         path = ET.SubElement(properties, "Property", id="path")
-        for key in shape.keys:
-            self._add_path_key(path, key, shape)
+        indent = "\n" + " " * (depth + 3)
+        path.append(ET.Comment(str(len(self.keys))))
+        self.keys.append(indent.join(self._path_key(key, shape, indent) for key in shape.keys))
 
     def _note_losses(self, shape: RotoShape) -> None:
         if is_feathered(shape):
@@ -226,16 +252,21 @@ class _Writer(ShapeWriter):
             element = ET.SubElement(entry, "Key", frame=self._frame(key.frame), interp=interp)
             element.text = f"{100.0 * key.value:.6f}"
 
-    def _add_path_key(self, parent: ET.Element, key: Keyframe, shape: RotoShape) -> None:
+    def _path_key(self, key: Keyframe, shape: RotoShape, indent: str) -> str:
         interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
-        element = ET.SubElement(parent, "Key", frame=self._frame(key.frame), interp=interp)
-        path = ET.SubElement(element, "Path", closed=str(shape.closed), type=PATH_KINDS[shape.spline])
         if shape.spline is Spline.BSPLINE:
             held = bspline.control_polygon(key.points, shape.closed)[:, None]
         else:
             held = key.points[:, [ANCHOR, IN, OUT]]
-        for point in normalised(held, self.clip):
-            ET.SubElement(path, "Point").text = ",".join(_tuple(position) for position in point)
+        points = (",".join(map(_tuple, point)) for point in normalised(held, self.clip))
+        lines = (
+            f'<Key frame="{self._frame(key.frame)}" interp="{interp}">',
+            f' <Path closed="{shape.closed}" type="{PATH_KINDS[shape.spline]}">',
+            *(f"  <Point>{point}</Point>" for point in points),
+            " </Path>",
+            "</Key>",
+        )
+        return indent.join(lines)
 
     def _frame(self, frame: int) -> str:
         return str(frame - self.clip.first + self.options.frame_offset)

@@ -20,6 +20,7 @@ import numpy as np
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
 from roam_core.media.measure import MAX_PIXELS
+from roam_core.system_errors import reason_of
 
 MOST_LINE = 1 << 24
 """Bytes of an answer: the names of some hundred thousand layers."""
@@ -152,7 +153,7 @@ def write_pixels(file: BinaryIO, picture: Image) -> dict[str, Any]:
 def _no_room(error: OSError) -> NoRoom:
     place = "in memory" if hasattr(os, "memfd_create") else f"in {tempfile.gettempdir()}"
     return NoRoom(
-        f"There is no room for decoded pictures {place} ({error.strerror or error}); make room there, raise the limit "
+        f"There is no room for decoded pictures {place} ({reason_of(error)}); make room there, raise the limit "
         "of a file's size, or set ROAM_DECODER=inside to do without."
     )
 

@@ -15,6 +15,7 @@ from typing import Any
 from roam_core.errors import RoamError
 from roam_core.media.decoding.answers import MOST_LINE, Answer, Garbled, NoRoom, SharedFile, taken
 from roam_core.media.source import DamagedFrame, MissingFrame
+from roam_core.system_errors import reason_of
 
 WORKER = "roam_core.media.decoding.worker"
 """The module that a process runs; the program of a bundle runs it as Python does."""
@@ -67,7 +68,7 @@ class DecoderProcess:
             )
         except OSError as error:
             self._shared.close()
-            raise _not_started(error.strerror or str(error)) from None
+            raise _not_started(reason_of(error)) from None
         self._is_ready = self._is_late = False
 
     def ask(self, task: str, words: dict[str, Any], seconds: float) -> Answer:

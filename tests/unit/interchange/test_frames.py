@@ -16,7 +16,7 @@ from roam_core.interchange.protocol import exported_keys, readied, within
 from roam_core.interchange.timing import value_within
 from roam_core.matte import render_matte, shapes_from_mask
 from roam_core.proposal.mask_keys.keys import keys_from_mask
-from roam_core.roto import Animated, Clip, Interpolation, Layer, MotionBlur, Origin, Project, ValueKey
+from roam_core.roto import Animated, Clip, Interpolation, Layer, MotionBlur, Origin, Project, ValueKey, edit
 from roam_core.roto.animated import frames_of
 from tests.judges.coverage import overlap
 from tests.judges.programs import JUDGES
@@ -114,6 +114,16 @@ def test_frames_that_the_clip_has_not_are_refused(project: Project, tmp_path: Pa
     for frames, told in ((range(1000, 1005), outside), (range(1039, 1042), outside), (range(1005, 1005), none)):
         with pytest.raises(RoamError, match=told):
             EXPORTERS[name].export(project, tmp_path / "p", ExportOptions(frames=frames))
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", EXPORTERS)
+def test_frames_the_wrong_way_round_are_refused_where_values_move(project: Project, tmp_path: Path, name: str) -> None:
+    """The keys of an opacity were looked for on the frames before these were looked at: that was a traceback."""
+    fading = Animated((ValueKey(1001, 0.0), ValueKey(1010, 1.0)))
+    project = edit.set_properties(project, project.shapes[0].id, opacity=fading, feather=fading)
+    with pytest.raises(RoamError, match="lies before the first"):
+        EXPORTERS[name].export(project, tmp_path / "p", ExportOptions(frames=range(1010, 1005)))
     assert list(tmp_path.iterdir()) == []
 
 

@@ -144,14 +144,22 @@ def test_mattes_become_a_project_and_mattes_again(show: Path, tmp_path: Path) ->
     assert len(list((tmp_path / "again/sh010/mattes").iterdir())) == 6
 
 
-@pytest.mark.parametrize(("verb", "reason"), [("fill", "no gap to fill"), ("track", "no closed, unlocked shape")])
-def test_what_has_nothing_to_track_or_fill_goes_on_to_its_render(tmp_path: Path, verb: str, reason: str) -> None:
+@pytest.mark.parametrize(
+    ("verb", "reason"),
+    [
+        ("fill", "no gap to fill"),
+        ("track", "no closed, unlocked shape"),
+        ("steady", "no tracked or filled key to steady"),
+        ("soften", "no closed, unlocked shape to soften"),
+    ],
+)
+def test_what_leaves_a_step_nothing_to_do_goes_on_to_its_render(tmp_path: Path, verb: str, reason: str) -> None:
     """The step failed, and the mattes and exports of a finished shot were left out."""
     show = tmp_path / "show"
     plate, init = put_plate(show / "sh010" / "plate"), show / "sh010" / "init.roam"
     project = load_project(put_gaps(init, plate))
     for shape in project.shapes:
-        finished = {"keys": shape.keys[:1]} if verb == "fill" else {"locked": True}
+        finished = {"keys": shape.keys[:1]} if verb in ("fill", "steady") else {"locked": True}
         project = edit.set_properties(project, shape.id, **finished)
     file.save(project, init)
     outcomes = carried_out(show, tmp_path / "out", steps=f"{verb},render,export:json")
@@ -167,9 +175,29 @@ def test_what_has_nothing_to_track_or_fill_goes_on_to_its_render(tmp_path: Path,
     assert again[0]["idle"]
 
 
-def test_a_shape_that_is_not_there_is_no_reason_to_go_on(tmp_path: Path) -> None:
+def test_a_line_of_steps_none_of_which_has_anything_to_do_ends_with_its_mattes(tmp_path: Path) -> None:
     given = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
-    job = {"name": "sh010", "init": str(given), "steps": [{"fill": {"shape": ["Nobody"]}}]}
+    project = load_project(given)
+    for shape in project.shapes:
+        project = edit.set_properties(project, shape.id, locked=True)
+    file.save(project, given)
+    steps = ["fill", "steady", "soften", "render"]
+    (tmp_path / "jobs.json").write_text(
+        json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [{"name": "sh010", "init": str(given), "steps": steps}]})
+    )
+    outcomes = carried_out(tmp_path / "jobs.json", tmp_path / "out")
+    assert [(outcome["status"], outcome.get("idle", False)) for outcome in outcomes] == [
+        ("done", True),
+        ("done", True),
+        ("done", True),
+        ("done", False),
+    ]
+
+
+@pytest.mark.parametrize("verb", ["fill", "steady", "soften"])
+def test_a_shape_that_is_not_there_is_no_reason_to_go_on(tmp_path: Path, verb: str) -> None:
+    given = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
+    job = {"name": "sh010", "init": str(given), "steps": [{verb: {"shape": ["Nobody"]}}]}
     (tmp_path / "jobs.json").write_text(json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [job]}))
     (outcome,) = carried_out(tmp_path / "jobs.json", tmp_path / "out")
     assert outcome["status"] == "failed"
