@@ -63,7 +63,7 @@ def test_many_anchors_and_handles_look_as_each_by_itself() -> None:
     discs = [(QPointF(8 + 4.3 * k, 60.7), k == 3) for k in range(15)]
 
     def each(painter: QPainter) -> None:
-        for at, round_, filled, grown in kinds:
+        for at, round_, filled, grown, _ in kinds:
             marks.anchor(painter, at, COLOUR, round_=round_, filled=filled, grown=grown)
         for at, grown in discs:
             marks.handle(painter, at, COLOUR, grown=grown)
@@ -73,3 +73,21 @@ def test_many_anchors_and_handles_look_as_each_by_itself() -> None:
         marks.handles(painter, discs, COLOUR)
 
     assert np.array_equal(drawn(each), drawn(together))
+
+
+def test_the_anchor_with_which_a_shape_begins_is_larger() -> None:
+    def ink(*, first: bool) -> int:
+        anchor = marks.Anchor(QPointF(40.0, 40.0), False, False, False, first)
+        return int(np.count_nonzero(drawn(lambda painter: marks.anchors(painter, [anchor], COLOUR)) != BACKGROUND))
+
+    assert ink(first=True) > 1.5 * ink(first=False)
+
+
+def test_an_arrow_needs_a_line_that_is_long_enough() -> None:
+    def ink(length: float) -> int:
+        path = QPainterPath(QPointF(10.0, 40.0))
+        path.lineTo(QPointF(10.0 + length, 40.0))
+        return int(np.count_nonzero(drawn(lambda painter: marks.arrow(painter, path, COLOUR)) != BACKGROUND))
+
+    assert ink(marks.ARROW_ROOM + 5.0) > 0
+    assert ink(marks.ARROW_ROOM - 5.0) == 0
