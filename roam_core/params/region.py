@@ -74,6 +74,8 @@ class RegionParams:
     hopeless : expected IoU under which what is left of a region is not the object.
     rigid : share of the key's corners that must be found where the motion of a plane puts them for the object to be
         carried as one piece (`propagate.whole.rigid`); above 1: never.
+    hole_own : nats by which what lies in a hole must look like the object, not like its surroundings, for the hole to
+        be carried by itself (`propagate.parts.holes`).
     part : of the poses of an object drawn in parts (`propagate.parts.figure`); None: it is carried as one region.
     pose : of the pose of a lone shape, one more hypothesis (`propagate.whole.posed`); None: it is not asked.
     pose_densest_seam : share without an edge, on the key, of the stretch of the outline that has most of it
@@ -177,6 +179,7 @@ class RegionParams:
     least_seen: float = later(0.05)
     whole_cells: int = later(2)
     closed: float = later(0.02)
+    hole_own: float = later(1.0)
     label_propagation: LabelPropagationParams = later(LabelPropagationParams())
     components: ComponentsParams = later(ComponentsParams())
     contour_fit: ContourFitParams = later(ContourFitParams(stretch=12.0))

@@ -243,10 +243,10 @@ def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
 
     A solid shape is a thing of its own, and so are all those of one compound together, also where they overlap. Things
     that overlap or abut are parts, but for those of several outlines, and for one on which all that meets it is drawn:
-    these stay whole. A thing that meets no other is whole. A shape that subtracts and lies within one outline is its
-    hole, and moves with it; one that crosses an outline is an occluder: what it alone holds together (`objects`, with
-    the same `gap`) is apart behind it. What the artist linked is one whole object in any case. It is decided where the
-    shapes met.
+    these stay whole. A thing that meets no other is whole. A shape that subtracts and lies within one outline is
+    its hole, and moves with it, unless the picture says otherwise (`parts.holes`); one that crosses an outline is
+    an occluder: what it alone holds together (`objects`, with the same `gap`) is apart behind it. What the artist
+    linked is one whole object in any case. It is decided where the shapes met.
     """
     everything = tuple(range(len(shapes)))
     subtracts = [shape.blend is BlendMode.SUBTRACT for shape in shapes]

@@ -105,6 +105,14 @@ def hidden() -> Points:
     return _points([result.shape for result in last.results])
 
 
+def cut_out() -> Points:
+    """A hole that is cut out of what looks the same all around it."""
+    figure = arm_like_its_body(4)
+    body, arm = figure.shapes()
+    *_, last = track(figure.read, [body, subtracting(arm)], figure.frames, "best")
+    return _points([result.shape for result in last.results])
+
+
 def hidden_filled() -> Points:
     """The same between two keys."""
     figure = body_behind_a_post(5)
@@ -179,6 +187,7 @@ RUNS: dict[str, Callable[[], Points]] = {
         posed,
         held,
         hidden,
+        cut_out,
         hidden_filled,
         panned,
         dimmed,
