@@ -120,7 +120,7 @@ def _script_pieces(project: Project, options: ExportOptions) -> tuple[Iterator[s
 
 
 def _program(frame: dict[str, Any], parts: list[dict[str, Any]]) -> Iterator[str]:
-    head, tail = PROGRAM.replace("@CLIP@", javascript_literal(frame)).split("@PARTS@")
+    head, tail = (part.replace("@CLIP@", javascript_literal(frame)) for part in PROGRAM.split("@PARTS@"))
     yield f"{head}["
     for number, part in enumerate(parts):
         yield f"{',' if number else ''}\n    "
