@@ -81,7 +81,9 @@ def test_at_a_hole_the_object_lies_outside(blob_shot: Shot) -> None:
         return points.mean(axis=(0, 1)) + 0.3 * (points - points.mean(axis=(0, 1)))
 
     hole = replace(blob_shot.shape(shape_id="hole"), blend=BlendMode.SUBTRACT).map_points(small)
-    last = solved(blob_shot, [blob_shot.shape(), hole], "best+region.pose_unlike=0.01")  # by its region, not its pose
+    # As one through which something else is seen, and by its region, not its pose.
+    by_region = "best+region.hole_own=3+region.pose_unlike=0.01"
+    last = solved(blob_shot, [blob_shot.shape(), hole], by_region)
     body, cut = explained(blob_shot, [result.shape for result in last.results])
     assert (body.apart, cut.apart) == (0.0, 0.0)
     inside, outside = cut.account.sides["prior"]
