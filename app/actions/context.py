@@ -32,7 +32,7 @@ _OF_SHAPES = (
     "object.one", "object.parts", SEPARATOR,
     "object.in_front", "object.behind", "object.as_stacked", SEPARATOR,
     "shape.lock", "shape.hide", "shape.show_all", "shape.solo", SEPARATOR,
-    "view.fit_selection", "view.shape_panel", "file.export_selected",
+    "view.fit_selection", "view.stabilise", "view.shape_panel", "file.export_selected",
 )  # fmt: skip
 
 CONTEXT: Mapping[Place, tuple[str, ...]] = {
@@ -48,7 +48,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
     Place.BACKGROUND: (
         "edit.paste", "shape.select_all", "shape.show_all", "shape.solo", SEPARATOR,
         "tool.bezier", "tool.bspline", "tool.object", "shape.from_mask", SEPARATOR,
-        "view.overlay", "view.matte", "view.cutout", "view.hide_overlays", SEPARATOR,
+        "view.overlay", "view.matte", "view.cutout", "view.hide_overlays", "view.stabilise", SEPARATOR,
         "view.fit", "view.actual_size", SEPARATOR,
         "mark.toggle", "track.next_doubtful",
     ),
@@ -58,7 +58,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
         "track.forward", "track.backward", "planar.forward", "planar.backward", SEPARATOR,
         "edit.copy", "edit.cut", "shape.duplicate", "shape.delete", SEPARATOR,
         "shape.hide", "shape.show_all", "shape.solo", SEPARATOR,
-        "view.fit_selection", "view.shape_panel", "file.export_selected",
+        "view.fit_selection", "view.stabilise", "view.shape_panel", "file.export_selected",
     ),
     Place.EMPTY_LIST: (
         "edit.paste", "layer.add", SEPARATOR, "shape.select_all", "shape.find", "shape.show_all", "shape.solo",

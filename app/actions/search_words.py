@@ -77,6 +77,7 @@ WORDS: Mapping[str, str] = {
     "proposal.keep": N_("accept yes topology"),
     "proposal.refuse": N_("reject no topology"),
     "view.edges": N_("seam free contrast boundary outline kinds dashed dotted"),
+    "view.stabilise": N_("stabilize follow lock steady centre still slide chatter drift mocha"),
     "view.matte": N_("alpha mask black white"),
     "view.cutout": N_("composite comp cutout transparent background checkerboard colour"),
     "view.onion": N_("onionskin ghost light table frames before after"),

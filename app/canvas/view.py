@@ -21,7 +21,6 @@ from ..model.shown import selection_bounds
 from ..model.view_state import Selection, ViewState
 from ..model.viewing import Viewing, ViewMode
 from ..paint.feather import paint_feather
-from ..paint.viewport import Viewport
 from ..tools.edit.point_actions import PointActions
 from ..tools.in_hand import ToolInHand
 from ..tools.menu_place import taken_up
@@ -33,6 +32,7 @@ from .items.proposal import ProposalPainter, Side
 from .plate.stage import Stage
 from .pointed import PointedWidget
 from .repaint import Repaint
+from .stabiliser import Shift, Stabiliser
 from .view_snapshot import SnapshotPainter, ViewSnapshot
 from .wipe import Wipe
 from .words import NO_PLATE, OPENING, paint_words
@@ -77,6 +77,8 @@ class CanvasView(PointedWidget):
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
         self.stage, self.wipe = Stage(self.viewing), Wipe(self._snapshot, view_state.say, self)
+        going = self._project, lambda: self._viewport, self.go_along
+        self.stabiliser = Stabiliser(view_state, self.viewing, *going, self)
         self._repaint = Repaint(self)
         self._present, self._pinned, self._proposed = SnapshotPainter(), SnapshotPainter(), ProposalPainter()
         self.proposed: Callable[[], Proposal | None] = lambda: None
@@ -89,9 +91,8 @@ class CanvasView(PointedWidget):
         self._is_pressed = self._is_waiting = self._lacks_plate = False
         self._pointer: QPointF | None = None
         self._key_presses = 0
-        self._framed: tuple[QSizeF | None, float] = (None, 1.0)
         self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
-        self._patience.timeout.connect(self.update)
+        self._patience.timeout.connect(self._show_frame)
         self._listen()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
@@ -127,7 +128,7 @@ class CanvasView(PointedWidget):
         self._patience.stop()
         self.stage.set_image(frame, image)
         self._follow_plate()
-        self.update()
+        self._show_frame()
 
     def _show_tool(self) -> None:
         self.setCursor(self.tool.cursor)
@@ -156,30 +157,17 @@ class CanvasView(PointedWidget):
         """Show the selected points or shapes as large as can be; without a selection, the whole picture."""
         selection = self._view_state.selection
         box = selection_bounds(self._project(), self._view_state.frame, selection.shapes, selection.points)
-        if box is None:
-            self.fit()
-        else:
-            left, top, right, bottom = box
-            self.show_area(QRectF(QPointF(left, top), QPointF(right, bottom)))
+        self.fit() if box is None else self.show_area(QRectF(QPointF(*box[:2]), QPointF(*box[2:])))
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of the viewer do, by id."""
-        points = self.points
         return {
-            "points.delete": points.delete,
-            "points.smooth": points.smooth,
-            "points.cusp": points.cusp,
-            "points.toggle_closed": points.toggle_closed,
-            "points.select_all": points.select_all,
-            "points.next": lambda: points.cycle(1),
-            "points.previous": lambda: points.cycle(-1),
-            "view.fit": self.fit,
+            **self.points.handlers(),
             "view.fit_selection": self.fit_selection,
-            "view.actual_size": self.actual_size,
-            "view.zoom_in": self.zoom_in,
-            "view.zoom_out": self.zoom_out,
+            **super().handlers(),
             **self.viewing.handlers(),
             **self.wipe.handlers(),
+            **self.stabiliser.handlers(),
         }
 
     def _announce(self) -> None:
@@ -216,7 +204,19 @@ class CanvasView(PointedWidget):
         """Another frame: shapes and picture change together, unless the picture lets the artist wait for it."""
         waits = self.stage.frame is not None and self.stage.frame != self._view_state.frame
         self._prepare()
-        self._patience.start() if waits else self.update()
+        self._patience.start() if waits else self._show_frame()
+
+    def _show_frame(self) -> None:
+        """Another frame is seen from now on, if need be without its picture: a stabilised view goes along."""
+        self.stabiliser.follow()
+        self.update()
+
+    def go_along(self, shift: Shift) -> Shift:
+        """Beyond that, another pixel lies under a pointer that stands still."""
+        went = super().go_along(shift)
+        if self._pointer is not None:
+            self.pointer_moved.emit(self.widget_to_image(self._pointer))
+        return went
 
     def _begin_anew(self) -> None:
         """Another project was opened."""
@@ -224,17 +224,14 @@ class CanvasView(PointedWidget):
         self._view_state.select(frozenset())
         self.stage.clear()
         self.wipe.end()
+        self.stabiliser.forget()
         self._follow_plate()
         self.fit()
 
     def _follow_plate(self) -> None:
         """Another plate than the one that was framed is shown whole."""
         clip = self._document.project.clip
-        framed = self._image_size(), clip.pixel_aspect if clip else 1.0
-        if framed != self._framed:
-            self._framed = framed
-            self._viewport = Viewport(pixel_aspect=framed[1])
-            self.fit()
+        self.frame_plate(self._image_size() or QSizeF(), clip.pixel_aspect if clip else 1.0)
 
     def _follow_preview(self) -> None:
         """A drag goes on: only what it moved is painted again, where nothing but the plate lies below."""
@@ -262,7 +259,7 @@ class CanvasView(PointedWidget):
         below = self.stage.below(project, frame, image)
         edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
         look = viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges
-        return ViewSnapshot(below, image, *look, self._view_state.solo.told(project))
+        return ViewSnapshot(below, image, *look, self._view_state.solo.told(project), self.stabiliser.travelled)
 
     # ---- painting
 
@@ -272,7 +269,8 @@ class CanvasView(PointedWidget):
         ratio, viewport, snapshot = self.devicePixelRatioF(), self._viewport, self._snapshot()
         if (pinned := self.wipe.pinned) is not None:
             painter.setClipRect(self.wipe.left(size) & QRectF(event.rect()))
-            self._pinned.paint(painter, pinned, viewport, ratio, Selection())
+            there = viewport.with_picture_moved(self.stabiliser.aside(pinned.travelled))
+            self._pinned.paint(painter, pinned, there, ratio, Selection())
             right = QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0)
             painter.setClipRect(right & QRectF(event.rect()))
         self._present.paint(painter, snapshot, viewport, ratio, view.selection, view.hovered)

@@ -33,6 +33,7 @@ class ViewSnapshot:
     shows_shapes : whether they are.
     alone : the names of what is soloed; empty where nothing is.
     edges : of shapes whose outlines are drawn by what kind of edge they are, by their ids.
+    travelled : how far a stabilised view had gone along with what it follows, image pixels.
     """
 
     below: Below
@@ -44,6 +45,7 @@ class ViewSnapshot:
     shows_shapes: bool
     edges: Mapping[str, Edges] = field(default_factory=dict)
     alone: str = ""
+    travelled: tuple[float, float] = (0.0, 0.0)
 
 
 class SnapshotPainter:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QCursor, QMouseEvent, QNativeGestureEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
@@ -35,6 +37,7 @@ class ZoomableWidget(QWidget):
         super().__init__(parent)
         self._viewport = Viewport()
         self._is_fitted = True
+        self._framed: tuple[QSizeF, float] = (QSizeF(), 1.0)
         self._pan_from: QPointF | None = None
 
     def plate_size(self) -> QSizeF:
@@ -63,6 +66,13 @@ class ZoomableWidget(QWidget):
         self.set_viewport(self._viewport.fitted(QRectF(QPointF(), self.plate_size()), QSizeF(self.size())))
         self._is_fitted = True
 
+    def frame_plate(self, size: QSizeF, pixel_aspect: float) -> None:
+        """Show the plate whole, if it is another than the one that was framed last."""
+        if (size, pixel_aspect) != self._framed:
+            self._framed = size, pixel_aspect
+            self._viewport = Viewport(pixel_aspect=pixel_aspect)
+            self.fit()
+
     def show_area(self, area: QRectF) -> None:
         """Show a part of the plate as large as can be, with some of what lies about it."""
         grown = QRectF(0.0, 0.0, max(area.width(), LEAST_DETAIL), max(area.height(), LEAST_DETAIL))
@@ -89,6 +99,22 @@ class ZoomableWidget(QWidget):
         self._is_fitted = False
         self.view_changed.emit()
         self.update()
+
+    def go_along(self, shift: tuple[float, float]) -> tuple[float, float]:
+        """Show what lies so many image pixels aside where the picture is now; gives how far that was possible."""
+        before, (across, down) = self._viewport, self._viewport.pixel
+        if shift != (0.0, 0.0):
+            self.set_viewport(before.with_picture_moved((-shift[0], -shift[1])))
+        return (before.x - self._viewport.x) * across, (before.y - self._viewport.y) * down
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "view.fit": self.fit,
+            "view.actual_size": self.actual_size,
+            "view.zoom_in": self.zoom_in,
+            "view.zoom_out": self.zoom_out,
+        }
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         if self._is_fitted:

@@ -113,7 +113,7 @@ class Viewing(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._mode = self._before_alpha = ViewMode.OVERLAY
-        self._are_shapes_hidden = self._shows_joints = self._shows_edges = False
+        self._are_shapes_hidden = self._shows_joints = self._shows_edges = self._is_stabilised = False
         self._look, self._onion, self._background = Look(), Onion(), Background()
         self._views: dict[str, tuple[str, str]] = {}
         """The display and view that were chosen last, by the configuration of OpenColorIO; not plain sRGB."""
@@ -165,6 +165,15 @@ class Viewing(QObject):
     def show_edges(self, shown: bool) -> None:
         """Draw outlines by what kind of edge they are, or as usual."""
         self._set("_shows_edges", shown)
+
+    @property
+    def is_stabilised(self) -> bool:
+        """True where the view goes along with what is selected, from frame to frame."""
+        return self._is_stabilised
+
+    def stabilise(self, on: bool) -> None:
+        """Let the view go along with what is selected, or stand."""
+        self._set("_is_stabilised", on)
 
     @property
     def look(self) -> Look:
@@ -242,11 +251,13 @@ class Viewing(QObject):
         Of the look that is the display's view, for each configuration; channel, exposure and gamma would deceive.
         """
         overlays = {"joints": self._shows_joints, "edges": self._shows_edges}
+        stabilised = {"on": self._is_stabilised}
         views = {config: list(view) for config, view in self._views.items()}
         return {
             "onion": asdict(self._onion),
             "ground": asdict(self._background),
             "overlays": overlays,
+            "stabilised": stabilised,
             "views": views,
         }
 
@@ -257,6 +268,8 @@ class Viewing(QObject):
         overlays = kept.get("overlays")
         self.show_joints(isinstance(overlays, dict) and overlays.get("joints") is True)
         self.show_edges(isinstance(overlays, dict) and overlays.get("edges") is True)
+        stabilised = kept.get("stabilised")
+        self.stabilise(isinstance(stabilised, dict) and stabilised.get("on") is True)
         background = _fitting(kept.get("ground"), Background())
         if background.get("kind", BackgroundKind.CHECKER) in set(BackgroundKind):
             background["kind"] = BackgroundKind(background.get("kind", BackgroundKind.CHECKER))

@@ -53,6 +53,10 @@ class Viewport:
     def panned(self, dx: float, dy: float) -> Viewport:
         return replace(self, x=self.x + dx, y=self.y + dy)
 
+    def with_picture_moved(self, shift: tuple[float, float]) -> Viewport:
+        """Panned by so many image pixels."""
+        return self.panned(shift[0] * self.scale * self.pixel_aspect, shift[1] * self.scale)
+
     def zoomed(self, factor: float, at: QPointF) -> Viewport:
         """Scaled about the widget position `at`, which keeps showing the same spot of the picture."""
         scale = min(max(self.scale * factor, SMALLEST), LARGEST)

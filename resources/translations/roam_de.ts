@@ -2418,6 +2418,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die Form mit dem ausgewählten Punkt beginnen lassen, auf allen Keyframes</translation>
     </message>
     <message>
+        <source>Let the view go along with what is selected: it stands still on the screen from frame to frame</source>
+        <translation>Die Ansicht mit dem Ausgewählten mitgehen lassen: Es steht von Frame zu Frame still auf dem Bildschirm</translation>
+    </message>
+    <message>
         <source>Libraries</source>
         <translation>Bibliotheken</translation>
     </message>
@@ -3923,6 +3927,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Zuerst eine Form auswählen: Ihr Keyframe auf diesem Frame wird kopiert.</translation>
     </message>
     <message>
+        <source>Select a shape or a layer: from then on the view goes along with it.</source>
+        <translation>Eine Form oder Ebene auswählen: Von da an geht die Ansicht mit ihr mit.</translation>
+    </message>
+    <message>
         <source>Select a shape or points to transform: click an outline or drag a marquee.</source>
         <translation>Eine Form oder Punkte zum Transformieren auswählen: Umriss anklicken oder Rahmen ziehen.</translation>
     </message>
@@ -4399,6 +4407,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Split {name} into {count} shapes?</source>
         <translation>{name} in {count} Formen teilen?</translation>
+    </message>
+    <message>
+        <source>Stabilise view</source>
+        <translation>Ansicht stabilisieren</translation>
+    </message>
+    <message>
+        <source>Stabilised</source>
+        <translation>Stabilisiert</translation>
     </message>
     <message>
         <source>Stale file handle</source>
@@ -6497,6 +6513,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>square box quad draw roto mask</source>
         <translation>quadrat rahmen viereck zeichnen roto maske</translation>
+    </message>
+    <message>
+        <source>stabilize follow lock steady centre still slide chatter drift mocha</source>
+        <translation>stabilize stabilisierte Ansicht folgen verfolgen festhalten sperren ruhig zentrieren still rutschen zittern driften mocha</translation>
     </message>
     <message>
         <source>stands still</source>

@@ -1,8 +1,9 @@
-"""ModeBar: the switches of how edits reach points and keys, always in sight; a press turns one."""
+"""ModeBar: the switches of how edits reach points and keys, and of a view that goes along, always in sight."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from ...actions.actions import Actions
@@ -15,14 +16,17 @@ SWITCHES = {
     "key.auto": "auto_key", "key.points": "point_keys", "key.ripple": "ripple", "points.soft": "soft",
     "points.lasso": "lasso",
 }  # fmt: skip
-"""The actions by the modes that they switch."""
+"""The actions by the modes of editing that they switch."""
+
+OF_VIEW = ("view.stabilise",)
+"""The actions of modes of the first viewer, which switches them itself."""
 
 RADII = {"reshape": "brush_radius"}
 """The radius that a tool works with; with all others it is that of soft selection, while that is on."""
 
 WORDS = {
     "key.auto": N_("Auto-key"), "key.points": N_("Points"), "key.ripple": N_("Ripple"), "points.soft": N_("Soft"),
-    "points.lasso": N_("Lasso"),
+    "points.lasso": N_("Lasso"), "view.stabilise": N_("Stabilised"),
 }  # fmt: skip
 
 
@@ -42,11 +46,10 @@ class ModeBar(QWidget):
         self.buttons: dict[str, QToolButton] = {}
         for action_id, mode in SWITCHES.items():
             actions[action_id].toggled.connect(lambda on, name=mode: editing.set(**{name: on}))
-            self.buttons[mode] = button = QToolButton()
-            button.setDefaultAction(actions[action_id])
-            button.setObjectName("mode")
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            self.buttons[mode] = _button(actions[action_id])
+        for action_id in OF_VIEW:
+            self.buttons[action_id] = _button(actions[action_id])
+        for button in self.buttons.values():
             row.addWidget(button)
         self.radius = NumberField(
             LEAST_RADIUS,
@@ -71,6 +74,17 @@ class ModeBar(QWidget):
         modes = self._view.editing.modes
         for action_id, mode in SWITCHES.items():
             self._actions[action_id].setChecked(getattr(modes, mode))
-            self._actions[action_id].setIconText(tr(WORDS[action_id]))
+        for action_id, word in WORDS.items():
+            self._actions[action_id].setIconText(tr(word))
         self.radius.setVisible(modes.soft or self._view.tool in RADII)
         self.radius.show_value(getattr(modes, self._radius))
+
+
+def _button(action: QAction) -> QToolButton:
+    """The word of a mode."""
+    button = QToolButton()
+    button.setDefaultAction(action)
+    button.setObjectName("mode")
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button

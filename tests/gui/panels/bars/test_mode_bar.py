@@ -34,6 +34,7 @@ def test_what_is_on_at_the_beginning(bar: ModeBar) -> None:
         "ripple": False,
         "soft": False,
         "lasso": False,
+        "view.stabilise": False,
     }
 
 

@@ -1,0 +1,116 @@
+"""Stabiliser: lets a viewer go along with what is selected, which then stands still on the screen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject
+
+from roam_core.roto import Project
+
+from ..model.places import Places, places_of
+from ..model.view_state import ViewState
+from ..model.viewing import Viewing
+from ..paint.viewport import Viewport
+from ..translation import N_, tr
+
+Shift = tuple[float, float]
+"""In image pixels."""
+
+NOTHING = N_("Select a shape or a layer: from then on the view goes along with it.")
+
+
+class Stabiliser(QObject):
+    """Looks after where what is followed was, and moves the view as it moves.
+
+    Only another frame moves the view: an edit, an undo, a run that passes or another selection never does. What is
+    followed is the selection, and when it is let go of, what was selected last. Of several the mean of their motions
+    counts, so that the view does not leap where one of them begins or ends.
+
+    `shown` gives the project as it is seen, `look` the viewport, and `move` shows a spot so many image pixels aside
+    and gives how far it got: at its edge the plate stays in sight.
+    """
+
+    def __init__(
+        self,
+        view_state: ViewState,
+        viewing: Viewing,
+        shown: Callable[[], Project],
+        look: Callable[[], Viewport],
+        move: Callable[[Shift], Shift],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._view, self._viewing, self._shown, self._look, self._move = view_state, viewing, shown, look, move
+        self._frame = view_state.frame
+        self._wanted = self._followed = (view_state.selection.shapes, view_state.layers)
+        self._seen: Places = {}
+        """Where each was when the view was moved last."""
+        self._held: Places = {}
+        """Where the view has each, so that it stands still: other than where it is where the view could not go along,
+        and known also of what is not there at the moment."""
+        self._project: Project | None = None
+        self._left: Viewport | None = None
+        """As the view was left; None while it does not go along."""
+        self.travelled: Shift = (0.0, 0.0)
+        """How far it went, image pixels: something pinned is as much aside."""
+        view_state.selection_changed.connect(self._note_selection)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"view.stabilise": self.toggle}
+
+    def toggle(self) -> None:
+        """Let the view go along with what is selected, or stand."""
+        self._viewing.stabilise(not self._viewing.is_stabilised)
+        if self._viewing.is_stabilised and not any(self._wanted):
+            self._view.say(tr(NOTHING))
+
+    def forget(self) -> None:
+        """Another project: nothing of the last one is followed."""
+        self._wanted = (self._view.selection.shapes, self._view.layers)
+        self._frame = self._view.frame
+        self._held, self._seen, self._left, self._project = {}, {}, None, None
+
+    def aside(self, travelled: Shift) -> Shift:
+        """How far aside something lies that was pinned when the view had `travelled` so far."""
+        if not self._viewing.is_stabilised:
+            return 0.0, 0.0
+        return self.travelled[0] - travelled[0], self.travelled[1] - travelled[1]
+
+    def follow(self) -> None:
+        """Go along where another frame is shown than before."""
+        if self._view.frame == self._frame:
+            return
+        self._take_up()
+        project, there = self._shown(), self._places(self._view.frame)
+        moved = [(there[i][0] - self._held[i][0], there[i][1] - self._held[i][1]) for i in there if i in self._held]
+        shift = (sum(dx for dx, _ in moved) / len(moved), sum(dy for _, dy in moved) / len(moved)) if moved else (0, 0)
+        if self._viewing.is_stabilised:
+            shift = self._move(shift) if moved else shift
+            self._held = there | {i: (x + shift[0], y + shift[1]) for i, (x, y) in self._held.items()}
+            self._left = self._look()
+        else:
+            self._held, self._left = dict(there), None
+        self.travelled = self.travelled[0] + shift[0], self.travelled[1] + shift[1]
+        self._frame, self._seen, self._project = self._view.frame, there, project
+
+    def _note_selection(self) -> None:
+        if any(chosen := (self._view.selection.shapes, self._view.layers)):
+            self._wanted = chosen
+
+    def _places(self, frame: int) -> Places:
+        return places_of(self._shown(), frame, *self._wanted)
+
+    def _take_up(self) -> None:
+        """What was edited, selected, panned or zoomed on the frame before holds as it is seen there."""
+        if self._wanted != self._followed:
+            self._followed, self._held, self._seen, self._project = self._wanted, {}, {}, None
+        is_by_hand = self._look() != self._left
+        here = self._seen if self._shown() is self._project else self._places(self._frame)
+        for i, (x, y) in here.items():
+            if is_by_hand or i not in self._held or i not in self._seen:
+                self._held[i] = x, y
+            elif (x, y) != self._seen[i]:
+                held, seen = self._held[i], self._seen[i]
+                self._held[i] = held[0] + x - seen[0], held[1] + y - seen[1]
