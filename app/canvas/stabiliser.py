@@ -69,12 +69,15 @@ class Stabiliser(QObject):
     def forget(self) -> None:
         """Another project: nothing of the last one is followed."""
         self._wanted = (self._view.selection.shapes, self._view.layers)
-        self._frame = self._view.frame
-        self._held, self._seen, self._left, self._project = {}, {}, None, None
+        self._start_here()
 
-    def aside(self, travelled: Shift) -> Shift:
-        """How far aside something lies that was pinned when the view had `travelled` so far."""
-        if not self._viewing.is_stabilised:
+    def aside(self, travelled: Shift, frame: int) -> Shift:
+        """How far aside something lies that was pinned on a frame when the view had `travelled` so far.
+
+        It stays where it is seen, so that what stands still is compared in its place. On its own frame it lies on
+        what is shown now, whatever was followed meanwhile.
+        """
+        if not self._viewing.is_stabilised or frame == self._frame:
             return 0.0, 0.0
         return self.travelled[0] - travelled[0], self.travelled[1] - travelled[1]
 
@@ -82,18 +85,24 @@ class Stabiliser(QObject):
         """Go along where another frame is shown than before."""
         if self._view.frame == self._frame:
             return
+        if not self._viewing.is_stabilised:
+            self._start_here()
+            return
         self._take_up()
         project, there = self._shown(), self._places(self._view.frame)
         moved = [(there[i][0] - self._held[i][0], there[i][1] - self._held[i][1]) for i in there if i in self._held]
         shift = (sum(dx for dx, _ in moved) / len(moved), sum(dy for _, dy in moved) / len(moved)) if moved else (0, 0)
-        if self._viewing.is_stabilised:
-            shift = self._move(shift) if moved else shift
-            self._held = there | {i: (x + shift[0], y + shift[1]) for i, (x, y) in self._held.items()}
-            self._left = self._look()
-        else:
-            self._held, self._left = dict(there), None
-        self.travelled = self.travelled[0] + shift[0], self.travelled[1] + shift[1]
+        if any(shift):
+            shift = self._move(shift)
+            self.travelled = self.travelled[0] + shift[0], self.travelled[1] + shift[1]
+        self._held = there | {i: (x + shift[0], y + shift[1]) for i, (x, y) in self._held.items()}
+        self._left = self._look()
         self._frame, self._seen, self._project = self._view.frame, there, project
+
+    def _start_here(self) -> None:
+        """Know nothing of other frames than this one."""
+        self._frame, self._project = self._view.frame, None
+        self._held, self._seen, self._left = {}, {}, None
 
     def _note_selection(self) -> None:
         if any(chosen := (self._view.selection.shapes, self._view.layers)):

@@ -269,7 +269,7 @@ class CanvasView(PointedWidget):
         ratio, viewport, snapshot = self.devicePixelRatioF(), self._viewport, self._snapshot()
         if (pinned := self.wipe.pinned) is not None:
             painter.setClipRect(self.wipe.left(size) & QRectF(event.rect()))
-            there = viewport.with_picture_moved(self.stabiliser.aside(pinned.travelled))
+            there = viewport.with_picture_moved(self.stabiliser.aside(pinned.travelled, pinned.frame))
             self._pinned.paint(painter, pinned, there, ratio, Selection())
             right = QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0)
             painter.setClipRect(right & QRectF(event.rect()))

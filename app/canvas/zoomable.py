@@ -37,6 +37,8 @@ class ZoomableWidget(QWidget):
         super().__init__(parent)
         self._viewport = Viewport()
         self._is_fitted = True
+        self._gone = 0.0, 0.0
+        """How far aside a fitted view went, image pixels."""
         self._framed: tuple[QSizeF, float] = (QSizeF(), 1.0)
         self._pan_from: QPointF | None = None
 
@@ -64,7 +66,7 @@ class ZoomableWidget(QWidget):
     def fit(self) -> None:
         """Show the whole plate, and go on doing so when the widget's size changes."""
         self.set_viewport(self._viewport.fitted(QRectF(QPointF(), self.plate_size()), QSizeF(self.size())))
-        self._is_fitted = True
+        self._is_fitted, self._gone = True, (0.0, 0.0)
 
     def frame_plate(self, size: QSizeF, pixel_aspect: float) -> None:
         """Show the plate whole, if it is another than the one that was framed last."""
@@ -101,11 +103,15 @@ class ZoomableWidget(QWidget):
         self.update()
 
     def go_along(self, shift: tuple[float, float]) -> tuple[float, float]:
-        """Show what lies so many image pixels aside where the picture is now; gives how far that was possible."""
-        before, (across, down) = self._viewport, self._viewport.pixel
-        if shift != (0.0, 0.0):
-            self.set_viewport(before.with_picture_moved((-shift[0], -shift[1])))
-        return (before.x - self._viewport.x) * across, (before.y - self._viewport.y) * down
+        """Show what lies so many image pixels aside in its place; gives how far that was possible.
+
+        A plate that was fitted goes on being as large as can be.
+        """
+        before, (across, down), is_fitted = self._viewport, self._viewport.pixel, self._is_fitted
+        self.set_viewport(before.with_picture_moved((-shift[0], -shift[1])))
+        went = (before.x - self._viewport.x) * across, (before.y - self._viewport.y) * down
+        self._is_fitted, self._gone = is_fitted, (self._gone[0] + went[0], self._gone[1] + went[1])
+        return went
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -118,7 +124,10 @@ class ZoomableWidget(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         if self._is_fitted:
+            gone = self._gone
             self.fit()
+            if any(gone):
+                self.go_along(gone)
             return
         # What was in the middle stays in the middle.
         grown = event.size() - event.oldSize()

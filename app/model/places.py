@@ -6,11 +6,9 @@ from collections.abc import Collection
 
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.roto import Layer, Project
+from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.following import matrix_of, surface_of
 from roam_core.roto.sight import is_out_of_sight
-
-from .shown import shown_shapes
 
 Places = dict[str, tuple[float, float]]
 """Image positions of shapes and layers, by their ids."""
@@ -32,12 +30,16 @@ def places_of(project: Project, frame: int, shape_ids: Collection[str], layer_id
         if isinstance(layer, Layer) and all(each.visible for each in (layer, *project.layers_above(layer.id))):
             middle = projective.apply(matrix_of(project, layer.id, frame), surface_of(layer).mean(axis=0))
             found[layer.id] = float(middle[0]), float(middle[1])
-    wanted = set(shape_ids) - carried
-    for shape in (shown.shape for shown in shown_shapes(project, frame)) if wanted else ():
-        if shape.id in wanted and not is_out_of_sight(shape, frame):
+    for shape in map(project.shape, filter(project.has, set(shape_ids) - carried)):
+        if _is_seen(project, shape, frame):
             x, y = shape.at(frame).points[:, ANCHOR].mean(axis=0).tolist()
             found[shape.id] = x, y
     return found
+
+
+def _is_seen(project: Project, shape: RotoShape, frame: int) -> bool:
+    is_shown = shape.visible and all(layer.visible for layer in project.layers_above(shape.id))
+    return is_shown and shape.exists_at(frame) and not is_out_of_sight(shape, frame)
 
 
 def _moves(item: object) -> bool:

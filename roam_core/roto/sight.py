@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from itertools import pairwise
+from operator import attrgetter
 
 import numpy as np
 
@@ -19,6 +20,8 @@ SHUT = 0.05
 
 POINT = 0.5
 """Pixels across, under which an outline is a point: it has no edge that could be soft."""
+
+_FRAME = attrgetter("frame")
 
 
 def is_point(points: Array) -> bool:
@@ -39,8 +42,8 @@ def opened(points: Array, drawn: Array) -> Array:
 
 def is_out_of_sight(shape: RotoShape, frame: float) -> bool:
     """True where an engine closed the shape to a point: on such keys, between two of them, and beyond one."""
-    frames = shape.frames
-    around = shape.keys[max(bisect_right(frames, frame) - 1, 0) : bisect_left(frames, frame) + 1]
+    first = bisect_right(shape.keys, frame, key=_FRAME)
+    around = shape.keys[max(first - 1, 0) : bisect_left(shape.keys, frame, key=_FRAME) + 1]
     return all(map(_is_closed, around))
 
 

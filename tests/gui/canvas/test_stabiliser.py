@@ -15,6 +15,7 @@ from app.model.view_state import ViewState
 from app.model.viewing import Viewing
 from app.paint.viewport import OVERLAP, Viewport
 from app.translation import tr
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
 from roam_core.roto.following import followed, with_moving_layer
@@ -22,6 +23,11 @@ from tests.gui.hand import ALT, MIDDLE, Hand
 
 SQUARE = np.array([(40.0, 40.0), (80.0, 40.0), (80.0, 80.0), (40.0, 80.0)])
 FIRST, SECOND = "shape-1", "shape-2"
+
+
+def at(right: float, down: float) -> Array:
+    """The points of the square, shifted."""
+    return polygon_points(SQUARE + np.array((right, down)))
 
 
 @pytest.fixture
@@ -32,8 +38,8 @@ def shapes(canvas: CanvasView, document: Document, view_state: ViewState) -> Can
     """
     project = document.project
     for right, motion in ((0.0, (40.0, 20.0)), (60.0, (-20.0, 0.0))):
-        project, shape = edit.new_shape(project, polygon_points(SQUARE + (right, 0.0)), 1)
-        project = project.with_shape(shape.with_key(Keyframe(11, polygon_points(SQUARE + (right, 0.0) + motion))))
+        project, shape = edit.new_shape(project, at(right, 0.0), 1)
+        project = project.with_shape(shape.with_key(Keyframe(11, at(right + motion[0], motion[1]))))
     document.apply("Draw", project)
     view_state.select(frozenset({FIRST}))
     canvas.stabiliser.toggle()
@@ -44,6 +50,10 @@ def go(canvas: CanvasView, view_state: ViewState, frame: int) -> None:
     """Show a frame with its picture."""
     view_state.set_frame(frame)
     canvas.set_image(frame, np.full((150, 200, 3), 10 * frame, dtype=np.uint8))
+
+
+def near(a: QPointF, b: QPointF) -> bool:
+    return (a.x(), a.y()) == pytest.approx((b.x(), b.y()))
 
 
 def spot(canvas: CanvasView, document: Document, view_state: ViewState, shape_id: str = FIRST) -> QPointF:
@@ -96,6 +106,21 @@ def test_what_the_hand_pans_and_zooms_holds_from_there_on(
     assert spot(shapes, document, view_state) == there
 
 
+def test_a_plate_that_was_fitted_stays_as_large_as_can_be(
+    shapes: CanvasView, document: Document, view_state: ViewState
+) -> None:
+    go(shapes, view_state, 6)
+    shapes.resize(848, 648)  # as for the full screen
+    assert shapes._viewport.scale == 4.0
+    assert (shapes._viewport.x, shapes._viewport.y) == pytest.approx((24.0 - 80.0, 24.0 - 40.0))
+    there = spot(shapes, document, view_state)
+    go(shapes, view_state, 2)
+    assert near(spot(shapes, document, view_state), there)
+    shapes.resize(448, 348)
+    go(shapes, view_state, 1)
+    assert (shapes._viewport.x, shapes._viewport.y, shapes._viewport.scale) == pytest.approx((24.0, 24.0, 2.0))
+
+
 def test_nothing_but_another_frame_moves_the_view(
     shapes: CanvasView, document: Document, view_state: ViewState, hand: Hand
 ) -> None:
@@ -123,7 +148,7 @@ def test_an_edit_and_its_undo_on_one_frame_leave_no_trace(
 ) -> None:
     go(shapes, view_state, 6)
     before = shapes._viewport
-    moved = edit.set_key(document.project.shape(FIRST), 6, polygon_points(SQUARE))
+    moved = edit.set_key(document.project.shape(FIRST), 6, at(0.0, 0.0))
     document.apply("Move", document.project.with_shape(moved))
     go(shapes, view_state, 7)
     go(shapes, view_state, 6)
@@ -144,11 +169,11 @@ def test_a_run_takes_the_view_along(shapes: CanvasView, document: Document, view
     go(shapes, view_state, 11)
     there = spot(shapes, document, view_state)
     for frame in (12, 13, 14):
-        key = Keyframe(frame, polygon_points(SQUARE + (3.0 * frame, -2.0 * frame)), origin=Origin.ENGINE)
+        key = Keyframe(frame, at(3.0 * frame, -2.0 * frame), origin=Origin.ENGINE)
         solve(document, key)
         go(shapes, view_state, frame)
         assert spot(shapes, document, view_state) == there
-    solved = Keyframe(14, polygon_points(SQUARE), origin=Origin.ENGINE)
+    solved = Keyframe(14, at(0.0, 0.0), origin=Origin.ENGINE)
     before = shapes._viewport
     solve(document, solved)  # it passes under the artist
     assert shapes._viewport == before
@@ -231,7 +256,7 @@ def test_the_plate_stays_in_sight_and_the_shape_comes_back_to_its_place(
     shapes: CanvasView, document: Document, view_state: ViewState
 ) -> None:
     there = spot(shapes, document, view_state)
-    gone = polygon_points(SQUARE + (900.0, 0.0))
+    gone = at(900.0, 0.0)
     document.apply("Move", document.project.with_shape(edit.set_key(document.project.shape(FIRST), 3, gone)))
     go(shapes, view_state, 3)
     assert shapes._viewport.x == OVERLAP - 400.0
@@ -250,12 +275,16 @@ def test_a_pinned_state_stays_where_it_is_seen(
 ) -> None:
     corner = shapes._viewport
     shapes.wipe.pin()
-    pinned = shapes.grab().toImage()
+    pinned, pinned_at = shapes.grab().toImage(), (shapes.stabiliser.travelled, view_state.frame)
     go(shapes, view_state, 11)
     assert shapes._viewport != corner
     compared = shapes.grab().toImage()
     for x, y in ((12, 100), (30, 30), (30, 200), (104, 60)):  # surround, corner of the plate, plate, outline
         assert compared.pixelColor(x, y) == pinned.pixelColor(x, y)
+    view_state.select(frozenset({SECOND}))
+    go(shapes, view_state, 1)  # back by the motion of another shape: the picture of A lies on that of B
+    assert shapes.stabiliser.aside(*pinned_at) == (0.0, 0.0)
+    go(shapes, view_state, 11)
     shapes.wipe.end()
     assert shapes.grab().toImage().pixelColor(12, 100) != pinned.pixelColor(12, 100)
 

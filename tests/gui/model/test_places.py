@@ -1,4 +1,4 @@
-"""Where shapes and tracked layers are: the mean of the anchors, the middle of the surface; nothing of what is not seen."""
+"""Where shapes and tracked layers are: by anchors or by the surface, and nothing of what is not seen."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def with_key(project: Project, frame: int, corners: np.ndarray, origin: Origin =
 
 
 def test_a_shape_is_at_the_mean_of_its_anchors() -> None:
-    project = with_key(project_of(), 11, BOX + (10.0, -6.0))
+    project = with_key(project_of(), 11, BOX + np.array((10.0, -6.0)))
     assert places_of(project, 1, {"shape-1"}) == {"shape-1": (20.0, 10.0)}
     assert places_of(project, 6, {"shape-1"})["shape-1"] == pytest.approx((25.0, 7.0))
     assert places_of(project, 99, {"shape-1"}) == {"shape-1": (30.0, 4.0)}  # the held outline
