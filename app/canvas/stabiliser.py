@@ -8,11 +8,11 @@ from PySide6.QtCore import QObject
 
 from roam_core.roto import Project
 
-from ..model.places import Places, places_of
 from ..model.view_state import ViewState
 from ..model.viewing import Viewing
 from ..paint.viewport import Viewport
 from ..translation import N_, tr
+from .places import Places, places_of
 
 Shift = tuple[float, float]
 """In image pixels."""

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.places import places_of
+from app.canvas.places import places_of
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 from roam_core.roto.following import followed, matrix_of, surface_of, with_moving_layer
