@@ -347,6 +347,7 @@ SPECS: tuple[ActionSpec, ...] = (
         ),
         checkable=True,
     ),
+    ActionSpec("view.magnifier", N_("Magnifier"), _VIEWER, tip=N_("A point that is dragged, enlarged"), checkable=True),
     ActionSpec("view.full", N_("Full resolution"), _VIEWER, tip=N_("Show every pixel of the plate"), checkable=True),
     ActionSpec(
         "view.half",

@@ -30,6 +30,7 @@ from ..tools.tool import Pointer, Tool
 from ..translation import tr
 from .items.joints import paint_joints
 from .items.proposal import ProposalPainter, Side
+from .magnifier import Magnifier, Scene
 from .plate.stage import Stage
 from .pointed import PointedWidget
 from .repaint import Repaint
@@ -85,6 +86,7 @@ class CanvasView(PointedWidget):
         """Gives where the parts in hand hang together on the present frame."""
         self.edges: Callable[[], Mapping[str, Edges]] = dict
         """Gives the kinds of edge of the shapes in hand on the present frame."""
+        self.magnifier = Magnifier(self, self.in_hand, self._scene, self._present.paths)
         self._proposal_side = Side.BOTH
         self._is_pressed = self._is_waiting = self._lacks_plate = False
         self._pointer: QPointF | None = None
@@ -116,6 +118,8 @@ class CanvasView(PointedWidget):
         self.stage.matte_ready.connect(self.matte_ready)
         self.stage.background.refused.connect(view.say)
         self.destroyed.connect(self.stage.close)
+        for signal in (self.view_changed, self.stage.changed, view.preview_changed, self._document.changed):
+            signal.connect(self.magnifier.follow)
 
     # ---- what is shown
 
@@ -164,23 +168,8 @@ class CanvasView(PointedWidget):
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of the viewer do, by id."""
-        points = self.points
-        return {
-            "points.delete": points.delete,
-            "points.smooth": points.smooth,
-            "points.cusp": points.cusp,
-            "points.toggle_closed": points.toggle_closed,
-            "points.select_all": points.select_all,
-            "points.next": lambda: points.cycle(1),
-            "points.previous": lambda: points.cycle(-1),
-            "view.fit": self.fit,
-            "view.fit_selection": self.fit_selection,
-            "view.actual_size": self.actual_size,
-            "view.zoom_in": self.zoom_in,
-            "view.zoom_out": self.zoom_out,
-            **self.viewing.handlers(),
-            **self.wipe.handlers(),
-        }
+        own = super().handlers() | {"view.fit_selection": self.fit_selection}
+        return own | self.points.handlers() | self.viewing.handlers() | self.wipe.handlers()
 
     def _announce(self) -> None:
         self.view_changed.emit()
@@ -263,6 +252,13 @@ class CanvasView(PointedWidget):
         edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
         look = viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges
         return ViewSnapshot(below, image, *look, self._view_state.solo.told(project))
+
+    def _scene(self) -> Scene | None:
+        """What is to be shown magnified of what is shown now."""
+        if not (self.viewing.shows_magnifier and self.viewing.shows_shapes):
+            return None
+        look, frame = self.viewing.look, self._view_state.frame
+        return Scene(self.stage.picture, self.plate_size(), look, self._project(), frame, self._viewport)
 
     # ---- painting
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QCursor, QMouseEvent, QNativeGestureEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
@@ -82,6 +84,15 @@ class ZoomableWidget(QWidget):
 
     def zoom_out(self) -> None:
         self.zoom_in(-1)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "view.fit": self.fit,
+            "view.actual_size": self.actual_size,
+            "view.zoom_in": self.zoom_in,
+            "view.zoom_out": self.zoom_out,
+        }
 
     def set_viewport(self, viewport: Viewport) -> None:
         """Look through another viewport, no further aside than leaves a rim of the plate in sight."""

@@ -36,6 +36,9 @@ GOES_OVER = N_(
 class FeatherEdit(Edit, ABC):
     """A drag that changes feather curves; where shapes have other keys, it tells what becomes of those."""
 
+    def points_of(self, shape: RotoShape) -> Array:
+        return feather.curve(shape.at(self.grab.frame))
+
     def finish(self, pointer: Pointer) -> None:
         super().finish(pointer)
         shapes = [self.document.project.shape(shape_id) for shape_id in self.grab.start]
@@ -52,6 +55,7 @@ class Pull(FeatherEdit):
     ) -> None:  # fmt: skip
         super().__init__(document, view_state, pressed, grab, tr("Feather"), on_click)
         shape = document.project.shape(held[0])
+        self.held = *held, ANCHOR
         self._frame_here = feather.frames_along(shape.at(grab.frame).points, shape.closed)[held[1]]
 
     def edited(self) -> Project:
@@ -70,6 +74,8 @@ class TurnFeather(FeatherEdit):
     ) -> None:
         super().__init__(document, view_state, pressed, grab, tr("Feather handle"))
         self._part = part
+        (shape_id,) = grab.start
+        self.held = shape_id, *part
 
     def edited(self) -> Project:
         tangent: feather.Turn = edit.drag_handle

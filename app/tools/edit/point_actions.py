@@ -30,6 +30,18 @@ class PointActions:
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self._document, self._view = document, view_state
 
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "points.delete": self.delete,
+            "points.smooth": self.smooth,
+            "points.cusp": self.cusp,
+            "points.toggle_closed": self.toggle_closed,
+            "points.select_all": self.select_all,
+            "points.next": lambda: self.cycle(1),
+            "points.previous": lambda: self.cycle(-1),
+        }
+
     def delete(self) -> None:
         """Delete the selected points; a shape goes whole when all its points are selected, or no point at all is.
 
