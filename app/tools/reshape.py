@@ -122,10 +122,18 @@ def grabbed_indices(project: Project, frame: int, selection: Selection) -> dict[
     return chosen
 
 
+def pixel_aspect(project: Project) -> float:
+    """Width of a pixel of the project's plate divided by its height."""
+    return project.clip.pixel_aspect if project.clip else 1.0
+
+
 def grabbed_weights(
     project: Project, frame: int, selection: Selection, soft_radius: float | None = None
 ) -> dict[str, Array]:
-    """How far each point follows an edit of the selection, by shape: `(P,)`; `soft_radius` as in `falloff`."""
+    """How far each point follows an edit of the selection, by shape: `(P,)`.
+
+    `soft_radius` is as in `falloff`, heights of a pixel: it reaches as far aside as down on the screen.
+    """
     weights: dict[str, Array] = {}
     for shape_id, indices in grabbed_indices(project, frame, selection).items():
         anchors = project.shape(shape_id).at(frame).control_points[:, ANCHOR]
@@ -133,7 +141,7 @@ def grabbed_weights(
             weights[shape_id] = np.zeros(len(anchors))
             weights[shape_id][indices] = 1.0
         else:
-            weights[shape_id] = falloff(anchors, indices, soft_radius)
+            weights[shape_id] = falloff(anchors * (pixel_aspect(project), 1.0), indices, soft_radius)
     return weights
 
 

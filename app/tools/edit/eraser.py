@@ -40,7 +40,7 @@ class Eraser(GestureTool):
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self._gesture is not None:
-            reach = REACH * self._gesture.last.pixel[0]
+            reach = REACH * self._gesture.last.pixel[1]
             paint_reach(painter, viewport, self._gesture.last.position, reach)
 
 

@@ -59,7 +59,9 @@ class OrderActions:
         before, now, selection = self._known, self._document.project, self._view.selection
         self._known = now
         of_points = {shape_id for shape_id, _ in selection.points if before.has(shape_id) and now.has(shape_id)}
-        if other := {each for each in of_points.intersection(ids) if is_renumbered(before.shape(each), now.shape(each))}:
+        if other := {
+            each for each in of_points.intersection(ids) if is_renumbered(before.shape(each), now.shape(each))
+        }:
             self._view.select(selection.shapes, frozenset(each for each in selection.points if each[0] not in other))
 
     def _free(self, shapes: Sequence[RotoShape]) -> list[str]:

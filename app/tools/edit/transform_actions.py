@@ -15,7 +15,7 @@ from ...model.reasons import why_not
 from ...model.view_state import ViewState
 from ...translation import tr
 from ...widgets.asking import ask
-from ..reshape import Grab, grab_selection, selection_extent
+from ..reshape import Grab, grab_selection, pixel_aspect, selection_extent
 from .numbers import Numbers, NumbersDialog, matrix_of
 
 
@@ -69,8 +69,7 @@ class TransformActions:
 
     def _matrix(self, numbers: Numbers) -> Array:
         """What the numbers mean for what is selected."""
-        clip = self._document.project.clip
-        return matrix_of(numbers, self._middle(), clip.pixel_aspect if clip else 1.0)
+        return matrix_of(numbers, self._middle(), pixel_aspect(self._document.project))
 
     def _middle(self) -> tuple[float, float]:
         """The middle of the box about the selected points, or about the outlines of whole shapes."""
