@@ -73,7 +73,7 @@ def in_order_of(shape: RotoShape, other: RotoShape, frame: float) -> RotoShape:
 
 
 def is_renumbered(before: RotoShape, after: RotoShape) -> bool:
-    """Whether the points of a shape have other numbers in another state of it: there are more, fewer, or in another order."""
+    """Whether a shape has its points under other numbers in another state of it: more, fewer, or in another order."""
     if before.point_count != after.point_count:
         return True
     if before.closed != after.closed:
