@@ -21,7 +21,18 @@ from ..paint import marks
 from ..paint.viewport import Viewport
 from ..translation import tr
 from .hit_test import points_in_box, points_in_lasso
-from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pruned, pull_out, turn
+from .reshape import (
+    Grab,
+    Tangent,
+    Vector,
+    as_seen,
+    break_tangent,
+    keys_changed,
+    pixel_aspect,
+    pruned,
+    pull_out,
+    turn,
+)
 from .tool import Modifier, Pointer
 
 LASSO_STEP = 2.0
@@ -190,8 +201,9 @@ class Turn(Edit):
         self.held = shape_id, *part
 
     def edited(self) -> Project:
-        change = turn(self._part, self.delta, _tangent(self.last))
-        return self.grab.changed(self.document.project, lambda _: change)
+        project = self.document.project
+        change = turn(self._part, self.delta, as_seen(_tangent(self.last), pixel_aspect(project)))
+        return self.grab.changed(project, lambda _: change)
 
 
 class PullOut(Turn):

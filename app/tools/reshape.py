@@ -87,6 +87,28 @@ def break_tangent(points: Array, index: int, part: int, position: Vector) -> Arr
     return edit.drag_handle(points, index, part, position, keep_smooth=False)
 
 
+def as_seen(tangent: Tangent, aspect: float) -> Tangent:
+    """The same with lengths and angles as they are seen, of pixels `aspect` times as wide as high."""
+    seen = np.array((aspect, 1.0))
+
+    def turned(points: Array, index: int, part: int, position: Vector) -> Array:
+        before = points[[index]] * seen
+        after = tangent(before, 0, part, (position[0] * aspect, position[1]))
+        result = points.copy()
+        result[index] = np.where(after[0] == before[0], points[index], after[0] / seen)
+        return result
+
+    return turned
+
+
+def smoothed(points: Array, indices: Iterable[int], closed: bool, aspect: float) -> Array:
+    """`edit.smooth_points` with lengths as they are seen, of pixels `aspect` times as wide as high."""
+    seen = np.array((aspect, 1.0))
+    before = points * seen
+    after = edit.smooth_points(before, indices, closed)
+    return np.where(after == before, points, after / seen)
+
+
 def turn(part: Part, delta: Vector, tangent: Tangent) -> Change:
     """The change that moves one handle by `delta`, image pixels, on whichever key."""
     index, which = part

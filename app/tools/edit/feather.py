@@ -24,7 +24,7 @@ from ...translation import N_, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Edit, Gesture, Marquee
 from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
-from ..reshape import Grab, break_tangent, selected_indices
+from ..reshape import Grab, as_seen, break_tangent, pixel_aspect, selected_indices
 from ..tool import Modifier, Pointer
 
 NO_FEATHER = N_("There is no feather here to reset; the Feather number stands in the Shape panel.")
@@ -84,9 +84,8 @@ class TurnFeather(FeatherEdit):
         elif self.last.holds(Modifier.ShiftModifier):
             tangent = edit.equal_handles
         project = self.document.project
-        return self.grab.changed(
-            project, lambda each: feather.turn(project.shape(each), *self._part, self.delta, tangent)
-        )
+        seen = as_seen(tangent, pixel_aspect(project))
+        return self.grab.changed(project, lambda each: feather.turn(project.shape(each), *self._part, self.delta, seen))
 
 
 class FeatherTool(GestureTool):
