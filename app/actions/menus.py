@@ -66,7 +66,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     ),
     N_("View"): (
         "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
-        "view.hide_overlays", "view.joints", "view.edges", "view.stabilise", SEPARATOR,
+        "view.hide_overlays", "view.joints", "view.edges", "view.stabilise", "view.magnifier", SEPARATOR,
         "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
         "view.full", "view.half", "view.quarter", SEPARATOR,
         "view.wipe", "view.pin", SEPARATOR,

@@ -91,6 +91,7 @@ WORDS: Mapping[str, str] = {
     "view.half": N_("proxy resolution downres fast playback"),
     "view.quarter": N_("proxy resolution downres fast playback"),
     "view.source": N_("plate footage rgb image"),
+    "view.magnifier": N_("loupe lens zoom window pixels precise"),
     "view.joints": N_("rig skeleton hinges bones pins"),
     "view.fit": N_("zoom whole frame all"),
     "view.fit_selection": N_("zoom focus"),

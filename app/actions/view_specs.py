@@ -68,6 +68,7 @@ VIEWS: tuple[ActionSpec, ...] = (
         tip=N_("Let the view go along with what is selected: it stands still on the screen from frame to frame"),
         checkable=True,
     ),
+    ActionSpec("view.magnifier", N_("Magnifier"), _VIEWER, tip=N_("A point that is dragged, enlarged"), checkable=True),
     ActionSpec("view.full", N_("Full resolution"), _VIEWER, tip=N_("Show every pixel of the plate"), checkable=True),
     ActionSpec(
         "view.half",

@@ -29,13 +29,14 @@ from ..tools.tool import Pointer, Tool
 from ..translation import tr
 from .items.joints import paint_joints
 from .items.proposal import ProposalPainter, Side
+from .magnifier import Magnifier, Scene
 from .plate.stage import Stage
 from .pointed import PointedWidget
 from .repaint import Repaint
 from .stabiliser import Shift, Stabiliser
 from .view_snapshot import SnapshotPainter, ViewSnapshot
 from .wipe import Wipe
-from .words import NO_PLATE, OPENING, paint_words
+from .words import Words
 
 PATIENCE = 25
 """Milliseconds in which the picture of another frame should come; then the shapes go there without it."""
@@ -72,11 +73,10 @@ class CanvasView(PointedWidget):
         self.in_hand = in_hand or ToolInHand(document, view_state, self)
         """The tools, which viewers may share."""
         self.points = PointActions(document, view_state)
-        self.empty_hint = tr("Draw a shape: press B")
-        """What to do next, shown while the project has no shape."""
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
         self.stage, self.wipe = Stage(self.viewing), Wipe(self._snapshot, view_state.say, self)
+        self.words = Words(self.stage)
         going = self._project, lambda: self._viewport, self.go_along
         self.stabiliser = Stabiliser(view_state, self.viewing, *going, self)
         self._repaint = Repaint(self)
@@ -87,8 +87,9 @@ class CanvasView(PointedWidget):
         """Gives where the parts in hand hang together on the present frame."""
         self.edges: Callable[[], Mapping[str, Edges]] = dict
         """Gives the kinds of edge of the shapes in hand on the present frame."""
+        self.magnifier = Magnifier(self, self.in_hand, self._scene, self._present.paths)
         self._proposal_side = Side.BOTH
-        self._is_pressed = self._is_waiting = self._lacks_plate = False
+        self._is_pressed = False
         self._pointer: QPointF | None = None
         self._key_presses = 0
         self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
@@ -117,6 +118,8 @@ class CanvasView(PointedWidget):
         self.stage.matte_ready.connect(self.matte_ready)
         self.stage.background.refused.connect(view.say)
         self.destroyed.connect(self.stage.close)
+        for signal in (self.view_changed, self.stage.changed, view.preview_changed, self._document.changed):
+            signal.connect(self.magnifier.follow)
 
     # ---- what is shown
 
@@ -150,7 +153,7 @@ class CanvasView(PointedWidget):
 
     def set_waiting(self, waits: bool, lacks_plate: bool) -> None:
         """What the empty canvas says: a plate is being opened, or that of the project could not be."""
-        self._is_waiting, self._lacks_plate = waits, lacks_plate
+        self.words.is_waiting, self.words.lacks_plate = waits, lacks_plate
         self.update()
 
     def fit_selection(self) -> None:
@@ -261,6 +264,13 @@ class CanvasView(PointedWidget):
         look = viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges
         return ViewSnapshot(below, image, *look, self._view_state.solo.told(project), self.stabiliser.travelled)
 
+    def _scene(self) -> Scene | None:
+        """What is to be shown magnified of what is shown now."""
+        if not (self.viewing.shows_magnifier and self.viewing.shows_shapes):
+            return None
+        look, frame = self.viewing.look, self._view_state.frame
+        return Scene(self.stage.picture, self.plate_size(), look, self._project(), frame, self._viewport)
+
     # ---- painting
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -283,20 +293,10 @@ class CanvasView(PointedWidget):
             self.tool.paint(painter, viewport)
         painter.setClipping(False)
         if pinned is None:
-            paint_words(painter, size, viewport, snapshot, self._sentence(), self._hint(snapshot))
+            self.words.paint(painter, size, viewport, snapshot, is_idle=view.tool == "select")
         else:
             self.wipe.paint(painter, size, snapshot)
         painter.end()
-
-    def _sentence(self) -> str:
-        """What is to be said in the middle of an empty viewer."""
-        if self._image_size() is None:
-            return tr(OPENING) if self._is_waiting else tr(NO_PLATE)
-        return self.stage.emptiness(self._lacks_plate)
-
-    def _hint(self, snapshot: ViewSnapshot) -> str:
-        is_idle = snapshot.image is not None and not snapshot.project.shapes and self._view_state.tool == "select"
-        return self.empty_hint if is_idle and snapshot.shows_shapes else ""
 
     # ---- events: the view's own, then the tool's
 

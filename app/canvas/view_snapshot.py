@@ -13,6 +13,7 @@ from roam_core.roto import Project
 
 from ..model.view_state import Selection
 from ..model.viewing import Onion, ViewMode
+from ..paint.outline_paths import OutlinePaths
 from ..paint.viewport import Viewport
 from .items.confidence import paint_confidence
 from .items.onion import paint_onion
@@ -53,6 +54,11 @@ class SnapshotPainter:
 
     def __init__(self) -> None:
         self._backdrop, self._shapes = Backdrop(), ShapePainter()
+
+    @property
+    def paths(self) -> OutlinePaths:
+        """The shapes' outlines, as it remembers them."""
+        return self._shapes.paths
 
     def paint(
         self,

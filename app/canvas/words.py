@@ -12,25 +12,45 @@ from ..translation import N_, tr
 from .items import edges
 from .items.confidence import LEGEND
 from .plate.backdrop import paint_label, paint_sentence
+from .plate.stage import Stage
 from .view_snapshot import ViewSnapshot
 
 NO_BASE = N_("Empty: what is shown only takes away, and nothing lies below it")
 OPENING, NO_PLATE = N_("Opening …"), N_("Drop a folder of images or a movie here")
 
 
-def paint_words(
-    painter: QPainter, widget: QSizeF, viewport: Viewport, snapshot: ViewSnapshot, sentence: str, hint: str
-) -> None:
-    """Paint the `sentence` in the middle of the plate, the view's name at a corner, the `hint` at the lower edge."""
-    area = QRectF(QPointF(), widget)
-    if snapshot.image is not None:
-        area = viewport.transform.mapRect(QRectF(QPointF(), snapshot.image))
-    if sentence:
-        paint_sentence(painter, area, sentence)
-    if label := label_of(snapshot):
-        paint_label(painter, widget, label, Qt.AlignmentFlag.AlignTop)
-    if hint:
-        paint_label(painter, widget, hint, Qt.AlignmentFlag.AlignBottom)
+class Words:
+    """The words on one viewer.
+
+    Attributes
+    ----------
+    hint : what to do next, said while the project has no shape.
+    is_waiting : a plate is being opened. lacks_plate : that of the project could not be.
+    """
+
+    def __init__(self, stage: Stage) -> None:
+        self._stage = stage
+        self.hint = tr("Draw a shape: press B")
+        self.is_waiting = self.lacks_plate = False
+
+    def paint(
+        self, painter: QPainter, widget: QSizeF, viewport: Viewport, snapshot: ViewSnapshot, *, is_idle: bool
+    ) -> None:
+        """Why the plate is empty, in its middle; the view's name at a corner; while `is_idle` the hint below."""
+        area = QRectF(QPointF(), widget)
+        if snapshot.image is not None:
+            area = viewport.transform.mapRect(QRectF(QPointF(), snapshot.image))
+        if sentence := self._sentence(snapshot):
+            paint_sentence(painter, area, sentence)
+        if label := label_of(snapshot):
+            paint_label(painter, widget, label, Qt.AlignmentFlag.AlignTop)
+        if is_idle and snapshot.image is not None and snapshot.shows_shapes and not snapshot.project.shapes:
+            paint_label(painter, widget, self.hint, Qt.AlignmentFlag.AlignBottom)
+
+    def _sentence(self, snapshot: ViewSnapshot) -> str:
+        if snapshot.image is None:
+            return tr(OPENING) if self.is_waiting else tr(NO_PLATE)
+        return self._stage.emptiness(self.lacks_plate)
 
 
 def label_of(snapshot: ViewSnapshot) -> str:

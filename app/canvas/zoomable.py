@@ -95,6 +95,15 @@ class ZoomableWidget(QWidget):
     def zoom_out(self) -> None:
         self.zoom_in(-1)
 
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "view.fit": self.fit,
+            "view.actual_size": self.actual_size,
+            "view.zoom_in": self.zoom_in,
+            "view.zoom_out": self.zoom_out,
+        }
+
     def set_viewport(self, viewport: Viewport) -> None:
         """Look through another viewport, no further aside than leaves a rim of the plate in sight."""
         self._viewport = viewport.kept_in_sight(self.plate_size(), QSizeF(self.size()))
@@ -112,15 +121,6 @@ class ZoomableWidget(QWidget):
         went = (before.x - self._viewport.x) * across, (before.y - self._viewport.y) * down
         self._is_fitted, self._gone = is_fitted, (self._gone[0] + went[0], self._gone[1] + went[1])
         return went
-
-    def handlers(self) -> dict[str, Callable[[], object]]:
-        """What the actions of this part call, by id."""
-        return {
-            "view.fit": self.fit,
-            "view.actual_size": self.actual_size,
-            "view.zoom_in": self.zoom_in,
-            "view.zoom_out": self.zoom_out,
-        }
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         if self._is_fitted:

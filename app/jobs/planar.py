@@ -18,7 +18,7 @@ from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
 from roam_core.roto.following import followed, with_moving_layer, with_points
-from roam_core.roto.point_order import is_reordered
+from roam_core.roto.point_order import is_renumbered
 from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
 
 from ..model.document import Document
@@ -219,7 +219,7 @@ class PlanarTrack(QObject):
 
 def _has_same_numbers(before: RotoShape, now: RotoShape) -> bool:
     """Whether the numbers of a shape's points mean the points that they meant before."""
-    return before.point_count == now.point_count and not is_reordered(before, now)
+    return not is_renumbered(before, now)
 
 
 def _motion(run: _Run, project: Project) -> LayerTransform | None:

@@ -108,6 +108,7 @@ class Runner(QObject):
     def __init__(self, name: str, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._jobs: dict[str, Job] = {}
+        self._is_closed = False
         self._queue: queue.SimpleQueue[Job | None] = queue.SimpleQueue()
         self._arrived.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
         self._thread = threading.Thread(target=self._run, name=f"roam-{name}", daemon=True)
@@ -136,6 +137,7 @@ class Runner(QObject):
 
     def close(self, wait: float = 10.0) -> bool:
         """Drop every job and end the thread; False when the work under way did not stop within `wait` seconds."""
+        self._is_closed = True
         for job in list(self._jobs.values()):
             job.drop()
         self._jobs.clear()
@@ -145,19 +147,27 @@ class Runner(QObject):
 
     # ---- worker thread
 
+    def _tell(self, news: _News) -> None:
+        """Bring news to the window's thread; after `close` no one need be there any more to hear them."""
+        try:
+            self._arrived.emit(news)
+        except RuntimeError:
+            if not self._is_closed:
+                raise
+
     def _run(self) -> None:
         while (job := self._queue.get()) is not None:
             if not job.token.is_cancelled:
-                self._arrived.emit(_News(job, "started", None))
+                self._tell(_News(job, "started", None))
                 ending = self._do(job)
             else:
                 ending = (Ending.CANCELLED, "")
-            self._arrived.emit(_News(job, "ended", ending))
+            self._tell(_News(job, "ended", ending))
             del job, ending
 
     def _do(self, job: Job) -> tuple[Ending, str]:
         def post(what: str, content: Any) -> None:
-            self._arrived.emit(_News(job, what, content))
+            self._tell(_News(job, what, content))
 
         try:
             return Ending.DONE, job.work(Report(job.token, post))

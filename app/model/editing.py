@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.roto.keying import Keying
 
 LEAST_RADIUS, LARGEST_RADIUS = 2.0, 4000.0
-"""Limits of the radii, in image pixels."""
+"""Limits of the radii, in heights of an image pixel."""
 
 
 @dataclass(frozen=True)
@@ -24,8 +24,8 @@ class Modes:
     point_keys : a key that comes with an edit names the points that it moved; a run may derive the others anew.
     soft : points near the selected ones follow them, the less the farther.
     lasso : a drag on empty background draws a free line in place of a rectangle.
-    soft_radius : how far soft selection reaches, image pixels.
-    brush_radius : how far the reshape tool reaches at full pressure, image pixels.
+    soft_radius : how far soft selection reaches, heights of an image pixel.
+    brush_radius : how far the reshape tool reaches at full pressure, heights of an image pixel.
     """
 
     auto_key: bool = True
@@ -62,7 +62,7 @@ class EditingModes(QObject):
 
     @property
     def soft_radius(self) -> float | None:
-        """The reach of soft selection in image pixels, or None while it is off."""
+        """The reach of soft selection in heights of an image pixel, or None while it is off."""
         return self._modes.soft_radius if self._modes.soft else None
 
     def keying(self, play_range: tuple[int, int]) -> Keying:

@@ -114,6 +114,7 @@ class Viewing(QObject):
         super().__init__(parent)
         self._mode = self._before_alpha = ViewMode.OVERLAY
         self._are_shapes_hidden = self._shows_joints = self._shows_edges = self._is_stabilised = False
+        self._shows_magnifier = False
         self._look, self._onion, self._background = Look(), Onion(), Background()
         self._views: dict[str, tuple[str, str]] = {}
         """The display and view that were chosen last, by the configuration of OpenColorIO; not plain sRGB."""
@@ -174,6 +175,15 @@ class Viewing(QObject):
     def stabilise(self, on: bool) -> None:
         """Let the view go along with what is selected, or stand."""
         self._set("_is_stabilised", on)
+
+    @property
+    def shows_magnifier(self) -> bool:
+        """True where a point that is dragged is shown magnified."""
+        return self._shows_magnifier
+
+    def show_magnifier(self, shown: bool) -> None:
+        """Show a point magnified while it is dragged, or no longer."""
+        self._set("_shows_magnifier", shown)
 
     @property
     def look(self) -> Look:
@@ -243,6 +253,7 @@ class Viewing(QObject):
             "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
             "view.joints": lambda: self.show_joints(not self._shows_joints),
             "view.edges": lambda: self.show_edges(not self._shows_edges),
+            "view.magnifier": lambda: self.show_magnifier(not self._shows_magnifier),
         }
 
     def remembered(self) -> dict[str, dict[str, Any]]:
@@ -250,7 +261,7 @@ class Viewing(QObject):
 
         Of the look that is the display's view, for each configuration; channel, exposure and gamma would deceive.
         """
-        overlays = {"joints": self._shows_joints, "edges": self._shows_edges}
+        overlays = {"joints": self._shows_joints, "edges": self._shows_edges, "magnifier": self._shows_magnifier}
         stabilised = {"on": self._is_stabilised}
         views = {config: list(view) for config, view in self._views.items()}
         return {
@@ -266,8 +277,10 @@ class Viewing(QObject):
         kept = remembered if isinstance(remembered, dict) else {}
         self.set_onion(**_fitting(kept.get("onion"), Onion()))
         overlays = kept.get("overlays")
-        self.show_joints(isinstance(overlays, dict) and overlays.get("joints") is True)
-        self.show_edges(isinstance(overlays, dict) and overlays.get("edges") is True)
+        overlays = overlays if isinstance(overlays, dict) else {}
+        self.show_joints(overlays.get("joints") is True)
+        self.show_edges(overlays.get("edges") is True)
+        self.show_magnifier(overlays.get("magnifier") is True)
         stabilised = kept.get("stabilised")
         self.stabilise(isinstance(stabilised, dict) and stabilised.get("on") is True)
         background = _fitting(kept.get("ground"), Background())

@@ -48,6 +48,8 @@ class OutlinePaths:
             kept = self._get(shape, frame)
             if (kept.low >= low).all() and (kept.high <= high).all():
                 return kept.path
+            if (kept.low > high).any() or (kept.high < low).any():
+                return None
         control = bezier.segments(shape.at(frame).points, shape.closed)
         wanted = inside(control, area)
         if wanted.all():

@@ -75,6 +75,10 @@ class Viewport:
         there = replace(self, x=0.0, y=0.0).to_widget(spot.x(), spot.y())
         return replace(self, x=widget.width() / 2 - there.x(), y=widget.height() / 2 - there.y())
 
+    def enlarged(self, factor: float, spot: tuple[float, float], widget: QSizeF) -> Viewport:
+        """Closer by `factor`, with the image position `spot` in the widget's middle."""
+        return replace(self, scale=min(self.scale * factor, LARGEST)).centred(QPointF(*spot), widget)
+
     def kept_in_sight(self, image: QSizeF, widget: QSizeF) -> Viewport:
         """Panned no further than leaves a rim of the picture inside the widget."""
         width, height = image.width() * self.scale * self.pixel_aspect, image.height() * self.scale

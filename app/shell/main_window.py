@@ -359,7 +359,7 @@ class MainWindow(QMainWindow):
         actions.set_keymap(self.personal.keys.keymap)
         self.status.show_stop_keys(actions.keys_of("track.stop"))
         self.view_state.set_keymap(actions.keymap)
-        self.canvas.empty_hint = told(tr(DRAW_HINT), actions.keymap)
+        self.canvas.words.hint = told(tr(DRAW_HINT), actions.keymap)
         self.canvas.update()
 
     def _pull_preferences(self) -> None:

@@ -29,6 +29,10 @@ class GestureTool(Tool):
     def is_busy(self) -> bool:
         return self._gesture is not None
 
+    @property
+    def held_place(self) -> tuple[float, float] | None:
+        return self._gesture.held_place if self._gesture else None
+
     def deactivate(self) -> None:
         self.drop()
         self.leave()

@@ -8,7 +8,9 @@ from collections.abc import Callable
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPolygonF
 
-from roam_core.roto import Project, edit
+from roam_core.arrays import Array
+from roam_core.geometry.bezier import ANCHOR
+from roam_core.roto import Project, RotoShape, edit
 from roam_core.roto.edit import Part
 from roam_core.roto.keying import AUTO_KEY
 
@@ -19,7 +21,18 @@ from ..paint import marks
 from ..paint.viewport import Viewport
 from ..translation import tr
 from .hit_test import points_in_box, points_in_lasso
-from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pruned, pull_out, turn
+from .reshape import (
+    Grab,
+    Tangent,
+    Vector,
+    as_seen,
+    break_tangent,
+    keys_changed,
+    pixel_aspect,
+    pruned,
+    pull_out,
+    turn,
+)
 from .tool import Modifier, Pointer
 
 LASSO_STEP = 2.0
@@ -71,6 +84,11 @@ class Gesture:
         return x1 - x0, y1 - y0
 
     @property
+    def held_place(self) -> Vector | None:
+        """Where the one point or handle lies that is dragged, image pixels; None of a gesture that holds no such."""
+        return None
+
+    @property
     def is_valid(self) -> bool:
         """False when an edit or another frame took away what the gesture holds."""
         return True
@@ -108,10 +126,25 @@ class Edit(Gesture, ABC):
         super().__init__(document, view_state, pressed, on_click)
         # A drag previews the frame in sight alone: what ripple does to hundreds of other keys waits for the release.
         self.grab, self._whole, self.text = grab.here, grab, text
+        self.held: tuple[str, int, int] | None = None
+        """The point or handle under the pointer: shape id, index and part."""
 
     @abstractmethod
     def edited(self) -> Project:
         """The document's project as the drag makes it."""
+
+    def points_of(self, shape: RotoShape) -> Array:
+        """The points `(P, 3, 2)` of a shape that such a drag moves, on its frame."""
+        return shape.at(self.grab.frame).control_points
+
+    @property
+    def held_place(self) -> Vector | None:
+        project = self.view_state.preview or self.document.project
+        if self.held is None or not project.has(self.held[0]):
+            return None
+        shape_id, index, part = self.held
+        points = self.points_of(project.shape(shape_id))
+        return (float(points[index, part, 0]), float(points[index, part, 1])) if index < len(points) else None
 
     @property
     def is_valid(self) -> bool:
@@ -137,7 +170,20 @@ class Edit(Gesture, ABC):
 
 
 class Move(Edit):
-    """Drags anchors with their handles, or whole shapes."""
+    """Drags anchors with their handles, or whole shapes; `held` is the anchor under the pointer."""
+
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        pressed: Pointer,
+        grab: Grab,
+        text: str,
+        on_click: Callable[[], None] | None = None,
+        held: tuple[str, int] | None = None,
+    ) -> None:
+        super().__init__(document, view_state, pressed, grab, text, on_click)
+        self.held = None if held is None else (*held, ANCHOR)
 
     def edited(self) -> Project:
         return self.grab.moved(self.document.project, self.delta)
@@ -151,10 +197,13 @@ class Turn(Edit):
     ) -> None:
         super().__init__(document, view_state, pressed, grab, text)
         self._part = part
+        (shape_id,) = grab.start
+        self.held = shape_id, *part
 
     def edited(self) -> Project:
-        change = turn(self._part, self.delta, _tangent(self.last))
-        return self.grab.changed(self.document.project, lambda _: change)
+        project = self.document.project
+        change = turn(self._part, self.delta, as_seen(_tangent(self.last), pixel_aspect(project)))
+        return self.grab.changed(project, lambda _: change)
 
 
 class PullOut(Turn):

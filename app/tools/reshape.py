@@ -87,6 +87,28 @@ def break_tangent(points: Array, index: int, part: int, position: Vector) -> Arr
     return edit.drag_handle(points, index, part, position, keep_smooth=False)
 
 
+def as_seen(tangent: Tangent, aspect: float) -> Tangent:
+    """The same with lengths and angles as they are seen, of pixels `aspect` times as wide as high."""
+    seen = np.array((aspect, 1.0))
+
+    def turned(points: Array, index: int, part: int, position: Vector) -> Array:
+        before = points[[index]] * seen
+        after = tangent(before, 0, part, (position[0] * aspect, position[1]))
+        result = points.copy()
+        result[index] = np.where(after[0] == before[0], points[index], after[0] / seen)
+        return result
+
+    return turned
+
+
+def smoothed(points: Array, indices: Iterable[int], closed: bool, aspect: float) -> Array:
+    """`edit.smooth_points` with lengths as they are seen, of pixels `aspect` times as wide as high."""
+    seen = np.array((aspect, 1.0))
+    before = points * seen
+    after = edit.smooth_points(before, indices, closed)
+    return np.where(after == before, points, after / seen)
+
+
 def turn(part: Part, delta: Vector, tangent: Tangent) -> Change:
     """The change that moves one handle by `delta`, image pixels, on whichever key."""
     index, which = part
@@ -122,10 +144,18 @@ def grabbed_indices(project: Project, frame: int, selection: Selection) -> dict[
     return chosen
 
 
+def pixel_aspect(project: Project) -> float:
+    """Width of a pixel of the project's plate divided by its height."""
+    return project.clip.pixel_aspect if project.clip else 1.0
+
+
 def grabbed_weights(
     project: Project, frame: int, selection: Selection, soft_radius: float | None = None
 ) -> dict[str, Array]:
-    """How far each point follows an edit of the selection, by shape: `(P,)`; `soft_radius` as in `falloff`."""
+    """How far each point follows an edit of the selection, by shape: `(P,)`.
+
+    `soft_radius` is as in `falloff`, heights of a pixel: it reaches as far aside as down on the screen.
+    """
     weights: dict[str, Array] = {}
     for shape_id, indices in grabbed_indices(project, frame, selection).items():
         anchors = project.shape(shape_id).at(frame).control_points[:, ANCHOR]
@@ -133,7 +163,7 @@ def grabbed_weights(
             weights[shape_id] = np.zeros(len(anchors))
             weights[shape_id][indices] = 1.0
         else:
-            weights[shape_id] = falloff(anchors, indices, soft_radius)
+            weights[shape_id] = falloff(anchors * (pixel_aspect(project), 1.0), indices, soft_radius)
     return weights
 
 

@@ -32,10 +32,9 @@ def paint_weights(
 
 
 def paint_reach(painter: QPainter, viewport: Viewport, at: tuple[float, float], radius: float) -> None:
-    """A circle of `radius` image pixels about an image position."""
-    middle = viewport.to_widget(*at)
-    across, down = viewport.pixel
+    """A circle about an image position; `radius` in heights of an image pixel."""
+    middle, reach = viewport.to_widget(*at), radius / viewport.pixel[1]
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for ink, width in ((marks.EDGE, 2.5), (marks.TEXT, 1.0)):
         painter.setPen(QPen(ink, width))
-        painter.drawEllipse(QPointF(middle), radius / across, radius / down)
+        painter.drawEllipse(QPointF(middle), reach, reach)

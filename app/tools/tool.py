@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QPainter, QPainterPath
 
 from ..jobs.picture_work import PictureWork
 from ..model.document import Document
@@ -111,6 +111,16 @@ class Tool:
     def is_busy(self) -> bool:
         """True while something half done is in the hand: a drag, or a shape that is being drawn."""
         return bool(self.claimed_keys)
+
+    @property
+    def held_place(self) -> tuple[float, float] | None:
+        """Where a single point or handle lies that is in the hand with the button down; None while there is none."""
+        return None
+
+    @property
+    def held_outline(self) -> QPainterPath:
+        """What of the outline through it the project does not know yet, in image coordinates."""
+        return QPainterPath()
 
     @property
     def last_step(self) -> str:

@@ -366,6 +366,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ein Punkt liegt außerhalb des Bildes oder unter dem, was ausgelassen wird: anderswohin setzen.</translation>
     </message>
     <message>
+        <source>A point that is dragged, enlarged</source>
+        <translation>Ein Punkt, der gezogen wird, vergrößert</translation>
+    </message>
+    <message>
         <source>A short shot to try everything on</source>
         <translation>Ein kurzer Shot, um alles auszuprobieren</translation>
     </message>
@@ -2532,6 +2536,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Magnetic lasso</source>
         <translation>Magnetisches Lasso</translation>
+    </message>
+    <message>
+        <source>Magnifier</source>
+        <translation>Lupe</translation>
     </message>
     <message>
         <source>Make B-spline</source>
@@ -6149,6 +6157,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>load script scene session</source>
         <translation>laden skript szene sitzung</translation>
+    </message>
+    <message>
+        <source>loupe lens zoom window pixels precise</source>
+        <translation>lupe linse vergrößerung zoom fenster pixel genau</translation>
     </message>
     <message>
         <source>magic wand quick selection rotobrush ai auto sam box</source>

@@ -72,9 +72,11 @@ def in_order_of(shape: RotoShape, other: RotoShape, frame: float) -> RotoShape:
     return shape
 
 
-def is_reordered(before: RotoShape, after: RotoShape) -> bool:
-    """Whether the points of a shape have other numbers in another state of it, with as many points."""
-    if before.point_count != after.point_count or before.closed != after.closed:
+def is_renumbered(before: RotoShape, after: RotoShape) -> bool:
+    """Whether a shape has its points under other numbers in another state of it: more, fewer, or in another order."""
+    if before.point_count != after.point_count:
+        return True
+    if before.closed != after.closed:
         return False
     kept = {id(key) for key in after.keys}
     return any(

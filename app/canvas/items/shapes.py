@@ -52,7 +52,7 @@ class ShapePainter:
             known = edges.get(item.shape.id)
             if known is not None and fits(known, item.shape):
                 paint_edges(
-                    painter, viewport, known, item.shape.at(frame), _ink(item), item.shape.id in selection.shapes
+                    painter, viewport, known, item.shape.at(frame), ink(item), item.shape.id in selection.shapes
                 )
             elif (path := self.paths.in_sight(item.shape, frame, area)) is not None:
                 _paint_outline(painter, viewport, item, path, item.shape.id in selection.shapes)
@@ -63,14 +63,14 @@ class ShapePainter:
 
 
 def _paint_outline(painter: QPainter, viewport: Viewport, item: Shown, path: QPainterPath, selected: bool) -> None:
-    colour = _ink(item)
+    colour = ink(item)
     if selected:
         marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
     else:
         marks.thin_stroke(painter, viewport.transform.map(path), colour)
 
 
-def _ink(item: Shown) -> QColor:
+def ink(item: Shown) -> QColor:
     """What the outline of a shape is drawn with."""
     return marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
 

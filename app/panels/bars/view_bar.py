@@ -125,6 +125,7 @@ class ViewBar(QWidget):
         self._actions["view.joints"].setChecked(self._canvas.viewing.shows_joints)
         self._actions["view.edges"].setChecked(self._canvas.viewing.shows_edges)
         self._actions["view.stabilise"].setChecked(self._canvas.viewing.is_stabilised)
+        self._actions["view.magnifier"].setChecked(self._canvas.viewing.shows_magnifier)
         self._actions["view.wipe"].setChecked(self._canvas.wipe.pinned is not None)
 
     def _pull(self, _ids: object = None) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QLineF
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
@@ -31,6 +31,11 @@ class BSplineTool(DrawingTool):
     def place(self, point: Array, pointer: Pointer) -> Array:
         placed: Array = bezier.polygon_points([pointer.position])[0]
         return placed
+
+    @property
+    def held_outline(self) -> QPainterPath:
+        control, closes = self._control()
+        return outline_path(bspline.bezier_points(control, closes), closes) if len(control) > 1 else QPainterPath()
 
     def _paint_curve(self, painter: QPainter, viewport: Viewport, colour: QColor) -> None:
         """The curve as it would be with a point under the pointer, and the sides of its control polygon."""

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from roam_core.arrays import Array
 from roam_core.geometry import bezier
-from roam_core.geometry.bezier import ANCHOR
+from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.roto import Spline, edit
 from roam_core.roto.edit import is_smooth
 
@@ -59,6 +59,18 @@ class DrawingTool(PlacingTool):
     @property
     def is_begun(self) -> bool:
         return len(self._points) > 0
+
+    @property
+    def held_place(self) -> tuple[float, float] | None:
+        if self._pressed is None or not len(self._points):
+            return None
+        # Of a point out of which handles are drawn, the handle under the pointer; of any other, the point itself.
+        x, y = self._points[0 if self._is_closing else -1, OUT].tolist()
+        return x, y
+
+    @property
+    def held_outline(self) -> QPainterPath:
+        return outline_path(self._points, self._is_closing)
 
     @abstractmethod
     def place(self, point: Array, pointer: Pointer) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QPainter, QPainterPath
 
 from roam_core.arrays import Array
 from roam_core.geometry import polyline
@@ -61,6 +61,14 @@ class FreehandTool(Tool):
     @property
     def claimed_keys(self) -> frozenset[str]:
         return DROP_KEYS if self._stroke else frozenset()
+
+    @property
+    def held_place(self) -> tuple[float, float] | None:
+        return self._stroke[-1] if self._stroke else None
+
+    @property
+    def held_outline(self) -> QPainterPath:
+        return outline_path(self.points, self._closes()) if len(self._stroke) > 1 else QPainterPath()
 
     def deactivate(self) -> None:
         self.drop()

@@ -18,6 +18,7 @@ from ...paint.viewport import Viewport
 from ...translation import N_, sentence_of, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Gesture
+from ..reshape import Vector
 from ..tool import Pointer
 
 REACH = 9.0
@@ -137,6 +138,14 @@ class PinDrag(Gesture):
     @property
     def is_valid(self) -> bool:
         return self.view_state.frame == self._frame and self.document.project.has(self._layer_id)
+
+    @property
+    def held_place(self) -> Vector | None:
+        project = self.view_state.preview or self.document.project
+        if len(self._grabbed) > 1 or not project.has(self._layer_id):
+            return None
+        x, y = surface_at(project, self._layer_id, self._frame)[self._grabbed[0]].tolist()
+        return x, y
 
     def drag(self, pointer: Pointer) -> None:
         after = self._pinned()

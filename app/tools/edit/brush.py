@@ -22,7 +22,7 @@ from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import Edit, Gesture
-from ..reshape import Grab
+from ..reshape import Grab, pixel_aspect
 from ..soft_marks import paint_reach, paint_weights
 from ..tool import Modifier, Pointer
 
@@ -89,7 +89,9 @@ class ReshapeTool(GestureTool):
             paint_reach(painter, viewport, gesture.pressed.position, radius)
         elif self._pointer:
             paint_reach(painter, viewport, self._pointer.position, radius)
-            covered = covered_weights(self._grab().start, self._pointer.position, radius)
+            covered = covered_weights(
+                self._grab().start, self._pointer.position, radius, pixel_aspect(self.document.project)
+            )
             paint_weights(painter, viewport, self.document.project, view.frame, covered)
 
     def _grab(self) -> Grab:
@@ -109,13 +111,14 @@ class BrushDrag(Edit):
 
     @property
     def radius(self) -> float:
-        """How far the brush reaches, image pixels."""
+        """How far the brush reaches, heights of an image pixel."""
         return self.view_state.editing.modes.brush_radius * max(self.last.pressure, LIGHTEST)
 
     @property
     def weights(self) -> dict[str, Array]:
         """How far each point follows, of the shapes of which any does."""
-        return covered_weights(self.grab.start, self.pressed.position, self.radius)
+        aspect = pixel_aspect(self.document.project)
+        return covered_weights(self.grab.start, self.pressed.position, self.radius, aspect)
 
     def edited(self) -> Project:
         weights = self.weights
@@ -139,16 +142,21 @@ class RadiusDrag(Gesture):
         self._before = view_state.editing.modes.brush_radius
 
     def drag(self, pointer: Pointer) -> None:
-        self.view_state.editing.set(brush_radius=self._before + self.delta[0])
+        self.view_state.editing.set(brush_radius=self._before + self.delta[0] * pixel_aspect(self.document.project))
 
     def drop(self) -> None:
         self.view_state.editing.set(brush_radius=self._before)
 
 
-def covered_weights(start: Mapping[str, Outline], middle: tuple[float, float], radius: float) -> dict[str, Array]:
-    """How far points follow a brush over `middle`: by shape, `(P,)`, only of shapes that it covers any point of."""
+def covered_weights(
+    start: Mapping[str, Outline], middle: tuple[float, float], radius: float, aspect: float = 1.0
+) -> dict[str, Array]:
+    """How far points follow a brush over `middle`: by shape, `(P,)`, only of shapes that it covers any point of.
+
+    It is round on the screen: `radius` is heights of a pixel, whose width is `aspect` of them.
+    """
     weights = {
-        shape_id: bell(np.hypot(*(outline.points[:, ANCHOR] - middle).T) / radius)
+        shape_id: bell(np.hypot(*((outline.points[:, ANCHOR] - middle) * (aspect, 1.0)).T) / radius)
         for shape_id, outline in start.items()
     }
     return {shape_id: each for shape_id, each in weights.items() if each.any()}

@@ -7,8 +7,10 @@ from PySide6.QtGui import QPainter
 
 from roam_core.errors import RoamError
 from roam_core.roto import Project, edit
+from roam_core.roto.point_order import is_renumbered
 
 from ...model.document import Document
+from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ...paint.viewport import Viewport
 from ...translation import N_, sentence_of, tr
@@ -40,7 +42,7 @@ class Eraser(GestureTool):
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self._gesture is not None:
-            reach = REACH * self._gesture.last.pixel[0]
+            reach = REACH * self._gesture.last.pixel[1]
             paint_reach(painter, viewport, self._gesture.last.position, reach)
 
 
@@ -52,30 +54,45 @@ class Erasing(Gesture):
         self._frame, self._selection = view_state.frame, view_state.selection
         self._before = document.project
         self._touched: frozenset[tuple[str, int]] = frozenset()
-        self._after = document.project
 
     @property
     def is_valid(self) -> bool:
-        return self.document.project is self._before and self.view_state.frame == self._frame
+        """False where other points have the numbers of what is touched, or it may not be edited any more."""
+        return self.view_state.frame == self._frame and self._still_there(self._touched) == self._touched
 
     def move(self, pointer: Pointer) -> None:
-        self.last = pointer
+        self.last, self.is_dragging = pointer, True
         self.touch(pointer)
+
+    def drag(self, pointer: Pointer) -> None:
+        # Always from the document as it is now: frames tracked meanwhile stay.
+        if self._touched:
+            self.view_state.set_preview(without(self.document.project, self._touched))
+
+    def _still_there(self, points: frozenset[tuple[str, int]]) -> frozenset[tuple[str, int]]:
+        """Those of the points whose shapes can be edited now, and have them under the numbers that they had."""
+        editable = {shape.id: shape for shape in editable_shapes(self.document.project, self._frame)}
+        same = {
+            each
+            for each in {shape_id for shape_id, _ in points}
+            if each in editable and not is_renumbered(self._before.shape(each), editable[each])
+        }
+        return frozenset(point for point in points if point[0] in same)
 
     def touch(self, pointer: Pointer) -> None:
         """Take what lies under the eraser."""
         found = points_at(
             self.view_state.solo.seen(self._before), self._frame, self._selection, pointer.position, pointer.pixel
         )
-        if found <= self._touched:
+        touched = self._touched | self._still_there(found)
+        if touched == self._touched:
             return
-        touched = self._touched | found
         try:
-            after = without(self._before, touched)
+            after = without(self.document.project, touched)
         except RoamError as error:
             self.view_state.say(sentence_of(error))
             return
-        self._touched, self._after = touched, after
+        self._touched, self.is_dragging = touched, True
         # The points that stay have other numbers: none of them is selected.
         self.view_state.select(self._selection.shapes)
         self.view_state.set_preview(after)
@@ -84,7 +101,7 @@ class Erasing(Gesture):
         self.move(pointer)
         if self._touched:
             count = len(self._touched)
-            self.document.apply(tr("Erase %n point(s)", "", count), self._after)
+            self.document.apply(tr("Erase %n point(s)", "", count), without(self.document.project, self._touched))
         self.view_state.set_preview(None)
 
     def drop(self) -> None:

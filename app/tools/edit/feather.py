@@ -24,7 +24,7 @@ from ...translation import N_, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Edit, Gesture, Marquee
 from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
-from ..reshape import Grab, break_tangent, selected_indices
+from ..reshape import Grab, as_seen, break_tangent, pixel_aspect, selected_indices
 from ..tool import Modifier, Pointer
 
 NO_FEATHER = N_("There is no feather here to reset; the Feather number stands in the Shape panel.")
@@ -35,6 +35,9 @@ GOES_OVER = N_(
 
 class FeatherEdit(Edit, ABC):
     """A drag that changes feather curves; where shapes have other keys, it tells what becomes of those."""
+
+    def points_of(self, shape: RotoShape) -> Array:
+        return feather.curve(shape.at(self.grab.frame))
 
     def finish(self, pointer: Pointer) -> None:
         super().finish(pointer)
@@ -52,6 +55,7 @@ class Pull(FeatherEdit):
     ) -> None:  # fmt: skip
         super().__init__(document, view_state, pressed, grab, tr("Feather"), on_click)
         shape = document.project.shape(held[0])
+        self.held = *held, ANCHOR
         self._frame_here = feather.frames_along(shape.at(grab.frame).points, shape.closed)[held[1]]
 
     def edited(self) -> Project:
@@ -70,6 +74,8 @@ class TurnFeather(FeatherEdit):
     ) -> None:
         super().__init__(document, view_state, pressed, grab, tr("Feather handle"))
         self._part = part
+        (shape_id,) = grab.start
+        self.held = shape_id, *part
 
     def edited(self) -> Project:
         tangent: feather.Turn = edit.drag_handle
@@ -78,9 +84,8 @@ class TurnFeather(FeatherEdit):
         elif self.last.holds(Modifier.ShiftModifier):
             tangent = edit.equal_handles
         project = self.document.project
-        return self.grab.changed(
-            project, lambda each: feather.turn(project.shape(each), *self._part, self.delta, tangent)
-        )
+        seen = as_seen(tangent, pixel_aspect(project))
+        return self.grab.changed(project, lambda each: feather.turn(project.shape(each), *self._part, self.delta, seen))
 
 
 class FeatherTool(GestureTool):

@@ -28,12 +28,16 @@ class Numbers:
     shear: tuple[float, float] = (0.0, 0.0)
 
 
-def matrix_of(numbers: Numbers, middle: tuple[float, float]) -> Array:
-    """The map `(2, 3)` that scales, shears and turns about `middle`, in this order, and then moves."""
+def matrix_of(numbers: Numbers, middle: tuple[float, float], pixel_aspect: float = 1.0) -> Array:
+    """The map `(2, 3)` that scales, shears and turns about `middle`, in this order, and then moves.
+
+    Where pixels are not square a turn and a shear are those of the picture as it is shown, not squeezed.
+    """
     scaled = affine.scaling(numbers.scale[0] / 100.0, numbers.scale[1] / 100.0, middle)
     sheared = affine.chained(scaled, affine.shear(numbers.shear[0] / 100.0, numbers.shear[1] / 100.0, middle))
     turned = affine.chained(sheared, affine.rotation(numbers.turn, middle))
-    return affine.chained(turned, affine.translation(numbers.move))
+    shown = affine.about(turned[:, :2] * [[1.0, 1.0 / pixel_aspect], [pixel_aspect, 1.0]], middle)
+    return affine.chained(shown, affine.translation(numbers.move))
 
 
 class NumbersDialog(QDialog):

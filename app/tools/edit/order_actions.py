@@ -7,7 +7,7 @@ from functools import partial
 
 from roam_core.errors import RoamError
 from roam_core.roto import RotoShape
-from roam_core.roto.point_order import is_reordered, reversed_direction, with_first_point
+from roam_core.roto.point_order import is_renumbered, reversed_direction, with_first_point
 
 from ...features.verbs.shapes import ALL_LOCKED, NOTHING_SELECTED
 from ...model.document import Document
@@ -55,11 +55,13 @@ class OrderActions:
         self._reorder(tr("Set as first point"), shapes, verbs, told)
 
     def _follow(self, ids: Collection[str]) -> None:
-        """An edit, undo or redo: let go of the points of shapes that have them in another order now."""
+        """An edit, undo or redo: let go of the points of shapes that have them under other numbers now."""
         before, now, selection = self._known, self._document.project, self._view.selection
         self._known = now
         of_points = {shape_id for shape_id, _ in selection.points if before.has(shape_id) and now.has(shape_id)}
-        if other := {each for each in of_points.intersection(ids) if is_reordered(before.shape(each), now.shape(each))}:
+        if other := {
+            each for each in of_points.intersection(ids) if is_renumbered(before.shape(each), now.shape(each))
+        }:
             self._view.select(selection.shapes, frozenset(each for each in selection.points if each[0] not in other))
 
     def _free(self, shapes: Sequence[RotoShape]) -> list[str]:

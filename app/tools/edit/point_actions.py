@@ -16,7 +16,7 @@ from ...model.reasons import outdated_by, why_kept, why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import Selection, ViewState, selected_shapes
 from ...translation import sentence_of, tr
-from ..reshape import grab_selection, grabbed_indices, selected_indices
+from ..reshape import grab_selection, grabbed_indices, pixel_aspect, selected_indices, smoothed
 from ..settling import settled
 
 
@@ -77,9 +77,10 @@ class PointActions:
 
     def smooth(self) -> None:
         """Give the points tangents along the chord of their neighbours."""
+        aspect = pixel_aspect(self._document.project)
         self._reshape(
             lambda count: tr("Smooth %n point(s)", "", count),
-            lambda shape, points, chosen: edit.smooth_points(points, chosen, shape.closed),
+            lambda shape, points, chosen: smoothed(points, chosen, shape.closed, aspect),
         )
 
     def cusp(self) -> None:

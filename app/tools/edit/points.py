@@ -14,6 +14,7 @@ from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import Gesture
+from ..reshape import Vector
 from ..tool import Pointer
 
 REACH = 9.0
@@ -97,6 +98,11 @@ class PlaceDrag(Gesture):
     @property
     def is_valid(self) -> bool:
         return self.view_state.frame == self._points.frame
+
+    @property
+    def held_place(self) -> Vector | None:
+        points = self.view_state.track_points
+        return points.places[self._index] if points is not None and self._index < len(points.places) else None
 
     def drag(self, pointer: Pointer) -> None:
         (x, y), (dx, dy) = self._place, self.delta

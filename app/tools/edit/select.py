@@ -133,7 +133,7 @@ class SelectTool(GestureTool):
         if pointer.holds(Modifier.ControlModifier) and self._has_handles(found.shape_id):
             grab = grab_point(self.document.project, view, found.shape_id, found.index)
             return PullOut(self.document, view, pointer, grab, tr("Pull out handles"), (found.index, OUT))
-        return self._move(pointer, view.selection, after_click)
+        return self._move(pointer, view.selection, after_click, point)
 
     def _say_what_is_locked(self, pointer: Pointer) -> None:
         """A press that takes nothing may have meant a shape that is locked."""
@@ -166,7 +166,9 @@ class SelectTool(GestureTool):
         here = outlines_under(seen, self.view_state.frame, pointer.position, pointer.pixel)
         return here[(here.index(shape_id) + 1) % len(here)]
 
-    def _move(self, pointer: Pointer, moving: Selection, after_click: Selection) -> Gesture:
+    def _move(
+        self, pointer: Pointer, moving: Selection, after_click: Selection, held: tuple[str, int] | None = None
+    ) -> Gesture:
         view = self.view_state
         grab = grab_selection(self.document.project, view, moving)
         if moving.points:
@@ -179,7 +181,7 @@ class SelectTool(GestureTool):
         def click() -> None:
             view.select(after_click.shapes, after_click.points)
 
-        return Move(self.document, view, pointer, grab, text, click)
+        return Move(self.document, view, pointer, grab, text, click, held)
 
     def _turn(self, pointer: Pointer, found: PointHit) -> Gesture:
         grab = grab_point(self.document.project, self.view_state, found.shape_id, found.index)

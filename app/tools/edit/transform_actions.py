@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
+from roam_core.arrays import Array
 from roam_core.geometry import affine
 
 from ...model.document import Document
@@ -14,7 +15,7 @@ from ...model.reasons import why_not
 from ...model.view_state import ViewState
 from ...translation import tr
 from ...widgets.asking import ask
-from ..reshape import Grab, grab_selection, selection_extent
+from ..reshape import Grab, grab_selection, pixel_aspect, selection_extent
 from .numbers import Numbers, NumbersDialog, matrix_of
 
 
@@ -51,13 +52,12 @@ class TransformActions:
     def transform(self, numbers: Numbers) -> None:
         """Transform the selection by `numbers`."""
         if grab := self._grab():
-            matrix = matrix_of(numbers, self._middle())
-            project = self._document.project
+            project, matrix = self._document.project, self._matrix(numbers)
             self._document.apply(tr("Transform"), grab.settled(project, grab.transformed(project, matrix)))
 
     def _preview(self, grab: Grab, numbers: Numbers) -> None:
         if grab.is_held(self._document.project) and grab.frame == self._view.frame:
-            self._view.set_preview(grab.transformed(self._document.project, matrix_of(numbers, self._middle())))
+            self._view.set_preview(grab.transformed(self._document.project, self._matrix(numbers)))
 
     def _grab(self) -> Grab | None:
         """What the selection holds; says so when that is nothing."""
@@ -66,6 +66,10 @@ class TransformActions:
             return grab
         self._view.say(why_not(self._document.project, self._view))
         return None
+
+    def _matrix(self, numbers: Numbers) -> Array:
+        """What the numbers mean for what is selected."""
+        return matrix_of(numbers, self._middle(), pixel_aspect(self._document.project))
 
     def _middle(self) -> tuple[float, float]:
         """The middle of the box about the selected points, or about the outlines of whole shapes."""

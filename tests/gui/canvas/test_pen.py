@@ -135,6 +135,34 @@ def test_escape_drops_what_is_erased(
     assert canvas.tool.name == "select"
 
 
+def test_what_is_erased_goes_on_while_frames_are_tracked(
+    canvas: CanvasView, document: Document, view_state: ViewState, square: str
+) -> None:
+    project, other = edit.new_shape(document.project, document.project.shape(square).at(1).points + 5.0, 1)
+    document.apply("Draw", project)
+    eraser = PenHand(canvas, eraser=True)
+    eraser.press((20.0, 20.0))
+    for frame in (2, 3):
+        tracked = [edit.key_here(document.project.shape(each), frame) for each in (square, other.id)]
+        document.apply("Track", document.project.with_shapes(tracked))
+    assert view_state.preview is not None
+    assert view_state.preview.shape(other.id).frames == (1, 2, 3)
+    eraser.release((20.0, 20.0))
+    assert document.project.shape(square).point_count == 3
+    assert document.project.shape(square).frames == document.project.shape(other.id).frames == (1, 2, 3)
+
+
+def test_nothing_is_erased_of_a_shape_whose_points_have_other_numbers_meanwhile(
+    canvas: CanvasView, document: Document, view_state: ViewState, square: str
+) -> None:
+    eraser = PenHand(canvas, eraser=True)
+    eraser.press((20.0, 20.0))
+    document.apply("Insert", document.project.with_shape(edit.insert_point(document.project.shape(square), 0, 0.5)))
+    assert view_state.preview is None
+    eraser.release((20.0, 20.0))
+    assert document.project.shape(square).point_count == 5
+
+
 def test_the_other_end_without_a_selection_says_what_to_do(
     canvas: CanvasView, document: Document, view_state: ViewState, square: str
 ) -> None:

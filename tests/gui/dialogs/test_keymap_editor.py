@@ -53,7 +53,7 @@ def test_a_recorded_key_works_at_once_and_tooltips_follow(
     qtbot.keyClick(editor.field, Qt.Key.Key_F9)
     assert "is F9 now" in editor.word.text()
     assert "(F9)" in window.actions_by_id["tool.bezier"].toolTip()
-    assert window.canvas.empty_hint == "Draw a shape: press F9"
+    assert window.canvas.words.hint == "Draw a shape: press F9"
     go_on(qtbot, window, editor)
     qtbot.keyClick(window.canvas, Qt.Key.Key_B)
     assert window.view_state.tool == "select"

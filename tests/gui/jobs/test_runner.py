@@ -6,7 +6,9 @@ import threading
 from collections.abc import Iterator
 
 import pytest
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from shiboken6 import delete
 
 from app.jobs.runner import Ending, Job, Report, Runner
 from roam_core.errors import RoamError
@@ -144,3 +146,22 @@ def test_closing_ends_the_thread_even_amid_work(qtbot: QtBot) -> None:
     assert running.wait(5)
     assert runner.close()
     assert ("ended", Ending.CANCELLED, "") in news
+
+
+def test_work_that_outlives_a_closed_runner_ends_without_a_word(qapp: QApplication) -> None:
+    """As the first compiling of the engine does, where the window is closed meanwhile."""
+    runner, go_on, begun = Runner("worker"), threading.Event(), threading.Event()
+
+    def work(_: Report) -> str:
+        begun.set()
+        assert go_on.wait(30.0)
+        return "done"
+
+    runner.start("long", work)
+    assert begun.wait(30.0)
+    assert not runner.close(0.0)
+    thread = runner._thread
+    delete(runner)
+    go_on.set()
+    thread.join(30.0)  # what it raised would fail this test
+    assert not thread.is_alive()

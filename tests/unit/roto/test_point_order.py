@@ -15,7 +15,7 @@ from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, Spline, e
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.control_points import with_spline
 from roam_core.roto.pasting import copied_key, paste_key, targets
-from roam_core.roto.point_order import in_order_of, is_reordered, reversed_direction, with_first_point
+from roam_core.roto.point_order import in_order_of, is_renumbered, reversed_direction, with_first_point
 
 
 def blob(closed: bool = True, feathered: bool = True) -> RotoShape:
@@ -120,12 +120,12 @@ def test_the_order_of_another_state_is_found_again(closed: bool) -> None:
     for state in states:
         assert in_order_of(shape, state, 5) == state
         assert in_order_of(state, shape, 5) == shape
-        assert is_reordered(shape, state) is (state != shape)
+        assert is_renumbered(shape, state) is (state != shape)
     moved = shape.with_key(replace(shape.keys[0], points=shape.keys[0].points + 3.0))
     assert in_order_of(moved, reversed_direction(shape), 1) is moved
     assert in_order_of(moved, reversed_direction(shape), 9) == reversed_direction(moved)
-    assert not is_reordered(shape, moved)
-    assert not is_reordered(shape, replace(shape, closed=not closed))
+    assert not is_renumbered(shape, moved)
+    assert not is_renumbered(shape, replace(shape, closed=not closed))
 
 
 def test_a_copied_key_comes_back_in_the_order_that_its_shape_has_now() -> None:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtGui import QPainter, QPicture, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
+from app.paint.viewport import Viewport
+from app.tools.soft_marks import paint_reach
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
 from tests.gui.hand import CTRL, NO_BUTTON, NONE, Hand, PenHand, Spot
@@ -52,6 +57,31 @@ def test_points_beyond_the_brush_stay_bit_by_bit(
     after = only().at(1).points
     assert 0.0 < (after - before)[1, 0, 0] < 10.0
     assert after[[0, 2, 3]].tobytes() == before[[0, 2, 3]].tobytes()
+
+
+@pytest.mark.parametrize("tool", ["reshape", "select"])
+def test_brush_and_soft_selection_are_round_as_they_are_seen_of_pixels_that_are_not_square(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape, tool: str
+) -> None:
+    """The neighbours of the second point lie 80 pixels aside and 60 below: of wide pixels the former is farther."""
+    clip = document.project.require_clip()
+    document.apply("Clip", replace(document.project, clip=replace(clip, pixel_aspect=2.0)))
+    take(view_state, 100.0)
+    view_state.editing.set(soft=tool == "select", soft_radius=100.0)
+    view_state.set_tool(tool)
+    hand.drag((120.0, 40.0), (120.0, 50.0))
+    shifts = (only().at(1).anchors - SQUARE)[:, 1]
+    assert shifts[0] == 0.0
+    assert 0.0 < shifts[2] < shifts[1] == pytest.approx(10.0)
+
+
+def test_the_ring_of_a_reach_is_round_on_the_screen() -> None:
+    picture = QPicture()
+    painter = QPainter(picture)
+    paint_reach(painter, Viewport(2.0, pixel_aspect=2.0), (50.0, 50.0), 20.0)
+    painter.end()
+    box = picture.boundingRect()
+    assert box.width() == box.height() == pytest.approx(2.0 * 2.0 * 20.0, abs=2)
 
 
 def test_a_brush_over_nothing_says_so_and_makes_no_step(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -78,6 +79,22 @@ def test_undo_and_redo_let_go_of_points_that_have_other_numbers_after_it(
     document.apply("Move", document.project.with_shape(moved))
     document.undo_stack.undo()
     assert view_state.selection.points == {("shape-1", 1)}, "an edit gives points no other numbers"
+
+
+@pytest.mark.parametrize("verb", [lambda s: edit.insert_point(s, 0, 0.5), lambda s: edit.delete_points(s, [1])])
+def test_a_step_back_over_an_inserted_or_deleted_point_selects_no_other_one(
+    actions: OrderActions, document: Document, view_state: ViewState, verb: Callable[[RotoShape], RotoShape]
+) -> None:
+    opened(document, tracked())
+    shape = document.project.shapes[0]
+    other = replace(shape, id="shape-2")
+    opened(document, shape, other)
+    document.apply("Change", document.project.with_shape(verb(shape)))
+    for step in (document.undo_stack.undo, document.undo_stack.redo):
+        view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 1), ("shape-2", 2)}))
+        step()
+        assert view_state.selection.points == frozenset({("shape-2", 2)})
+        assert "shape-1" in view_state.selection.shapes
 
 
 def test_what_was_out_of_date_stays_so(actions: OrderActions, document: Document, view_state: ViewState) -> None:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
+from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from roam_core.geometry.bezier import IN, polygon_points
 from roam_core.roto import Keyframe, Origin, edit
+from roam_core.roto.feather import curve
 from tests.gui.hand import CTRL, SHIFT, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape
 
@@ -236,3 +240,32 @@ def test_taking_another_tool_drops_a_drag(hand: Hand, document: Document, view_s
     assert view_state.preview is None
     hand.release((130.0, 40.0))
     assert document.undo_stack.count() == 0
+
+
+# ---- pixels that are not square
+
+
+@pytest.fixture
+def wide(smooth: str, document: Document) -> None:
+    """Pixels are twice as wide as high."""
+    clip = document.project.require_clip()
+    document.apply("Clip", replace(document.project, clip=replace(clip, pixel_aspect=2.0)))
+
+
+def test_the_other_handle_keeps_the_length_that_is_seen(hand: Hand, wide: None, only: OnlyShape) -> None:
+    hand.drag((70.0, 40.0), (40.0, 100.0))
+    np.testing.assert_allclose(only().at(1).points[0], [(40.0, 40.0), (40.0, -20.0), (40.0, 100.0)])
+
+
+def test_so_it_does_of_a_feather_point(hand: Hand, wide: None, only: OnlyShape, view_state: ViewState) -> None:
+    view_state.set_tool("feather")
+    hand.drag((70.0, 40.0), (40.0, 100.0))
+    np.testing.assert_allclose(curve(only().at(1))[0], [(40.0, 40.0), (40.0, -20.0), (40.0, 100.0)])
+
+
+def test_points_are_smoothed_by_lengths_that_are_seen(canvas: CanvasView, wide: None, only: OnlyShape) -> None:
+    canvas.points.smooth()
+    # From (40, 100) on to (120, 40): as it is seen (160, -60), and 60 and 160 long to either side.
+    direction = np.array((160.0, -60.0)) / np.hypot(160.0, 60.0)
+    handles = np.array([-20.0 * direction, 160.0 / 3.0 * direction]) / (2.0, 1.0)
+    np.testing.assert_allclose(only().at(1).points[0, IN:] - np.array((40.0, 40.0)), handles)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -111,6 +113,25 @@ def test_numbers_of_the_beginning_stand_for_nothing() -> None:
 def test_shear_keeps_the_middle() -> None:
     matrix = matrix_of(Numbers(shear=(50.0, 0.0)), (10.0, 10.0))
     np.testing.assert_allclose(affine.apply(matrix, [(10.0, 10.0), (10.0, 20.0)]), [(10.0, 10.0), (15.0, 20.0)])
+
+
+def test_a_turn_by_numbers_keeps_the_form_that_is_seen_of_pixels_that_are_not_square(
+    document: Document, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    clip = document.project.require_clip()
+    document.apply("Clip", replace(document.project, clip=replace(clip, pixel_aspect=2.0)))
+    view_state.select(frozenset({square}))
+    seen = np.array(only.anchors()) * (2.0, 1.0)
+    TransformActions(document, view_state).transform(Numbers(turn=90.0))
+    (x, y), turned = seen.mean(axis=0), np.array(only.anchors()) * (2.0, 1.0)
+    np.testing.assert_allclose(turned, np.column_stack([x - (seen[:, 1] - y), y + (seen[:, 0] - x)]))
+
+
+def test_of_any_pixels_numbers_of_the_beginning_stand_for_nothing() -> None:
+    places = np.array([(3.0, 4.0), (-1.0, 20.0)])
+    np.testing.assert_array_equal(affine.apply(matrix_of(Numbers(), (7.0, 9.0), 1.33), places), places)
+    matrix = matrix_of(Numbers(shear=(50.0, 0.0)), (10.0, 10.0), 2.0)
+    np.testing.assert_allclose(affine.apply(matrix, [(10.0, 20.0)]), [(12.5, 20.0)])
 
 
 def test_no_run_takes_the_playhead_away_while_numbers_are_asked_for(
