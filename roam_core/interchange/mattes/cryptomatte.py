@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -22,10 +23,14 @@ RANKS = 6
 """Shapes that a pixel can tell, in three layers of channels: what the specification suggests. Files of a sequence must
 have the same number."""
 
-BAND = 256
-"""Rows that are worked out at once: sixteen channels of a large picture would fill the memory."""
+BAND = 64
+"""Rows that are worked out at once, a multiple of the sixteen that are packed together: 28 channels of all of a large
+picture would fill the memory."""
 
 PREVIEW = ("R", "G", "B")
+
+Numbered = tuple[np.float32, list[Patch]]
+"""The number of a name, and what is seen of it."""
 
 
 def write_cryptomatte(
@@ -73,7 +78,7 @@ def write_cryptomatte(
             band = slice(start, min(start + BAND, rows.stop))
             ranked = [_ranked(parts, band, columns) for parts in numbered]
             has_more = has_more or any(more for _, _, more in ranked)
-            pixels = np.stack(list(_pixels(ranked, joint[band, columns])), axis=-1)
+            pixels = _pixels(ranked, joint[band, columns])
             if not output.write_scanlines(band.start, band.stop, 0, pixels):
                 return False
         return True
@@ -87,30 +92,26 @@ def _channels(manifest: Manifest) -> list[str]:
     return [f"{manifest.name}{layer:02d}.{channel}" for layer in range(RANKS // 2) for channel in "RGBA"]
 
 
-def _numbered(manifest: Manifest, shares: Sequence[Visible]) -> list[tuple[np.float32, Patch]]:
+def _numbered(manifest: Manifest, shares: Sequence[Visible]) -> list[Numbered]:
     """What is seen of each thing that the manifest names."""
-    if manifest.name != BY_LAYER:
-        return [(manifest.number(share.item.id), share.patch) for share in shares]
-    by_layer: dict[str, list[Patch]] = {}
+    found: dict[str, list[Patch]] = {}
     for share in shares:
-        by_layer.setdefault(share.layer.id, []).append(share.patch)
-    return [(manifest.number(layer), _sum(patches)) for layer, patches in by_layer.items()]
+        found.setdefault((share.layer if manifest.name == BY_LAYER else share.item).id, []).append(share.patch)
+    return [(manifest.number(own), patches) for own, patches in found.items()]
 
 
-def _sum(patches: Sequence[Patch]) -> Patch:
-    """Patches that are black beside their values, added up."""
-    if len(patches) == 1:
-        return patches[0]
-    top, left = (min(patch.place[axis].start for patch in patches) for axis in (0, 1))
-    bottom, right = (max(patch.place[axis].stop for patch in patches) for axis in (0, 1))
-    total = Patch(top, left, np.zeros((bottom - top, right - left), dtype=np.float32))
-    for patch in patches:
-        seen = total.seen_in(*patch.place)
-        np.add(seen.values, patch.values, out=seen.values)
-    return total
+def _in_band(patches: Sequence[Patch], rows: slice, columns: slice) -> Patch:
+    """The sum of patches in a part of the picture, told from that part's corner."""
+    seen = [part for patch in patches if (part := patch.seen_in(rows, columns)).values.any()]
+    if len(seen) < 2:
+        return replace(seen[0], values=seen[0].values.copy()) if seen else Patch(0, 0, np.zeros((0, 0), np.float32))
+    whole = Patch(0, 0, np.zeros((rows.stop - rows.start, columns.stop - columns.start), dtype=np.float32))
+    for part in seen:
+        whole.values[part.place] += part.values
+    return whole
 
 
-def _ranked(parts: Sequence[tuple[np.float32, Patch]], rows: slice, columns: slice) -> tuple[Float32, Float32, bool]:
+def _ranked(parts: Sequence[Numbered], rows: slice, columns: slice) -> tuple[Float32, Float32, bool]:
     """Numbers and coverages `(RANKS, h, w)` of a part of the picture, the greatest coverage first.
 
     Of equal coverages the lower one in the project comes first. Where nothing is both are 0.
@@ -119,9 +120,9 @@ def _ranked(parts: Sequence[tuple[np.float32, Patch]], rows: slice, columns: sli
     shape = (RANKS, rows.stop - rows.start, columns.stop - columns.start)
     numbers, coverages = np.zeros(shape, dtype=np.float32), np.zeros(shape, dtype=np.float32)
     has_more = False
-    for number, patch in parts:
-        seen = patch.seen_in(rows, columns)
-        coverage, told = seen.values.copy(), np.full(seen.values.shape, number, dtype=np.float32)
+    for number, patches in parts:
+        seen = _in_band(patches, rows, columns)
+        coverage, told = seen.values, np.full(seen.values.shape, number, dtype=np.float32)
         for rank in range(RANKS):
             there = (rank, *seen.place)
             more = coverage > coverages[there]
@@ -133,16 +134,29 @@ def _ranked(parts: Sequence[tuple[np.float32, Patch]], rows: slice, columns: sli
     return numbers, coverages, has_more
 
 
-def _pixels(ranked: Sequence[tuple[Float32, Float32, bool]], joint: Matte) -> Iterator[Matte]:
-    """The channels of a part of the picture, in the order of the file."""
-    numbers, coverages, _ = ranked[0]
-    bits = numbers.view(np.uint32)
-    for k in range(len(PREVIEW)):
-        yield ((bits >> np.uint32(8 * k) & np.uint32(0xFF)) / np.float32(0xFF) * coverages).sum(
-            axis=0, dtype=np.float32
-        )
-    yield joint
-    for numbers, coverages, _ in ranked:
+def _pixels(ranked: Sequence[tuple[Float32, Float32, bool]], joint: Matte) -> Float32:
+    """The channels `(h, w, C)` of a part of the picture, in the order of the file; most of the ranks are empty."""
+    first = len(PREVIEW) + 1
+    pixels = np.zeros((*joint.shape, first + 2 * RANKS * len(ranked)), dtype=np.float32)
+    pixels[..., first - 1] = joint
+    for k, (numbers, coverages, _) in enumerate(ranked):
         for rank in range(RANKS):
-            yield numbers[rank]
-            yield coverages[rank]
+            if not coverages[rank].any():
+                break
+            place = first + 2 * (RANKS * k + rank)
+            pixels[..., place], pixels[..., place + 1] = numbers[rank], coverages[rank]
+    for channel, colour in enumerate(_preview(*ranked[0][:2])):
+        pixels[..., channel] = colour
+    return pixels
+
+
+def _preview(numbers: Float32, coverages: Float32) -> Float32:
+    """Colours `(3, h, w)` by the last bits of the numbers, as much of each as it covers."""
+    colours = np.zeros((len(PREVIEW), *numbers.shape[1:]), dtype=np.float32)
+    for number, coverage in zip(numbers, coverages, strict=True):
+        if not coverage.any():
+            break
+        bits = number.view(np.uint32)
+        for k, colour in enumerate(colours):
+            colour += (bits >> np.uint32(8 * k) & np.uint32(0xFF)) * (coverage * np.float32(1.0 / 0xFF))
+    return colours
