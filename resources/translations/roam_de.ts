@@ -3444,7 +3444,7 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     </message>
     <message>
         <source>Pixels of {frames} frame(s), the first is {first}, show more than {most} shapes: the Cryptomatte has those that cover most.</source>
-        <translation>Pixel von {frames} Bild(ern), das erste ist {first}, zeigen mehr als {most} Formen: Das Cryptomatte enthält die, die am meisten decken.</translation>
+        <translation>Pixel von {frames} Frame(s), der erste ist {first}, zeigen mehr als {most} Formen: Das Cryptomatte enthält die, die am meisten decken.</translation>
     </message>
     <message>
         <source>Plain JSON</source>

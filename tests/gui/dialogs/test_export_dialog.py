@@ -180,6 +180,7 @@ def test_a_cryptomatte_has_its_own_depth_and_gives_the_other_back(
     assert [form.depths.itemText(row) for row in range(form.depths.count())] == ["Float"]
     assert form.parts.itemText(0) == "Shapes and layers"
     assert (form.chosen.depth, form.chosen.parts) == (Depth.FLOAT, Parts.ALL)
+    assert "matte.1001.exr" in dialog.hint.text()
     dialog.frames.last.setValue(1002)
     export(qtbot, dialog)
     assert sorted(path.name for path in (tmp_path / "shot_mattes").iterdir()) == ["matte.1001.exr", "matte.1002.exr"]
