@@ -169,6 +169,12 @@ def test_mattes_are_written_as_chosen(qtbot: QtBot, dialog: ExportDialog, tmp_pa
     assert (form.chosen.gathering, form.chosen.window) == (Gathering.FILES, DataWindow.FULL)
 
 
+def test_the_first_matte_is_named_as_it_will_be_called(dialog: ExportDialog, document: Document) -> None:
+    document.open(Project(replace(CLIP, first=0, last=5)), None)
+    dialog.choose("mattes")
+    assert "matte.0000.png" in dialog.hint.text()
+
+
 def test_a_cryptomatte_has_its_own_depth_and_gives_the_other_back(
     qtbot: QtBot, dialog: ExportDialog, tmp_path: Path
 ) -> None:
