@@ -315,7 +315,7 @@ class ExportDialog(QDialog):
         elif not has_shapes:
             self.hint.setText(tr("No shape is selected; select some, or export all."))
         elif self._is_folder:
-            first = f"matte.{self.frames.chosen.start}{self.mattes.chosen.suffix}"
+            first = f"matte.{self.frames.chosen.start:04d}{self.mattes.chosen.suffix}"
             self.hint.setText(tr("A folder; its pictures are {first} and so on.", first=first))
         else:
             self.hint.setText(tr("Replaces the file that is there.") if questions.is_file(self.path) else "")

@@ -36,7 +36,10 @@ PART_WORDS = {
 GATHERING_WORDS = {
     Gathering.FILES: N_("Files of their own"),
     Gathering.CHANNELS: N_("Channels of one file"),
+    Gathering.CRYPTOMATTE: N_("Cryptomatte"),
 }
+ALL_BY_NAME = N_("Shapes and layers")
+"""What a Cryptomatte tells apart where nothing is left out: it has no matte of all together."""
 WINDOW_WORDS = {DataWindow.FULL: N_("All pixels"), DataWindow.TIGHT: N_("Around the shapes only")}
 
 
@@ -48,6 +51,8 @@ class MatteForm(QWidget):
         self.file, self.depths, self.compression, self.parts, self.gathering, self.pixels = (
             QComboBox() for _ in range(6)
         )
+        self._depth: str | None = None
+        """What was chosen before Cryptomatte took its own."""
         self.resumes = QCheckBox(tr("Skip frames whose files are there"))
         _fill(self.file, FILES.items())
         _fill(self.parts, PART_WORDS.items())
@@ -66,6 +71,7 @@ class MatteForm(QWidget):
             form.addRow(form_label(title), field)
         self.setLayout(form)
         self.file.currentIndexChanged.connect(lambda _: self._pull())
+        self.gathering.currentIndexChanged.connect(lambda _: self._pull())
         self._pull()
 
     @property
@@ -86,18 +92,27 @@ class MatteForm(QWidget):
     def _kind(self) -> MatteFile:
         return MatteFile(self.file.currentData())
 
+    @property
+    def _is_cryptomatte(self) -> bool:
+        return self._kind is MatteFile.EXR and self.gathering.currentData() == Gathering.CRYPTOMATTE
+
     def _pull(self) -> None:
-        kind = self._kind
-        _fill(self.depths, ((depth, DEPTH_WORDS[depth]) for depth in DEPTHS[kind]))
+        kind, is_cryptomatte = self._kind, self._is_cryptomatte
+        if self.depths.count() > 1:
+            self._depth = self.depths.currentData()
+        depths = (Depth.FLOAT,) if is_cryptomatte else DEPTHS[kind]
+        _fill(self.depths, ((depth, DEPTH_WORDS[depth]) for depth in depths), self._depth)
+        all_parts = ALL_BY_NAME if is_cryptomatte else PART_WORDS[Parts.ALL]
+        self.parts.setItemText(self.parts.findData(str(Parts.ALL)), tr(all_parts))
         _fill(self.compression, ((word, word) for word in COMPRESSIONS[kind]))
         for field in (self.gathering, self.pixels):
             field.setEnabled(kind is MatteFile.EXR)
             field.setToolTip("" if kind is MatteFile.EXR else tr("EXR files only"))
 
 
-def _fill(field: QComboBox, choices: Iterable[tuple[StrEnum | str, str]]) -> None:
-    """Put words into a field; what was chosen stays where it still can."""
-    chosen = field.currentData()
+def _fill(field: QComboBox, choices: Iterable[tuple[StrEnum | str, str]], chosen: str | None = None) -> None:
+    """Put words into a field; what is `chosen`, or stands there, stays where it still can."""
+    chosen = field.currentData() if chosen is None else chosen
     field.clear()
     for value, word in choices:
         field.addItem(tr(word), str(value))

@@ -1002,6 +1002,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Eckpunkt versetzen {dx:+.1f}, {dy:+.1f} px</translation>
     </message>
     <message>
+        <source>Cryptomatte</source>
+        <translation>Cryptomatte</translation>
+    </message>
+    <message>
         <source>Ctrl+Alt+click</source>
         <translation>Strg+Alt+Klick</translation>
     </message>
@@ -3451,6 +3455,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Pixel</translation>
     </message>
     <message>
+        <source>Pixels of {frames} frame(s), the first is {first}, show more than {most} shapes: the Cryptomatte has those that cover most.</source>
+        <translation>Pixel von {frames} Frame(s), der erste ist {first}, zeigen mehr als {most} Formen: Das Cryptomatte enthält die, die am meisten decken.</translation>
+    </message>
+    <message>
         <source>Plain JSON</source>
         <translation>Einfaches JSON</translation>
     </message>
@@ -4073,6 +4081,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Shapes ({kinds});;All files (*)</source>
         <translation>Formen ({kinds});;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Shapes and layers</source>
+        <translation>Formen und Ebenen</translation>
     </message>
     <message>
         <source>Shapes for other programs, and mattes: every format, keys and frames</source>

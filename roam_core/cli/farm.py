@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from roam_core.atomic_write import new_folder, write_atomically
 from roam_core.cli.lines import print_json
+from roam_core.cli.matte_options import add_matte_arguments, matte_options, matte_style
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import NothingToSolve
 from roam_core.cli.plate import loaded
 from roam_core.cli.spans import asked_frames, gaps_of
 from roam_core.errors import RoamError
 from roam_core.roto import Project
-from roam_core.studio.jobs import Job, require_name, steps_named
+from roam_core.studio.jobs import Job, Step, require_name, steps_named
 from roam_core.studio.open_job import Shares, checked, template_of, to_be_given, written
 
 
@@ -37,6 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--end", type=int, metavar="F", help="last frame to render (default: the clip's last)")
     parser.add_argument("--roam", default="roam", metavar="COMMAND", help="what runs ROAM on the farm (%(default)s)")
     parser.add_argument("--json", action="store_true", help="print a line of JSON: the file, and its steps")
+    add_matte_arguments(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -49,7 +52,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.chunk < 1:
         raise RoamError("--chunk has to be 1 or more.")
     gaps = found_gaps(project, path)
-    steps = steps_named(arguments.steps or ("fill,render" if gaps else "render"))
+    steps = with_mattes(steps_named(arguments.steps or ("fill,render" if gaps else "render")), arguments)
     if not gaps and any(step.verb == "fill" for step in steps):
         gaps_of(project, path)  # says why there is none
     if any(step.verb == "shift" for step in steps):
@@ -70,6 +73,18 @@ def run(arguments: argparse.Namespace) -> int:
         for label, place in to_be_given(template).items():
             print(f"{label} lies elsewhere; submit the job with {label}={place}.", file=sys.stderr)
     return 0
+
+
+def with_mattes(steps: tuple[Step, ...], arguments: argparse.Namespace) -> tuple[Step, ...]:
+    """The steps, those that render with what was said of mattes. Raises `RoamError` where that fits none of them."""
+    given = matte_options(arguments)
+    if not given:
+        return steps
+    if not any(step.verb == "render" for step in steps):
+        raise RoamError(f"{', '.join(given)} {'is' if len(given) == 1 else 'are'} for the step render; name it, too.")
+    matte_style(arguments)  # refuses what no picture can hold
+    said = {name: getattr(arguments, name) for name in (option.removeprefix("--") for option in given)}
+    return tuple(replace(step, options=step.options | said) if step.verb == "render" else step for step in steps)
 
 
 def found_gaps(project: Project, path: Path) -> list[tuple[int, int]]:

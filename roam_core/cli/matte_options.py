@@ -40,6 +40,7 @@ def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
         help="what has a matte of its own (%(default)s)",
     )
     group.add_argument("--channels", action="store_true", help="exr: layers or shapes as channels of one file")
+    group.add_argument("--cryptomatte", action="store_true", help="exr: shapes and layers as Cryptomatte, by name")
     group.add_argument("--tight", action="store_true", help="exr: leave out the black around the shapes")
     group.add_argument("--resume", action="store_true", help="skip frames whose files are there")
 
@@ -47,7 +48,7 @@ def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
 def matte_options(arguments: argparse.Namespace) -> list[str]:
     """Those of the options that were given another value than their own."""
     plain: dict[str, object] = dict.fromkeys(("file", "depth", "compression"))
-    plain |= {"per": Parts.ALL, "channels": False, "tight": False, "resume": False}
+    plain |= {"per": Parts.ALL, "channels": False, "cryptomatte": False, "tight": False, "resume": False}
     return [f"--{option}" for option, value in plain.items() if getattr(arguments, option) != value]
 
 
@@ -56,16 +57,24 @@ def matte_style(arguments: argparse.Namespace, name: str = "") -> MatteStyle:
 
     Raises `RoamError` when the kind of file cannot hold it.
     """
+    if arguments.channels and arguments.cryptomatte:
+        raise RoamError("--channels and --cryptomatte are two ways to put mattes into one file; choose one of them.")
     parts = Parts.SHAPE if arguments.channels and arguments.per == Parts.ALL else Parts(arguments.per)
     return MatteStyle(
         file=_kind(arguments, name),
         depth=None if arguments.depth is None else Depth(arguments.depth),
         compression=arguments.compression,
         parts=parts,
-        gathering=Gathering.CHANNELS if arguments.channels else Gathering.FILES,
+        gathering=_gathering(arguments),
         window=DataWindow.TIGHT if arguments.tight else DataWindow.FULL,
         resumes=arguments.resume,
     )
+
+
+def _gathering(arguments: argparse.Namespace) -> Gathering:
+    if arguments.cryptomatte:
+        return Gathering.CRYPTOMATTE
+    return Gathering.CHANNELS if arguments.channels else Gathering.FILES
 
 
 def _kind(arguments: argparse.Namespace, name: str) -> MatteFile:
@@ -74,7 +83,7 @@ def _kind(arguments: argparse.Namespace, name: str) -> MatteFile:
         return MatteFile(arguments.file)
     if named := SUFFIXES.get(Path(name).suffix.lower()):
         return named
-    if arguments.channels or arguments.tight:
+    if arguments.channels or arguments.cryptomatte or arguments.tight:
         return MatteFile.EXR
     depth, compression = arguments.depth, arguments.compression
     fitting = (

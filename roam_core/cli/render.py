@@ -22,7 +22,7 @@ from roam_core.cli.targets import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.flatten import TAKING
-from roam_core.interchange.matte_style import SUFFIXES, MatteStyle, Parts
+from roam_core.interchange.matte_style import SUFFIXES, Gathering, MatteStyle, Parts
 from roam_core.interchange.mattes.exporter import NAME, planned, require_places, style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
@@ -100,6 +100,8 @@ def run(arguments: argparse.Namespace) -> int:
         )
     if frames and not (written.made or written.kept):
         raise RoamError(f"Nothing is visible in {arguments.project} that could have a matte of its own.")
+    for note in written.notes:
+        tell(note)
     if arguments.json:
         made, there = ([str(path) for path in paths] for paths in (written.made, written.kept))
         print_json({"files": made, "kept": there})
@@ -113,7 +115,8 @@ def black_because(project: Project, path: Path, style: MatteStyle) -> str:
     if not project.shapes:
         return f"{path} holds no shape: its mattes are black."
     turns = any(item.invert for item in (project.root, *project.root.items()))
-    if turns or style.parts is Parts.SHAPE or not all(shape.blend in TAKING for shape in project.shapes):
+    shows_each = style.parts is Parts.SHAPE and style.gathering is not Gathering.CRYPTOMATTE
+    if turns or shows_each or not all(shape.blend in TAKING for shape in project.shapes):
         return ""
     return "Shapes that subtract or intersect show nothing by themselves: the mattes are black. --per shape shows each."
 

@@ -37,10 +37,11 @@ class Parts(StrEnum):
 
 
 class Gathering(StrEnum):
-    """Where the mattes of one frame go: each into its own file, or all into one file as channels with names."""
+    """Where the mattes of one frame go: each into its own file, or all into one, as channels or as Cryptomatte."""
 
     FILES = "files"
     CHANNELS = "channels"
+    CRYPTOMATTE = "cryptomatte"
 
 
 class DataWindow(StrEnum):
@@ -90,10 +91,11 @@ class MatteStyle:
     Attributes
     ----------
     file : the kind of the pictures.
-    depth : None is the file's own: 8 bits, or half for EXR.
+    depth : None is the file's own: 8 bits, or half for EXR, or float for Cryptomatte, which has no other.
     compression : None is the file's own: zip.
     parts : what has a matte of its own.
-    gathering : whether mattes of one frame are files or channels; channels are EXR's alone.
+    gathering : whether mattes of one frame are files, channels or Cryptomatte; the last two are EXR's alone. Under
+        Cryptomatte `parts` say what is told apart: layers, shapes, or for all of them both.
     window : which pixels an EXR file holds.
     resumes : skip frames whose files are all there. Files appear under their names only when they are whole; whether
         the shapes have changed since is not looked at.
@@ -127,6 +129,10 @@ class MatteStyle:
             )
         if self.file is not MatteFile.EXR and self.gathering is Gathering.CHANNELS:
             raise RoamError(f"{name} files hold no channels with names; ask for EXR.")
+        if self.file is not MatteFile.EXR and self.gathering is Gathering.CRYPTOMATTE:
+            raise RoamError(f"{name} files hold no Cryptomatte; ask for EXR.")
+        if self.gathering is Gathering.CRYPTOMATTE and self.depth not in (None, Depth.FLOAT):
+            raise RoamError(f"Cryptomatte is {Depth.FLOAT} deep, not {self.depth}: its numbers stand for names.")
         if self.file is not MatteFile.EXR and self.window is DataWindow.TIGHT:
             raise RoamError(f"{name} files hold all pixels; ask for EXR to leave out the black around the shapes.")
 
@@ -138,7 +144,9 @@ class MatteStyle:
     @property
     def depth_or_own(self) -> Depth:
         """The depth that is written."""
-        return DEPTHS[self.file][0] if self.depth is None else self.depth
+        if self.depth is not None:
+            return self.depth
+        return Depth.FLOAT if self.gathering is Gathering.CRYPTOMATTE else DEPTHS[self.file][0]
 
     @property
     def compression_or_own(self) -> str:

@@ -102,17 +102,17 @@ def cut_patch(
 
     Stored in the rectangle that the item reaches: of hundreds of small items in a large picture each costs little.
     """
-    place = _reach(item, frame, size, drawn)
+    place = reach(item, frame, size, drawn)
     return Patch(place[0].start, place[1].start, _join((item, *cutters), frame, size, drawn, place))
 
 
-def _reach(item: Layer | RotoShape, frame: float, size: tuple[int, int], drawn: Draw) -> Place:
-    """The rectangle beside which an item is black."""
+def reach(item: Layer | RotoShape, frame: float, size: tuple[int, int], drawn: Draw) -> Place:
+    """The rectangle beside which an item in plate space is black."""
     whole, nothing = (slice(0, size[0]), slice(0, size[1])), (slice(0, 0), slice(0, 0))
     if not item.visible:
         return nothing
     if isinstance(item, Layer):
-        reached = [] if item.invert else [_reach(child, frame, size, drawn) for child in item.children]
+        reached = [] if item.invert else [reach(child, frame, size, drawn) for child in item.children]
         some = [place for place in reached if place[0].start < place[0].stop and place[1].start < place[1].stop]
         if not some:
             return whole if item.invert else nothing

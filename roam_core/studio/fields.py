@@ -132,6 +132,7 @@ VERBS: dict[str, Verb] = {
             Field("compression", Kind.TEXT, "without loss in any case", _COMPRESSIONS),
             Field("per", Kind.TEXT, "what has a matte of its own", tuple(Parts)),
             Field("channels", Kind.FLAG, "exr: layers or shapes as channels of one file"),
+            Field("cryptomatte", Kind.FLAG, "exr: shapes and layers as Cryptomatte, by name"),
             Field("tight", Kind.FLAG, "exr: leave out the black around the shapes"),
         ),
         makes_project=False,

@@ -19,11 +19,15 @@ from roam_core.interchange.matte_style import (
     MatteStyle,
     Parts,
 )
+from roam_core.interchange.mattes.cryptomatte import RANKS, write_cryptomatte
 from roam_core.interchange.mattes.files import JOINT, encode_png, write_picture
+from roam_core.interchange.mattes.manifest import Manifest, manifests_of
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.interchange.naming import file_words, is_numbered, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.matte import Patch, render_matte, shape_patch
+from roam_core.matte.compose import Draw
+from roam_core.matte.visible import visible_shares
 from roam_core.roto import Layer, Project, RotoShape
 from roam_core.translatable import N_, sentence
 
@@ -67,6 +71,7 @@ class MatteExporter:
             progress=options.progress,
             token=options.token,
         )
+        notes += written.notes
         return (*notes, written.report()) if written.kept else tuple(notes)
 
     def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
@@ -112,7 +117,7 @@ _PLACE = re.compile(r"\{\w+\}")
 
 def _is_single(style: MatteStyle) -> bool:
     """Whether a frame has one file."""
-    return style.parts is Parts.ALL or style.gathering is Gathering.CHANNELS
+    return style.parts is Parts.ALL or style.gathering is not Gathering.FILES
 
 
 def style_for(path: Path, style: MatteStyle) -> MatteStyle:
@@ -145,9 +150,7 @@ def parts_of(shapes: Shapes, parts: Parts) -> list[Part]:
     """
     if parts is Parts.ALL:
         return []
-    root = shapes.plate_root if isinstance(shapes, Project) else shapes
-    if not isinstance(root, Layer):
-        root = Layer("root", "Root", tuple(root))
+    root = _root(shapes)
     found: list[tuple[str, Layer | tuple[RotoShape, ...]]]
     if parts is Parts.SHAPE:
         found = [(shape.name, (shape,)) for shape in _shown_shapes(root)]
@@ -159,12 +162,36 @@ def parts_of(shapes: Shapes, parts: Parts) -> list[Part]:
     return [Part(word, name, content) for word, (name, content) in zip(words, found, strict=True)]
 
 
+def _root(shapes: Shapes) -> Layer:
+    root = shapes.plate_root if isinstance(shapes, Project) else shapes
+    return root if isinstance(root, Layer) else Layer("root", "Root", tuple(root))
+
+
 @dataclass(frozen=True)
 class Written:
-    """The pictures of a run, in the order of the frames: those `made` now, and those `kept` as they were."""
+    """The pictures of a run, in the order of the frames: those `made` now, and those `kept` as they were.
+
+    `crowded` are the frames of Cryptomattes with pixels that show more than has room in them.
+    """
 
     made: tuple[Path, ...]
     kept: tuple[Path, ...] = ()
+    crowded: tuple[int, ...] = ()
+
+    @property
+    def notes(self) -> list[str]:
+        """What was left out."""
+        if not self.crowded:
+            return []
+        return [
+            sentence(
+                "Pixels of {frames} frame(s), the first is {first}, show more than {most} shapes: "
+                "the Cryptomatte has those that cover most.",
+                frames=len(self.crowded),
+                first=self.crowded[0],
+                most=RANKS,
+            )
+        ]
 
     def report(self, place: str = "") -> str:
         """One sentence on how many there are of each; `place` tells where, such as " to mattes"."""
@@ -215,13 +242,14 @@ def write_mattes(
     Cancelled
         when the token was cancelled.
     """
-    parts = parts_of(shapes, style.parts)
+    parts, manifests = _contents(shapes, style)
     plan = _plan(frames, folder, name_for, parts, style)
     folders = {path.parent for paths in plan.values() for path in paths}
     for place in sorted(folders if NAME in str(folder) and not _is_single(style) else folders | {folder}):
         make_folder(place)
     made: list[Path] = []
     kept: list[Path] = []
+    crowded: list[int] = []
     for done, (frame, paths) in enumerate(plan.items()):
         if token is not None:
             token.check()
@@ -231,9 +259,14 @@ def write_mattes(
             kept += paths
         else:
             moment = None if fps is None else Moment(frame + frame_offset, fps)
-            _write_frame(shapes, frame, size, parts, paths, style, pixel_aspect, moment)
+            if manifests:
+                shares = visible_shares(_root(shapes), frame, size, _remembering())
+                if write_cryptomatte(paths[0], manifests, *shares, style, pixel_aspect, moment):
+                    crowded.append(frame)
+            else:
+                _write_frame(shapes, frame, size, parts, paths, style, pixel_aspect, moment)
             made += paths
-    written = Written(tuple(made), tuple(kept))
+    written = Written(tuple(made), tuple(kept), tuple(crowded))
     if progress is not None:
         progress(1.0, written.report())
     return written
@@ -246,8 +279,15 @@ def planned(
 
     Raises `RoamError` as it does for names.
     """
-    plan = _plan(frames, folder, name_for, parts_of(shapes, style.parts), style)
+    plan = _plan(frames, folder, name_for, _contents(shapes, style)[0], style)
     return tuple(path for paths in plan.values() if not _is_kept(paths, style) for path in paths)
+
+
+def _contents(shapes: Shapes, style: MatteStyle) -> tuple[list[Part], tuple[Manifest, ...]]:
+    """What has a matte of its own, or the Cryptomattes."""
+    if style.gathering is Gathering.CRYPTOMATTE:
+        return [], manifests_of(_root(shapes), style.parts)
+    return parts_of(shapes, style.parts), ()
 
 
 def write_matte(shapes: Shapes, frame: int, path: Path, size: tuple[int, int]) -> None:
@@ -269,12 +309,7 @@ def _write_frame(
     moment: Moment | None,
 ) -> None:
     """The pictures of one frame; a shape that stands in several of them is filled once."""
-    filled: dict[str, Patch] = {}
-
-    def drawn(shape: RotoShape, at: float, size: tuple[int, int]) -> Patch:
-        if shape.id not in filled:
-            filled[shape.id] = shape_patch(shape, at, size)
-        return filled[shape.id]
+    drawn = _remembering()
 
     def matte(content: Shapes) -> Patch:
         return Patch(0, 0, render_matte(content, frame, size, drawn))
@@ -293,6 +328,18 @@ def _write_frame(
     else:
         for part, path in zip(parts, paths, strict=True):
             write_picture(path, {JOINT: own(part)}, size, style, pixel_aspect, {JOINT: part.name}, moment)
+
+
+def _remembering() -> Draw:
+    """Fills the shapes of one frame, each of them once."""
+    filled: dict[str, Patch] = {}
+
+    def drawn(shape: RotoShape, at: float, size: tuple[int, int]) -> Patch:
+        if shape.id not in filled:
+            filled[shape.id] = shape_patch(shape, at, size)
+        return filled[shape.id]
+
+    return drawn
 
 
 def _plan(

@@ -6,7 +6,7 @@ import json
 import os
 import struct
 import zlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -53,14 +53,11 @@ def write_picture(
         write_atomically(path, encode_png(patch.whole(size), int(style.depth_or_own)))
         return
     pixels, spec = _pixels(channels, size, style)
-    spec.attribute("compression", style.compression_or_own)
-    spec.attribute("PixelAspectRatio", float(aspect))
-    spec.attribute("Software", SOFTWARE)
+    mark(spec, style, aspect, moment)
     if names:
         spec.attribute(NAMES, json.dumps(dict(names), ensure_ascii=True))
-    if moment is not None and style.file is MatteFile.EXR:
-        _tell_time(spec, moment)
-    write_atomically(path, _encoded(path, pixels, spec, style))
+    whole = np.ascontiguousarray(pixels)
+    write_atomically(path, encoded(path, spec, style, lambda output: bool(output.write_image(whole))))
 
 
 def encode_png(matte: Matte, bits: int = 8) -> bytes:
@@ -127,6 +124,15 @@ def _pixels(channels: Mapping[str, Patch], size: tuple[int, int], style: MatteSt
     return pixels, spec
 
 
+def mark(spec: Any, style: MatteStyle, aspect: float, moment: Moment | None) -> None:
+    """Say what every file of the style says: compression, `aspect` of the pixels, that it is ours, time of EXR."""
+    spec.attribute("compression", style.compression_or_own)
+    spec.attribute("PixelAspectRatio", float(aspect))
+    spec.attribute("Software", SOFTWARE)
+    if moment is not None and style.file is MatteFile.EXR:
+        _tell_time(spec, moment)
+
+
 def _tell_time(spec: Any, moment: Moment) -> None:
     """Put the rate and the time code under the names of OpenEXR's standard attributes.
 
@@ -139,14 +145,18 @@ def _tell_time(spec: Any, moment: Moment) -> None:
         spec.attribute("smpte:TimeCode", oiio.TypeTimeCode, (code, 0))
 
 
-def _encoded(path: Path, pixels: Any, spec: Any, style: MatteStyle) -> bytes:
-    """The bytes of the file: OpenImageIO writes by name, so it does that beside the rest of the temporary files."""
+def encoded(path: Path, spec: Any, style: MatteStyle, write: Callable[[Any], bool]) -> bytes:
+    """The bytes of a file that will be `path`; `write` puts the pixels into the output, and tells if it could.
+
+    OpenImageIO writes by name, so it does that beside the rest of the temporary files.
+    Raises `RoamError` where it fails.
+    """
     with working_folder("roam-matte") as folder:
         whole = folder / f"matte{style.suffix}"
         output = oiio.ImageOutput.create(str(whole))
         trouble = oiio.geterror() if output is None else ""
         if output is not None:
-            is_written = output.open(str(whole), spec) and output.write_image(np.ascontiguousarray(pixels))
+            is_written = output.open(str(whole), spec) and write(output)
             is_written = output.close() and is_written
             trouble = "" if is_written else output.geterror()
         if trouble or not whole.exists():

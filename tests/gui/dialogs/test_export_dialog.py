@@ -169,6 +169,37 @@ def test_mattes_are_written_as_chosen(qtbot: QtBot, dialog: ExportDialog, tmp_pa
     assert (form.chosen.gathering, form.chosen.window) == (Gathering.FILES, DataWindow.FULL)
 
 
+def test_the_first_matte_is_named_as_it_will_be_called(dialog: ExportDialog, document: Document) -> None:
+    document.open(Project(replace(CLIP, first=0, last=5)), None)
+    dialog.choose("mattes")
+    assert "matte.0000.png" in dialog.hint.text()
+
+
+def test_a_cryptomatte_has_its_own_depth_and_gives_the_other_back(
+    qtbot: QtBot, dialog: ExportDialog, tmp_path: Path
+) -> None:
+    dialog.choose("mattes")
+    form = dialog.mattes
+    pick(form.file, MatteFile.EXR)
+    assert form.parts.itemText(0) == "All shapes together"
+    pick(form.gathering, Gathering.CRYPTOMATTE)
+    assert [form.depths.itemText(row) for row in range(form.depths.count())] == ["Float"]
+    assert form.parts.itemText(0) == "Shapes and layers"
+    assert (form.chosen.depth, form.chosen.parts) == (Depth.FLOAT, Parts.ALL)
+    assert "matte.1001.exr" in dialog.hint.text()
+    dialog.frames.last.setValue(1002)
+    export(qtbot, dialog)
+    assert sorted(path.name for path in (tmp_path / "shot_mattes").iterdir()) == ["matte.1001.exr", "matte.1002.exr"]
+    content = (tmp_path / "shot_mattes" / "matte.1001.exr").read_bytes()
+    assert b"uint32_to_float32" in content
+    pick(form.gathering, Gathering.CHANNELS)
+    assert (form.chosen.depth, form.parts.itemText(0)) == (Depth.HALF, "All shapes together")
+    pick(form.gathering, Gathering.CRYPTOMATTE)
+    pick(form.file, MatteFile.TIFF)
+    assert (form.chosen.gathering, form.parts.itemText(0)) == (Gathering.FILES, "All shapes together")
+    assert form.depths.count() == 3
+
+
 def test_an_export_can_be_stopped_and_the_window_lives_meanwhile(
     qtbot: QtBot, dialog: ExportDialog, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -57,6 +57,29 @@ def test_shapes_become_channels_of_an_exr_file(roam: Roam, project: Path, tmp_pa
     assert (rate(told), time_code(told)) == ((24, 1), "00:00:00:08")
 
 
+@pytest.mark.parametrize("command", ["render", "export"])
+def test_shapes_become_a_cryptomatte(roam: Roam, project: Path, tmp_path: Path, command: str) -> None:
+    out = tmp_path / "out"
+    words = ("--out", out, "--name", "m.####") if command == "render" else ("--to", "mattes", out / "m.####")
+    assert roam(command, project, *words, "--cryptomatte", "--tight").status == 0
+    assert names(out) == ["m.0007.exr", "m.0008.exr", "m.0009.exr"]
+    spec = oiio.ImageBuf(str(out / "m.0008.exr")).spec()
+    manifest = json.loads(spec.get_string_attribute("cryptomatte/986a535/manifest"))
+    assert (list(manifest), str(spec.format)) == (["Left arm", "Right"], "float")
+    told = header(out / "m.0008.exr")
+    assert (rate(told), time_code(told)) == ((24, 1), "00:00:00:08")
+    again = roam(command, project, *words, "--cryptomatte", "--resume", "--json")
+    assert again.status == 0
+
+
+def test_a_cryptomatte_of_holes_alone_is_told_to_be_black(roam: Roam, project: Path, tmp_path: Path) -> None:
+    loaded = file.load(project)
+    file.save(loaded.with_shape(replace(loaded.shape("shape-2"), blend=BlendMode.SUBTRACT)), project)
+    words = ("render", project, "--out", tmp_path / "out", "--shape", "Right", "--per", "shape")
+    assert "show nothing by themselves" in roam(*words, "--cryptomatte").err
+    assert "show nothing by themselves" not in roam(*words).err
+
+
 def test_sixteen_bit_tiffs_are_written_when_asked_for(roam: Roam, project: Path, tmp_path: Path) -> None:
     done = roam("render", project, "--out", tmp_path, "--file", "tiff", "--depth", 16, "--end", 7)
     assert done.status == 0
@@ -105,6 +128,10 @@ def test_an_export_that_is_taken_up_tells_what_was_there(roam: Roam, project: Pa
     ("words", "sentence"),
     [
         (("--file", "png", "--channels"), "PNG files hold no channels"),
+        (("--file", "tiff", "--cryptomatte"), "TIFF files hold no Cryptomatte; ask for EXR"),
+        (("--depth", "half", "--cryptomatte"), "Cryptomatte is float deep, not half"),
+        (("--name", "m.####.png", "--cryptomatte"), "PNG files hold no Cryptomatte"),
+        (("--channels", "--cryptomatte"), "are two ways to put mattes into one file; choose one"),
         (("--file", "exr", "--depth", "8"), "EXR mattes are half or float deep, not 8"),
         (("--name", "sub/m.####.png"), "is no file name for the matte of frame 7"),
     ],
@@ -168,6 +195,7 @@ def test_a_folder_is_not_named_as_pictures_are(roam: Roam, project: Path, tmp_pa
         ("{nope}.####.png", (), "nothing is put in place of {nope}; {name} stands for a layer or shape"),
         ("{nope}.{name}.png", ("--per", "shape"), "nothing is put in place of {nope}"),
         ("{name}.####.png", (), "{name} stands for a layer or shape, but there is one matte of all"),
+        ("{name}.####.exr", ("--cryptomatte",), "{name} stands for a layer or shape, but there is one matte of all"),
         ("{name}.####.exr", ("--channels",), "{name} stands for a layer or shape, but there is one matte of all"),
     ],
 )

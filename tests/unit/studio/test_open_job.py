@@ -76,6 +76,23 @@ def test_a_shift_is_refused_for_tasks_are_by_frames(tmp_path: Path, capsys: pyte
     assert not (tmp_path / "sh010.openjd.json").exists()
 
 
+def test_mattes_are_rendered_as_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
+    job = tmp_path / "sh010.openjd.json"
+    for words, reason in (
+        (["--steps", "fill", "--cryptomatte"], "--cryptomatte is for the step render; name it, too."),
+        (["--file", "png", "--cryptomatte"], "PNG files hold no Cryptomatte"),
+    ):
+        assert main(["farm", str(project), *words]) == 1
+        assert reason in capsys.readouterr().err
+        assert not job.exists()
+    assert main(["farm", str(project), "--cryptomatte", "--compression", "zips"]) == 0
+    step = json.loads(job.read_text())["steps"][-1]
+    command = step["script"]["actions"]["onRun"]
+    assert "--cryptomatte" in json.dumps(command)
+    assert "--compression=zips" in json.dumps(command)
+
+
 def test_a_job_that_cannot_be_written_leaves_no_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
     out = tmp_path / "sh010-farm"
