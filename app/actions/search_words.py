@@ -15,6 +15,7 @@ WORDS: Mapping[str, str] = {
     "file.open_project": N_("load script scene session"),
     "file.open_demo": N_("example sample tutorial manta"),
     "file.save_as": N_("version copy"),
+    "file.save_version": N_("increment incremental up number next plus"),
     "help.report": N_("bug crash error issue trace support"),
     "file.recover": N_("crash autosave backup journal lost restore"),
     "file.import_shapes": N_("nuke silhouette fusion svg roto load"),

@@ -70,6 +70,7 @@ class FileActions(QObject):
         self.folders = LastFolders()
         """Where choosers begin."""
         self._after_saving: Callable[[], object] | None = None
+        self._wants_version = False  # a new version is to follow the save that is under way
         self._export_dialog: ExportDialog | None = None
         self._not_saved: QMessageBox | None = None
         files.saved.connect(self._saved)
@@ -94,6 +95,7 @@ class FileActions(QObject):
             "file.open_project": self.open_project,
             "file.save": self.save,
             "file.save_as": self.save_as,
+            "file.save_version": self.save_new_version,
             "file.import_shapes": self.import_shapes,
             "file.import_masks": self.import_masks,
             "file.export": self.export,
@@ -200,6 +202,16 @@ class FileActions(QObject):
             self._disarm()
         else:
             self._write(path)
+
+    def save_new_version(self) -> None:
+        """Save under the next version number beside the project's file; ask for a name if it has none."""
+        if self._files.is_saving:
+            self._wants_version = True
+            self._view.say(tr("The project is being saved …"))
+        elif self._document.path is None:
+            self.save_as()
+        else:
+            self._files.save_new_version(self._document.path)
 
     def import_shapes(self) -> None:
         """Ask for a file of shapes, and read it."""
@@ -357,15 +369,18 @@ class FileActions(QObject):
 
     def _saved(self) -> None:
         self._noted(Purpose.PROJECT, self._document.path)
-        then, self._after_saving = self._after_saving, None
-        if then is not None:
+        if self._wants_version:
+            self._wants_version = False
+            self.save_new_version()
+        elif (then := self._after_saving) is not None:
+            self._after_saving = None
             then()
 
     def _disarm(self) -> None:
         """What was to be done after saving is not done."""
-        self._after_saving = None
+        self._after_saving, self._wants_version = None, False
 
-    def _tell_not_saved(self, path: Path, sentence: str) -> None:
+    def _tell_not_saved(self, path: Path, sentence: str, again: Callable[[], None]) -> None:
         """Say so where nobody overlooks it, with the ways on; the artist may go on to work first."""
         self._disarm()
         sitting = self._document.sitting
@@ -379,7 +394,7 @@ class FileActions(QObject):
             if box.buttonRole(box.clickedButton()) is QMessageBox.ButtonRole.AcceptRole:
                 self.save_as()
             else:
-                self._files.save(path)
+                again()
 
         box.accepted.connect(go_on)
         box.open()

@@ -12,10 +12,11 @@ from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import BlendMode, Clip, Origin, Project, edit, file
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
+from roam_core.roto.project_lock import Holder
 from roam_core.roto.relinking import is_renumbered, open_plate, other_content, other_size, relinked
 from roam_core.system_errors import reason_of
 
-from ..jobs.runner import Report
+from ..jobs.runner import Report, Work
 from ..translation import N_, tr, translated
 
 if TYPE_CHECKING:
@@ -201,3 +202,15 @@ def differences(project: Project, source: PlateSource) -> str:
 def gaps_of(source: Any) -> str:
     missing = len(source.missing)
     return tr("%n frame(s) is/are missing.", "", missing) if missing else ""
+
+
+def reading_work(text: str, read: Callable[[], Found | Holder]) -> Work:
+    """The work of reading something; its sentence is that of what was found."""
+
+    def work(report: Report) -> str:
+        report.progress(0.0, text)
+        found = read()
+        report.partial(found)
+        return found.sentence if isinstance(found, Found) else ""
+
+    return work

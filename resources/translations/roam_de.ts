@@ -3855,6 +3855,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Speichern unter…</translation>
     </message>
     <message>
+        <source>Save beside the project&apos;s file, under the next version number: v003 is followed by v004</source>
+        <translation>Neben der Datei des Projekts speichern, unter der nächsten Versionsnummer: Auf v003 folgt v004</translation>
+    </message>
+    <message>
+        <source>Save new version</source>
+        <translation>Neue Version speichern</translation>
+    </message>
+    <message>
         <source>Save project</source>
         <translation>Projekt speichern</translation>
     </message>
@@ -3865,6 +3873,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Save your work under a new name now.</source>
         <translation>Bitte die Arbeit jetzt unter neuem Namen speichern.</translation>
+    </message>
+    <message>
+        <source>Saved as {name}: {there} exists already.</source>
+        <translation>Als {name} gespeichert: {there} gibt es schon.</translation>
     </message>
     <message>
         <source>Saved {name}. {warning}</source>
@@ -6011,6 +6023,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>vor den anderen</translation>
     </message>
     <message>
+        <source>increment incremental up number next plus</source>
+        <translation>inkrementell hochzählen nummer nächste plus</translation>
+    </message>
+    <message>
         <source>intelligent scissors edge snap draw roto mask path</source>
         <translation>kante einrasten zeichnen roto maske pfad schere</translation>
     </message>
@@ -7192,6 +7208,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{path} is no keymap; keys are set in Edit &gt; Change keys.</source>
         <translation>{path} ist keine Tastenbelegung; Tasten werden unter Bearbeiten &gt; Tasten ändern festgelegt.</translation>
+    </message>
+    <message>
+        <source>{path} is there already; nothing is written over it.</source>
+        <translation>{path} gibt es schon; es wird nicht überschrieben.</translation>
     </message>
     <message>
         <source>{path} may not be read; give yourself the permission, or ask its owner for it.</source>
