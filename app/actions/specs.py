@@ -23,6 +23,24 @@ SPECS: tuple[ActionSpec, ...] = (
         "edit.paste", N_("Paste"), _VIEWER, tip=N_("Paste the copied shapes, also those copied in Nuke or Fusion")
     ),
     ActionSpec(
+        "edit.paste_properties",
+        N_("Paste all properties"),
+        _VIEWER,
+        tip=N_("Let what is selected look and count as what was copied; outlines, names and frames stay"),
+    ),
+    ActionSpec(
+        "edit.paste_matte_properties",
+        N_("Paste matte properties"),
+        _VIEWER,
+        tip=N_("Let what is selected count in the matte as what was copied; outlines and colours stay"),
+    ),
+    ActionSpec(
+        "edit.paste_colour",
+        N_("Paste colour"),
+        _VIEWER,
+        tip=N_("The outline colour of the copied shape, for the selected ones; mattes stay"),
+    ),
+    ActionSpec(
         "edit.copy_nuke", N_("Copy for Nuke"), tip=N_("The selected shapes, or all, as a node to paste into a script")
     ),
     ActionSpec(
