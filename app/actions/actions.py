@@ -71,7 +71,6 @@ def action_of(spec: ActionSpec, parent: QObject) -> QAction:
     if spec.icon:
         action.setIcon(style.icon(spec.icon))
     action.setCheckable(spec.checkable)
-    action.setAutoRepeat(not spec.id.startswith("file."))  # a key that is held asks, and writes, once
     in_viewer = spec.reach is Reach.VIEWER
     context = Qt.ShortcutContext
     action.setShortcutContext(context.WidgetWithChildrenShortcut if in_viewer else context.WindowShortcut)

@@ -14,7 +14,6 @@ from shiboken6 import isValid
 from roam_core.errors import RoamError
 from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes
 from roam_core.roto import Clip
-from roam_core.roto.backups import is_named_as_backup
 from roam_core.roto.project_lock import Holder
 from roam_core.roto.shifting import frames_held
 
@@ -33,6 +32,7 @@ from ..translation import N_, sentence_of, tr
 from ..widgets.asking import ask
 from .failed_exports import FailedExports
 from .files import Files
+from .reading import holds_project
 
 if TYPE_CHECKING:
     from ..dialogs.clip_dialog import ClipDialog
@@ -210,6 +210,9 @@ class FileActions(QObject):
             self._view.say(tr("The project is being saved …"))
         elif self._document.path is None:
             self.save_as()
+        elif self._files.is_new_version:  # a key that is held, or pressed twice, makes one
+            told = tr("{name} is the new version already; nothing changed since it was saved.", name=self.title)
+            self._view.say(told)
         else:
             self._files.save_new_version(self._document.path)
 
@@ -280,7 +283,7 @@ class FileActions(QObject):
         """Open what was chosen; a new clip only after the artist saw what was found."""
         if (
             path is None
-            or _holds_project(path)
+            or holds_project(path)
             or self._files.lacks_plate
             or not self._personal.preferences.asks_about_clips
         ):
@@ -318,7 +321,7 @@ class FileActions(QObject):
         """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""
         if path is None:
             return
-        if self._files.lacks_plate and not _holds_project(path):
+        if self._files.lacks_plate and not holds_project(path):
             self._files.open_plate(path)
         else:
             self.leave_project(lambda: self._files.open(path))
@@ -443,8 +446,3 @@ class FileActions(QObject):
         known = [*([clip.path] if clip else []), *(recent.path for recent in self._personal.recent)]
         kept = (path.parent for path in known if not path.is_relative_to(cache_folder()))
         return next(kept, Path.home())
-
-
-def _holds_project(path: Path) -> bool:
-    """By its name: a project file, or an earlier version of one."""
-    return path.suffix.lower() == PROJECT_SUFFIX or is_named_as_backup(path)

@@ -26,9 +26,10 @@ from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
 from ..model.reasons import keys_beside
 from ..model.view_state import ViewState
-from ..translation import N_, tr, translated
+from ..translation import tr, translated
 from .claim import Claim
 from .reading import (
+    DEMO,
     Found,
     clip_project,
     demo_project,
@@ -47,10 +48,6 @@ from .watching import Watching, doubt
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
 
-DEMO = N_(
-    "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
-)
-
 
 class Files(QObject):
     """Reads and writes on the worker; the document changes when that is done.
@@ -60,8 +57,7 @@ class Files(QObject):
     progress(fraction, text), finished(ending, sentence) : news for the status bar.
     saving(path) : the document is about to be written to a file.
     saved() : the document was written to its file.
-    not_saved(path, sentence, again) : it could not be written, and why; `finished` tells that, too. `again()` tries
-        the same once more.
+    not_saved(path, sentence, again) : it could not be written, and why, as `finished` tells, too; `again()` retries.
     doubted(path, doubt) : it was not written, because the file is not as it was left: the sentence says why.
     overtaken(show) : what was opened has come, but the document was changed meanwhile and not saved: it takes the
         document's place when `show` is called.
@@ -101,6 +97,7 @@ class Files(QObject):
         self.backups = Preferences().backups
         """How many older versions of a project are kept beside it."""
         self._written: Fingerprint | None = None
+        self._version: tuple[Path, int] | None = None  # made last, and in which sitting
         self._last: Project | None = None
         """What was written last; the document may not know yet."""
 
@@ -279,24 +276,30 @@ class Files(QObject):
             is_there = (project is self._last or not is_modified) and file.is_saved(project, path)
             sentence = save_onto(project, path, 0 if is_there else max(kept, 1) if anyway else kept)
             self.claim.renew(path)
-            self._note_written(project, path, report)
+            self._last, self._written = project, Fingerprint.of(path)
+            report.partial(self._written)
             return sentence
 
         self._save(work, path, again=lambda: self.save(path))
 
     def save_new_version(self, own: Path) -> None:
-        """Write the project as it is now under the next version number beside its file `own`, never over another file.
-
-        That becomes its file.
-        """
-        project = self._document.project
+        """Write the project under the next version number beside `own`, over nothing; that becomes its file."""
+        project, sitting = self._document.project, self._document.sitting
 
         def work(report: Report) -> str:
             path, sentence = save_new_version(project, own, report)
-            self._note_written(project, path, report)
+            self._version = path, sitting
+            self._last, self._written = project, Fingerprint.of(path)
+            report.partial(self._written)
             return sentence
 
         self._save(work, own, again=lambda: self.save_new_version(own))
+
+    @property
+    def is_new_version(self) -> bool:
+        """Whether the project's file is a new version that was saved since it was opened, and nothing changed."""
+        document = self._document
+        return self._version == (document.path, document.sitting) and not document.is_modified
 
     @property
     def is_saving(self) -> bool:
@@ -342,11 +345,6 @@ class Files(QObject):
         job = self._saver.start("save", work)
         job.partial.connect(take)
         job.ended.connect(end)
-
-    def _note_written(self, project: Project, path: Path, report: Report) -> None:
-        """On the worker: what lies in the file now, for the next save and for the document."""
-        self._last, self._written = project, Fingerprint.of(path)
-        report.partial(self._written)
 
     def _open(
         self,

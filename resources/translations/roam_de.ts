@@ -7190,6 +7190,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist offen; zum Tracken der Fläche bitte schließen (&lt;points.toggle_closed&gt; im Viewer).</translation>
     </message>
     <message>
+        <source>{name} is the new version already; nothing changed since it was saved.</source>
+        <translation>{name} ist schon die neue Version; seit dem Speichern hat sich nichts geändert.</translation>
+    </message>
+    <message>
         <source>{name} is {who}.</source>
         <translation>{name} ist {who}.</translation>
     </message>

@@ -58,14 +58,6 @@ def test_an_action_of_a_submenu_is_told_with_the_menu_that_it_hangs_in(qtbot: Qt
     assert [each.objectName() for each in below.actions()] == list(menus.SUBMENUS[menus.PASTE_PROPERTIES][1])
 
 
-def test_a_key_that_is_held_saves_and_asks_once(qtbot: QtBot) -> None:
-    window = QWidget()
-    qtbot.addWidget(window)
-    actions = Actions(window, QWidget(window), load_keymap())
-    assert not actions["file.save_version"].autoRepeat()
-    assert actions["time.next"].autoRepeat()
-
-
 def test_every_icon_that_an_action_names_is_there(qtbot: QtBot) -> None:
     names = {spec.icon for spec in SPECS if spec.icon}
     assert names <= {path.name.removesuffix(".svg") for path in (files("resources") / "icons").iterdir()}
