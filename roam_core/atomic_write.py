@@ -26,6 +26,12 @@ STALE_SECONDS = 3600.0
 _TEMPORARY = re.compile(r"\.roam-(?P<process>[0-9]+)-[0-9a-f]{16}\.tmp")
 _UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EBADF, errno.EACCES, errno.EPERM, errno.EISDIR})
 """How file systems say that a folder cannot be flushed."""
+
+
+class NameTaken(RoamError):
+    """What was to be written as a new file has a file in its place already."""
+
+
 _swept: set[Path] = set()
 """Folders that this process looked through already."""
 
@@ -36,6 +42,7 @@ def write_atomically(
     *,
     flushes: bool = True,
     before_replacing: Callable[[], object] | None = None,
+    replaces: bool = True,
 ) -> None:
     """Put `content`, whole or in pieces, at `path`: at every moment the old file is there, or the new one.
 
@@ -46,11 +53,17 @@ def write_atomically(
     `before_replacing` is called when all of the content lies beside its place, as to keep the old file as a backup: a
     write that fails before has changed nothing. What it raises ends the write, and the old file stays.
 
+    With `replaces` off nothing is written over: not what comes there while the content is written, either.
+
     Raises
     ------
+    NameTaken
+        with `replaces` off, when something is there.
     RoamError
         when it cannot be written; also for a read-only file, and for what is no regular file. The old file stays.
     """
+    if not replaces and os.path.lexists(path):
+        raise _taken(path)
     target = writable_target(path)
     if target.parent not in _swept:
         _swept.add(target.parent)
@@ -62,7 +75,10 @@ def write_atomically(
             temporary.chmod(stat.S_IMODE(target.stat().st_mode) & 0o777)
         if before_replacing is not None:
             before_replacing()
-        temporary.replace(target)
+        if replaces:
+            temporary.replace(target)
+        else:
+            _put_as_new(temporary, target)
         if flushes:
             flush_folder(target.parent)
     except OSError as error:
@@ -208,6 +224,30 @@ def _write(temporary: Path, pieces: Iterable[bytes], flushes: bool) -> None:
         file.flush()
         if flushes:
             os.fsync(file.fileno())
+
+
+def _put_as_new(temporary: Path, target: Path) -> None:
+    """Give a file that was written its name in one step, unless something has that name."""
+    try:
+        try:
+            os.link(temporary, target)
+        except FileExistsError:
+            raise
+        except OSError:  # a disk without links: the name is taken first
+            os.close(os.open(target, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+            try:
+                temporary.replace(target)
+            except OSError:
+                _remove(target)
+                raise
+        else:
+            _remove(temporary)
+    except FileExistsError:
+        raise _taken(target) from None
+
+
+def _taken(path: Path) -> NameTaken:
+    return NameTaken(sentence("{path} is there already; nothing is written over it.", path=path))
 
 
 def _is_stale(entry: os.DirEntry[str], process: int) -> bool:

@@ -10,20 +10,21 @@ from .actions import Actions
 SEPARATOR = ""
 RECENT = "menu.recent"
 """Stands where a submenu is put in that fills itself."""
+PASTE_PROPERTIES = "menu.paste_properties"
 
 MENUS: dict[str, tuple[str, ...]] = {
     N_("File"): (
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
         "file.open_demo", SEPARATOR,
         "file.clip_settings", "file.relink_clip", SEPARATOR,
-        "file.save", "file.save_as", "file.recover", SEPARATOR,
+        "file.save", "file.save_as", "file.save_version", "file.recover", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
         "file.export", "file.export_selected", "file.export_nuke", "file.export_mattes", SEPARATOR,
         "file.quit",
     ),
     N_("Edit"): (
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
-        "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
+        "edit.copy", "edit.cut", "edit.paste", PASTE_PROPERTIES, "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
         "points.delete", "shape.select_all", "points.select_all", "shape.select_none", "points.next",
         "points.previous", "shape.find", SEPARATOR,
         "points.soft", "points.lasso", SEPARATOR,
@@ -98,10 +99,18 @@ MENUS: dict[str, tuple[str, ...]] = {
     N_("Help"): ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip
 
+SUBMENUS: dict[str, tuple[str, tuple[str, ...]]] = {
+    PASTE_PROPERTIES: (
+        N_("Paste properties"), ("edit.paste_properties", "edit.paste_matte_properties", "edit.paste_colour"),
+    ),
+}  # fmt: skip
+"""Titles and actions of submenus, by what stands for them in a menu."""
+
 
 def menu_of(action_id: str) -> str:
-    """The title of the menu in which an action stands; empty where it stands in none."""
-    return next((tr(title) for title, entries in MENUS.items() if action_id in entries), "")
+    """The title of the menu in which an action stands, or its submenu; empty where it stands in none."""
+    entry = next((name for name, (_, entries) in SUBMENUS.items() if action_id in entries), action_id)
+    return next((tr(title) for title, entries in MENUS.items() if entry in entries), "")
 
 
 def menu_bar(actions: Actions, recent: QMenu) -> QMenuBar:
@@ -114,6 +123,9 @@ def menu_bar(actions: Actions, recent: QMenu) -> QMenuBar:
                 menu.addSeparator()
             elif entry == RECENT:
                 menu.addMenu(recent)
+            elif entry in SUBMENUS:
+                below, names = SUBMENUS[entry]
+                menu.addMenu(tr(below)).addActions([actions[name] for name in names])
             else:
                 menu.addAction(actions[entry])
     return bar

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..translation import N_
+from .file_specs import FILE
 from .review_specs import REVIEW
 from .spec import ActionSpec, Reach
 from .view_specs import VIEWS
@@ -13,33 +14,7 @@ _VIEWER = Reach.VIEWER
 _FLOAT = N_("Take it out of the main window, to another monitor, or put it back")
 
 SPECS: tuple[ActionSpec, ...] = (
-    ActionSpec("file.new", N_("New")),
-    ActionSpec("file.open_clip", N_("Open clip…")),
-    ActionSpec("file.open_movie", N_("Open movie…")),
-    ActionSpec("file.open_project", N_("Open project…")),
-    ActionSpec("file.open_demo", N_("Open the demo"), tip=N_("A short shot to try everything on")),
-    ActionSpec("file.relink_clip", N_("Relink clip…"), tip=N_("Another version of the plate below the same shapes")),
-    ActionSpec(
-        "file.clip_settings", N_("Clip settings…"), tip=N_("Colours, layer, frames per second and pixels of the clip")
-    ),
-    ActionSpec("file.save", N_("Save")),
-    ActionSpec("file.save_as", N_("Save as…")),
-    ActionSpec(
-        "file.recover", N_("Recover work…"), tip=N_("What crashes left, and what was thrown away, session by session")
-    ),
-    ActionSpec(
-        "file.import_shapes", N_("Import shapes…"), tip=N_("Shapes of Nuke, Silhouette and others; or drop the file")
-    ),
-    ActionSpec("file.import_masks", N_("Import masks…"), tip=N_("Fit shapes to a folder of mask pictures")),
-    ActionSpec(
-        "file.export", N_("Export…"), tip=N_("Shapes for other programs, and mattes: every format, keys and frames")
-    ),
-    ActionSpec(
-        "file.export_selected", N_("Export selected shapes…"), tip=N_("The selected shapes alone, in any format")
-    ),
-    ActionSpec("file.export_nuke", N_("Export to Nuke…")),
-    ActionSpec("file.export_mattes", N_("Export mattes…")),
-    ActionSpec("file.quit", N_("Quit")),
+    *FILE,
     ActionSpec("edit.undo", N_("Undo")),
     ActionSpec("edit.redo", N_("Redo")),
     ActionSpec("edit.history", N_("History"), tip=N_("Show every step and go back to any"), checkable=True),
@@ -47,6 +22,24 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("edit.cut", N_("Cut"), _VIEWER, tip=N_("Cut the selected shapes")),
     ActionSpec(
         "edit.paste", N_("Paste"), _VIEWER, tip=N_("Paste the copied shapes, also those copied in Nuke or Fusion")
+    ),
+    ActionSpec(
+        "edit.paste_properties",
+        N_("Paste all properties"),
+        _VIEWER,
+        tip=N_("Let what is selected look and count as what was copied; outlines, names and frames stay"),
+    ),
+    ActionSpec(
+        "edit.paste_matte_properties",
+        N_("Paste matte properties"),
+        _VIEWER,
+        tip=N_("Let what is selected count in the matte as what was copied; outlines and colours stay"),
+    ),
+    ActionSpec(
+        "edit.paste_colour",
+        N_("Paste colour"),
+        _VIEWER,
+        tip=N_("The outline colour of the copied shape, for the selected ones; mattes stay"),
     ),
     ActionSpec(
         "edit.copy_nuke", N_("Copy for Nuke"), tip=N_("The selected shapes, or all, as a node to paste into a script")

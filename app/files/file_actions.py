@@ -14,7 +14,6 @@ from shiboken6 import isValid
 from roam_core.errors import RoamError
 from roam_core.interchange.registry import SHAPE_SUFFIXES, holds_shapes
 from roam_core.roto import Clip
-from roam_core.roto.backups import is_named_as_backup
 from roam_core.roto.project_lock import Holder
 from roam_core.roto.shifting import frames_held
 
@@ -33,6 +32,7 @@ from ..translation import N_, sentence_of, tr
 from ..widgets.asking import ask
 from .failed_exports import FailedExports
 from .files import Files
+from .reading import holds_project
 
 if TYPE_CHECKING:
     from ..dialogs.clip_dialog import ClipDialog
@@ -70,6 +70,7 @@ class FileActions(QObject):
         self.folders = LastFolders()
         """Where choosers begin."""
         self._after_saving: Callable[[], object] | None = None
+        self._wants_version = False  # a new version is to follow the save that is under way
         self._export_dialog: ExportDialog | None = None
         self._not_saved: QMessageBox | None = None
         files.saved.connect(self._saved)
@@ -94,6 +95,7 @@ class FileActions(QObject):
             "file.open_project": self.open_project,
             "file.save": self.save,
             "file.save_as": self.save_as,
+            "file.save_version": self.save_new_version,
             "file.import_shapes": self.import_shapes,
             "file.import_masks": self.import_masks,
             "file.export": self.export,
@@ -201,6 +203,19 @@ class FileActions(QObject):
         else:
             self._write(path)
 
+    def save_new_version(self) -> None:
+        """Save under the next version number beside the project's file; ask for a name if it has none."""
+        if self._files.is_saving:
+            self._wants_version = True
+            self._view.say(tr("The project is being saved …"))
+        elif self._document.path is None:
+            self.save_as()
+        elif self._files.is_new_version:  # a key that is held, or pressed twice, makes one
+            told = tr("{name} is the new version already; nothing changed since it was saved.", name=self.title)
+            self._view.say(told)
+        else:
+            self._files.save_new_version(self._document.path)
+
     def import_shapes(self) -> None:
         """Ask for a file of shapes, and read it."""
         if self._lacks_clip():
@@ -268,7 +283,7 @@ class FileActions(QObject):
         """Open what was chosen; a new clip only after the artist saw what was found."""
         if (
             path is None
-            or _holds_project(path)
+            or holds_project(path)
             or self._files.lacks_plate
             or not self._personal.preferences.asks_about_clips
         ):
@@ -306,7 +321,7 @@ class FileActions(QObject):
         """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""
         if path is None:
             return
-        if self._files.lacks_plate and not _holds_project(path):
+        if self._files.lacks_plate and not holds_project(path):
             self._files.open_plate(path)
         else:
             self.leave_project(lambda: self._files.open(path))
@@ -357,15 +372,18 @@ class FileActions(QObject):
 
     def _saved(self) -> None:
         self._noted(Purpose.PROJECT, self._document.path)
-        then, self._after_saving = self._after_saving, None
-        if then is not None:
+        if self._wants_version:
+            self._wants_version = False
+            self.save_new_version()
+        elif (then := self._after_saving) is not None:
+            self._after_saving = None
             then()
 
     def _disarm(self) -> None:
         """What was to be done after saving is not done."""
-        self._after_saving = None
+        self._after_saving, self._wants_version = None, False
 
-    def _tell_not_saved(self, path: Path, sentence: str) -> None:
+    def _tell_not_saved(self, path: Path, sentence: str, again: Callable[[], None]) -> None:
         """Say so where nobody overlooks it, with the ways on; the artist may go on to work first."""
         self._disarm()
         sitting = self._document.sitting
@@ -379,7 +397,7 @@ class FileActions(QObject):
             if box.buttonRole(box.clickedButton()) is QMessageBox.ButtonRole.AcceptRole:
                 self.save_as()
             else:
-                self._files.save(path)
+                again()
 
         box.accepted.connect(go_on)
         box.open()
@@ -428,8 +446,3 @@ class FileActions(QObject):
         known = [*([clip.path] if clip else []), *(recent.path for recent in self._personal.recent)]
         kept = (path.parent for path in known if not path.is_relative_to(cache_folder()))
         return next(kept, Path.home())
-
-
-def _holds_project(path: Path) -> bool:
-    """By its name: a project file, or an earlier version of one."""
-    return path.suffix.lower() == PROJECT_SUFFIX or is_named_as_backup(path)

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
-from roam_core.errors import RoamError
-from roam_core.interchange.authorship import is_project
 from roam_core.media.colour_spaces import config_trouble
 from roam_core.media.unseen import unseen
 from roam_core.propagate.shapes.departed import departed_settings
@@ -28,9 +26,10 @@ from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
 from ..model.reasons import keys_beside
 from ..model.view_state import ViewState
-from ..translation import N_, sentence_of, tr, translated
+from ..translation import tr, translated
 from .claim import Claim
 from .reading import (
+    DEMO,
     Found,
     clip_project,
     demo_project,
@@ -39,17 +38,15 @@ from .reading import (
     plate_of,
     read_as,
     read_project,
+    reading_work,
     version_of,
     with_numbers,
 )
+from .saving import save_new_version, save_onto
 from .watching import Watching, doubt
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
-
-DEMO = N_(
-    "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
-)
 
 
 class Files(QObject):
@@ -60,7 +57,7 @@ class Files(QObject):
     progress(fraction, text), finished(ending, sentence) : news for the status bar.
     saving(path) : the document is about to be written to a file.
     saved() : the document was written to its file.
-    not_saved(path, sentence) : it could not be written, and why; `finished` tells that, too.
+    not_saved(path, sentence, again) : it could not be written, and why, as `finished` tells, too; `again()` retries.
     doubted(path, doubt) : it was not written, because the file is not as it was left: the sentence says why.
     overtaken(show) : what was opened has come, but the document was changed meanwhile and not saved: it takes the
         document's place when `show` is called.
@@ -75,7 +72,7 @@ class Files(QObject):
     finished = Signal(object, str)
     saving = Signal(object)
     saved = Signal()
-    not_saved = Signal(object, str)
+    not_saved = Signal(object, str, object)
     doubted = Signal(object, str)
     overtaken = Signal(object)
     contested = Signal(object, object)
@@ -100,6 +97,7 @@ class Files(QObject):
         self.backups = Preferences().backups
         """How many older versions of a project are kept beside it."""
         self._written: Fingerprint | None = None
+        self._version: tuple[Path, int] | None = None  # made last, and in which sitting
         self._last: Project | None = None
         """What was written last; the document may not know yet."""
 
@@ -181,7 +179,9 @@ class Files(QObject):
             sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip, held))))
             return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
 
-        self._start(_reading(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting))
+        self._start(
+            reading_work(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting)
+        )
 
     def read_plate_as(self, layer: str, declare: Callable[[PlateSource], PlateSource]) -> None:
         """Take another layer of the project's plate, or what the artist declares of it, from now on.
@@ -195,7 +195,7 @@ class Files(QObject):
                 self._relink(found, sitting)
 
         name = project.require_clip().name
-        self._start(_reading(tr("Opening {name} …", name=name), lambda: read_as(project, layer, declare)), take)
+        self._start(reading_work(tr("Opening {name} …", name=name), lambda: read_as(project, layer, declare)), take)
 
     def open_project(self, path: Path) -> None:
         """Open a project and its plate; without its plate it opens too, and says so.
@@ -261,10 +261,9 @@ class Files(QObject):
 
         Where the file was changed, or is open elsewhere, nothing is written unless `anyway`: `doubted` tells.
         """
-        document, kept, sitting = self._document, self.backups, self._document.sitting
+        document, kept = self._document, self.backups
         project, known = document.project, document.fingerprint if path == document.path else None
         is_modified = document.is_modified
-        told: list[str | Fingerprint | None] = []
         self.saving.emit(path)
 
         def work(report: Report) -> str:
@@ -275,31 +274,32 @@ class Files(QObject):
             # What is written over against a warning is kept in any case.
             # Saved again as it is, it takes no backup away.
             is_there = (project is self._last or not is_modified) and file.is_saved(project, path)
-            count = 0 if is_there else max(kept, 1) if anyway else kept
-            warnings: list[str] = []
-            file.save(project, path, before_replacing=lambda: warnings.append(_rotated(path, count)))
+            sentence = save_onto(project, path, 0 if is_there else max(kept, 1) if anyway else kept)
             self.claim.renew(path)
-            self._last = project
-            self._written = Fingerprint.of(path)
+            self._last, self._written = project, Fingerprint.of(path)
             report.partial(self._written)
-            return tr("Saved {name}. {warning}", name=path.name, warning=" ".join(warnings)).rstrip()
+            return sentence
 
-        def end(ending: Ending, sentence: str) -> None:
-            last = told[-1] if told else None
-            if isinstance(last, str):
-                self.finished.emit(Ending.CANCELLED, tr("{name} is not saved yet.", name=path.name))
-                self.doubted.emit(path, last)
-            elif ending is Ending.DONE and sitting == document.sitting:
-                self._document.mark_saved(project, path, last)
-                self.saved.emit()
-            elif ending is Ending.FAILED:
-                self.not_saved.emit(path, sentence)
-            if not isinstance(last, str):
-                self.finished.emit(ending, sentence)
+        self._save(work, path, again=lambda: self.save(path))
 
-        job = self._saver.start("save", work)
-        job.partial.connect(told.append)
-        job.ended.connect(end)
+    def save_new_version(self, own: Path) -> None:
+        """Write the project under the next version number beside `own`, over nothing; that becomes its file."""
+        project, sitting = self._document.project, self._document.sitting
+
+        def work(report: Report) -> str:
+            path, sentence = save_new_version(project, own, report)
+            self._version = path, sitting
+            self._last, self._written = project, Fingerprint.of(path)
+            report.partial(self._written)
+            return sentence
+
+        self._save(work, own, again=lambda: self.save_new_version(own))
+
+    @property
+    def is_new_version(self) -> bool:
+        """Whether the project's file is a new version that was saved since it was opened, and nothing changed."""
+        document = self._document
+        return self._version == (document.path, document.sitting) and not document.is_modified
 
     @property
     def is_saving(self) -> bool:
@@ -317,6 +317,35 @@ class Files(QObject):
 
     # ---- the rest is private
 
+    def _save(self, work: Work, path: Path, again: Callable[[], None]) -> None:
+        """Save on the worker, to `path` unless the work tells another; `again` does the same once more."""
+        document, sitting, project = self._document, self._document.sitting, self._document.project
+        last: str | Fingerprint | None = None
+
+        def take(told: str | Path | Fingerprint) -> None:
+            nonlocal last, path
+            if isinstance(told, Path):
+                path = told
+                self.saving.emit(path)
+            else:
+                last = told
+
+        def end(ending: Ending, sentence: str) -> None:
+            if isinstance(last, str):
+                self.finished.emit(Ending.CANCELLED, tr("{name} is not saved yet.", name=path.name))
+                self.doubted.emit(path, last)
+            elif ending is Ending.DONE and sitting == document.sitting:
+                document.mark_saved(project, path, last)
+                self.saved.emit()
+            elif ending is Ending.FAILED:
+                self.not_saved.emit(path, sentence, again)
+            if not isinstance(last, str):
+                self.finished.emit(ending, sentence)
+
+        job = self._saver.start("save", work)
+        job.partial.connect(take)
+        job.ended.connect(end)
+
     def _open(
         self,
         text: str,
@@ -325,7 +354,7 @@ class Files(QObject):
         origin: Path | None = None,
     ) -> None:
         """Read on the worker and show what comes; `origin` is what `opened` tells afterwards."""
-        self._replace_by(_reading(text, read), origin)
+        self._replace_by(reading_work(text, read), origin)
 
     def _replace_by(self, work: Work, origin: Path | None = None) -> None:
         """Let what `work` finds take the document's place, which the artist agreed to leave as it is now.
@@ -417,24 +446,3 @@ class Files(QObject):
         shapes = found.project.shapes
         self._view.select(frozenset(shape.id for shape in shapes) if len(shapes) == 1 else frozenset())
         self._reader.open(found.source)
-
-
-def _reading(text: str, read: Callable[[], Found | Holder]) -> Work:
-    """The work of reading something; its sentence is that of what was found."""
-
-    def work(report: Report) -> str:
-        report.progress(0.0, text)
-        found = read()
-        report.partial(found)
-        return found.sentence if isinstance(found, Found) else ""
-
-    return work
-
-
-def _rotated(path: Path, count: int) -> str:
-    """Keep older versions of the file; a sentence where that cannot be. It never stands in the way of saving."""
-    try:
-        backups.rotate(path, count, is_project)
-    except RoamError as error:
-        return sentence_of(error)
-    return ""

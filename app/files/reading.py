@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING, Any
 from roam_core.errors import RoamError
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import BlendMode, Clip, Origin, Project, edit, file
+from roam_core.roto.backups import is_named_as_backup
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
+from roam_core.roto.project_lock import Holder
 from roam_core.roto.relinking import is_renumbered, open_plate, other_content, other_size, relinked
 from roam_core.system_errors import reason_of
 
-from ..jobs.runner import Report
+from ..jobs.runner import Report, Work
+from ..model.document import PROJECT_SUFFIX
 from ..translation import N_, tr, translated
 
 if TYPE_CHECKING:
@@ -24,6 +27,10 @@ if TYPE_CHECKING:
 SUMMED = N_(
     "It joins soft edges as older versions did (Plus), so that its mattes stay as they were; "
     "choose Add in the Shape panel where they are to join as in other programs."
+)
+
+DEMO = N_(
+    "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
 )
 
 
@@ -201,3 +208,20 @@ def differences(project: Project, source: PlateSource) -> str:
 def gaps_of(source: Any) -> str:
     missing = len(source.missing)
     return tr("%n frame(s) is/are missing.", "", missing) if missing else ""
+
+
+def reading_work(text: str, read: Callable[[], Found | Holder]) -> Work:
+    """The work of reading something; its sentence is that of what was found."""
+
+    def work(report: Report) -> str:
+        report.progress(0.0, text)
+        found = read()
+        report.partial(found)
+        return found.sentence if isinstance(found, Found) else ""
+
+    return work
+
+
+def holds_project(path: Path) -> bool:
+    """By its name: a project file, or an earlier version of one."""
+    return path.suffix.lower() == PROJECT_SUFFIX or is_named_as_backup(path)

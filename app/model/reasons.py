@@ -112,5 +112,22 @@ def outdated_by(before: Project, after: Project) -> str:
     )
 
 
+def outdated_by_blend(before: Project, after: Project) -> str:
+    """A sentence where shapes that join others in another way now, or that are joined so, have frames that were tracked
+    as before; empty where none has.
+    """
+    pairs = list(zip(before.shapes, after.shapes, strict=True))
+    if all(old.blend is new.blend for old, new in pairs):
+        return ""
+    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    names = [
+        old.name
+        for old, new in pairs
+        if _is_tracked(old) and any(now.is_stale(new, key) and not held.is_stale(old, key) for key in old.keys)
+    ]
+    told = ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")
+    return tr("Tracked frames of {names} are out of date: shapes join otherwise now.", names=told) if names else ""
+
+
 def _is_tracked(shape: RotoShape) -> bool:
     return any(key.origin is Origin.ENGINE for key in shape.keys)

@@ -342,6 +342,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ein Keyframe alle so viele Frames; 0: nur an beiden Enden des Bereichs</translation>
     </message>
     <message>
+        <source>A layer was copied, and its properties go to layers: select one, or copy a shape.</source>
+        <translation>Kopiert ist eine Ebene, deren Eigenschaften Ebenen bekommen: eine auswählen, oder eine Form kopieren.</translation>
+    </message>
+    <message>
         <source>A locked shape cannot be changed by hand</source>
         <translation>Eine gesperrte Form lässt sich nicht von Hand ändern</translation>
     </message>
@@ -2430,6 +2434,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die Ansicht mit dem Ausgewählten mitgehen lassen: Es steht von Frame zu Frame still auf dem Bildschirm</translation>
     </message>
     <message>
+        <source>Let what is selected count in the matte as what was copied; outlines and colours stay</source>
+        <translation>Die Auswahl zählt in der Matte wie das Kopierte; Umrisse und Farben bleiben</translation>
+    </message>
+    <message>
+        <source>Let what is selected look and count as what was copied; outlines, names and frames stay</source>
+        <translation>Die Auswahl sieht aus und zählt wie das Kopierte; Umrisse, Namen und Frames bleiben</translation>
+    </message>
+    <message>
         <source>Libraries</source>
         <translation>Bibliotheken</translation>
     </message>
@@ -2970,6 +2982,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Notizen, Zweifel, Flimmern</translation>
     </message>
     <message>
+        <source>Nothing changed: what is selected has these properties already.</source>
+        <translation>Nichts geändert: Die Auswahl hat diese Eigenschaften schon.</translation>
+    </message>
+    <message>
         <source>Nothing is called so.</source>
         <translation>Nichts heißt so.</translation>
     </message>
@@ -3363,6 +3379,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Einfügen</translation>
     </message>
     <message>
+        <source>Paste all properties</source>
+        <translation>Alle Eigenschaften einfügen</translation>
+    </message>
+    <message>
+        <source>Paste colour</source>
+        <translation>Farbe einfügen</translation>
+    </message>
+    <message>
         <source>Paste key</source>
         <translation>Keyframe einfügen</translation>
     </message>
@@ -3379,12 +3403,24 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Keyframes einfügen</translation>
     </message>
     <message>
+        <source>Paste matte properties</source>
+        <translation>Matte-Eigenschaften einfügen</translation>
+    </message>
+    <message>
+        <source>Paste properties</source>
+        <translation>Eigenschaften einfügen</translation>
+    </message>
+    <message>
         <source>Paste the copied shapes, also those copied in Nuke or Fusion</source>
         <translation>Kopierte Formen einfügen, auch in Nuke oder Fusion kopierte</translation>
     </message>
     <message>
         <source>Pasted into the selected shapes, in their order: {names}.</source>
         <translation>In die ausgewählten Formen eingefügt, der Reihe nach: {names}.</translation>
+    </message>
+    <message>
+        <source>Pasted onto {items}: {properties}.</source>
+        <translation>Auf {items} übertragen: {properties}.</translation>
     </message>
     <message>
         <source>Pattern {pattern:.0f} px, search {search:.0f} px.</source>
@@ -3875,6 +3911,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Speichern unter…</translation>
     </message>
     <message>
+        <source>Save beside the project&apos;s file, under the next version number: v003 is followed by v004</source>
+        <translation>Neben der Datei des Projekts speichern, unter der nächsten Versionsnummer: Auf v003 folgt v004</translation>
+    </message>
+    <message>
+        <source>Save new version</source>
+        <translation>Neue Version speichern</translation>
+    </message>
+    <message>
         <source>Save project</source>
         <translation>Projekt speichern</translation>
     </message>
@@ -3885,6 +3929,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Save your work under a new name now.</source>
         <translation>Bitte die Arbeit jetzt unter neuem Namen speichern.</translation>
+    </message>
+    <message>
+        <source>Saved as {name}: {there} exists already.</source>
+        <translation>Als {name} gespeichert: {there} gibt es schon.</translation>
     </message>
     <message>
         <source>Saved {name}. {warning}</source>
@@ -4855,6 +4903,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Zuletzt benutzter</translation>
     </message>
     <message>
+        <source>The outline colour of the copied shape, for the selected ones; mattes stay</source>
+        <translation>Die Umrissfarbe der kopierten Form, für die ausgewählten; Mattes bleiben</translation>
+    </message>
+    <message>
         <source>The outlines of frames before and after</source>
         <translation>Die Umrisse der Frames davor und danach</translation>
     </message>
@@ -5027,6 +5079,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das ganze Projekt, auch Gesperrtes und Notizen</translation>
     </message>
     <message>
+        <source>Their keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}: nothing varies here.</source>
+        <translation>Ihre Keyframes liegen auf Frame {low} bis {high}, keiner davon im Clip von {first} bis {last}: Hier ändert sich nichts mit der Zeit.</translation>
+    </message>
+    <message>
         <source>Then</source>
         <translation>Dann</translation>
     </message>
@@ -5151,6 +5207,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt keine Form zum Tracken; zuerst eine zeichnen oder auswählen.</translation>
     </message>
     <message>
+        <source>There is no shape whose properties could be pasted; copy one first.</source>
+        <translation>Es gibt keine Form, deren Eigenschaften sich einfügen ließen; zuerst eine kopieren.</translation>
+    </message>
+    <message>
         <source>There is nothing to compare yet; open a clip first.</source>
         <translation>Es gibt noch nichts zu vergleichen; zuerst einen Clip öffnen.</translation>
     </message>
@@ -5270,6 +5330,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Tracked frames are out of date: they were solved on other pictures.</source>
         <translation>Getrackte Frames sind veraltet: Sie wurden auf anderen Bildern berechnet.</translation>
+    </message>
+    <message>
+        <source>Tracked frames of {names} are out of date: shapes join otherwise now.</source>
+        <translation>Getrackte Frames von {names} sind veraltet: Formen mischen sich jetzt anders.</translation>
     </message>
     <message>
         <source>Tracked frames of {names} are out of date: what hides what goes by the order in the list.</source>
@@ -5462,6 +5526,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>What the surface inside the shapes may do; choose the simplest that fits</source>
         <translation>Was die Fläche in den Formen tun darf; das Einfachste, das passt, ist das Beste</translation>
+    </message>
+    <message>
+        <source>What was copied differs in its properties: copy one shape, or select as many.</source>
+        <translation>Das Kopierte hat verschiedene Eigenschaften: eine Form kopieren, oder ebenso viele auswählen.</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -5693,6 +5761,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>at quarter frames, too</source>
         <translation>auch auf Viertelbildern</translation>
+    </message>
+    <message>
+        <source>attributes style color look outline match same transfer</source>
+        <translation>attribute stil aussehen umriss angleichen gleich übertragen</translation>
+    </message>
+    <message>
+        <source>attributes style parameters look settings values match same transfer</source>
+        <translation>attribute stil parameter aussehen einstellungen werte angleichen gleich übertragen</translation>
+    </message>
+    <message>
+        <source>attributes style settings values match same transfer</source>
+        <translation>attribute stil einstellungen werte angleichen gleich übertragen</translation>
     </message>
     <message>
         <source>autokey keyframe record stopwatch</source>
@@ -6045,6 +6125,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>in front of the others</source>
         <translation>vor den anderen</translation>
+    </message>
+    <message>
+        <source>increment incremental up number next plus</source>
+        <translation>inkrementell hochzählen nummer nächste plus</translation>
     </message>
     <message>
         <source>intelligent scissors edge snap draw roto mask path</source>
@@ -7150,6 +7234,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist offen; zum Tracken der Fläche bitte schließen (&lt;points.toggle_closed&gt; im Viewer).</translation>
     </message>
     <message>
+        <source>{name} is the new version already; nothing changed since it was saved.</source>
+        <translation>{name} ist schon die neue Version; seit dem Speichern hat sich nichts geändert.</translation>
+    </message>
+    <message>
         <source>{name} is {who}.</source>
         <translation>{name} ist {who}.</translation>
     </message>
@@ -7236,6 +7324,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{path} is no keymap; keys are set in Edit &gt; Change keys.</source>
         <translation>{path} ist keine Tastenbelegung; Tasten werden unter Bearbeiten &gt; Tasten ändern festgelegt.</translation>
+    </message>
+    <message>
+        <source>{path} is there already; nothing is written over it.</source>
+        <translation>{path} gibt es schon; es wird nicht überschrieben.</translation>
     </message>
     <message>
         <source>{path} may not be read; give yourself the permission, or ask its owner for it.</source>

@@ -56,20 +56,28 @@ class DamagedProject(RoamError):
     """A file that was a project, and of which something is missing or wrong."""
 
 
-def save(project: Project, path: str | Path, before_replacing: Callable[[], object] | None = None) -> None:
+def save(
+    project: Project,
+    path: str | Path,
+    before_replacing: Callable[[], object] | None = None,
+    *,
+    replaces: bool = True,
+) -> None:
     """Write `project` to `path`: to a temporary file beside it, flushed, then put in place in one step.
 
-    A file that is there is replaced; `before_replacing` is called when all is written, just before that. Paths of media
-    below its folder are written relative to it.
+    A file that is there is replaced, unless it is to be a new one (`replaces` off); `before_replacing` is called when
+    all is written, just before that. Paths of media below its folder are written relative to it.
 
     Raises
     ------
+    NameTaken
+        with `replaces` off, when a file is there.
     RoamError
         when the folder is missing or may not be written to, or the project is too large to be read again; a file that
         was there is then still there, whole.
     """
     path = path_of(path)
-    write_atomically(path, contents(project, path.parent), before_replacing=before_replacing)
+    write_atomically(path, contents(project, path.parent), before_replacing=before_replacing, replaces=replaces)
 
 
 def contents(project: Project, folder: Path) -> Iterator[bytes]:

@@ -1,4 +1,4 @@
-"""Pasting one key of a shape: onto a frame, or through a range of frames; and which shape a copied key goes to."""
+"""Pasting one key of a shape, onto a frame or through a range of frames, or its properties; and what goes to which."""
 
 from __future__ import annotations
 
@@ -7,10 +7,16 @@ from dataclasses import replace
 
 from roam_core.errors import RoamError
 from roam_core.roto.control_points import settled
+from roam_core.roto.layers import Item
 from roam_core.roto.point_order import in_order_of
 from roam_core.roto.project import Project
 from roam_core.roto.shape import Keyframe, RotoShape
 from roam_core.translatable import sentence
+
+MATTE_PROPERTIES = ("blend", "opacity", "feather", "invert", "motion_blur")
+PROPERTIES = ("colour", *MATTE_PROPERTIES)
+"""What of a shape, and as far as it has them of a layer, is pasted onto others: neither where it is, nor when, nor what
+it is called and tracked with. Feather pulled out of points is the points' own."""
 
 
 def copied_key(shape: RotoShape, frame: int) -> RotoShape:
@@ -73,6 +79,27 @@ def targets(project: Project, copied: Sequence[RotoShape], chosen: Sequence[Roto
     if not same and len(chosen) == len(copied):
         return {shape.id: other.keys[0] for shape, other in zip(chosen, copied, strict=True)}
     return same
+
+
+def with_properties(item: Item, model: Item, names: Iterable[str] = PROPERTIES) -> Item:
+    """The shape or layer with the properties `names` of the `model`, as far as both have them; what varies keeps its
+    keys on their frames.
+    """
+    return replace(item, **{name: getattr(model, name) for name in names if hasattr(item, name) & hasattr(model, name)})
+
+
+def models(copied: Sequence[Item], chosen: Sequence[Item], names: Iterable[str] = PROPERTIES) -> dict[str, Item]:
+    """Whose properties go to which of the chosen shapes, or layers, by id; empty where that cannot be told.
+
+    Those of one go to all, and so do those of several that are alike in them. Else they go back to what they were
+    copied from, where all that is chosen is among that; or to as many others, in their order.
+    """
+    names, own = tuple(names), {(item.id, item.name): item for item in copied}
+    if copied and all(with_properties(copied[0], item, names) == copied[0] for item in copied):
+        return {item.id: copied[0] for item in chosen}
+    if all((item.id, item.name) in own for item in chosen):
+        return {item.id: own[item.id, item.name] for item in chosen}
+    return {item.id: model for item, model in zip(chosen, copied, strict=False)} if len(chosen) == len(copied) else {}
 
 
 def _in_order_now(project: Project, copied: RotoShape) -> Keyframe:

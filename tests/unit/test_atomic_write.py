@@ -10,7 +10,15 @@ from pathlib import Path
 import pytest
 
 from roam_core import atomic_write as writing
-from roam_core.atomic_write import STALE_SECONDS, is_alive, make_folder, sweep, temporary_beside, write_atomically
+from roam_core.atomic_write import (
+    STALE_SECONDS,
+    NameTaken,
+    is_alive,
+    make_folder,
+    sweep,
+    temporary_beside,
+    write_atomically,
+)
 from roam_core.errors import RoamError
 from tests.unit.roto.faults import each_crash, each_fault
 
@@ -32,6 +40,51 @@ def names(folder: Path) -> list[str]:
 def test_content_may_come_in_pieces(tmp_path: Path) -> None:
     write_atomically(tmp_path / "a", (bytes([k]) for k in range(5)))
     assert (tmp_path / "a").read_bytes() == bytes(range(5))
+
+
+@pytest.mark.parametrize("has_links", [True, False])
+def test_a_new_file_takes_no_others_place_not_even_that_of_one_that_came_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, has_links: bool
+) -> None:
+    def refuse(*_: object) -> None:
+        raise PermissionError(1, "Operation not permitted")
+
+    if not has_links:
+        monkeypatch.setattr(os, "link", refuse)
+
+    def meanwhile() -> Iterator[bytes]:
+        (tmp_path / "b").write_bytes(OLD)
+        yield NEW
+
+    write_atomically(tmp_path / "a", NEW, replaces=False)
+    for name, content in (("a", OLD), ("b", meanwhile())):
+        with pytest.raises(NameTaken, match="is there already"):
+            write_atomically(tmp_path / name, content, replaces=False)
+    assert ((tmp_path / "a").read_bytes(), (tmp_path / "b").read_bytes()) == (NEW, OLD)
+    assert names(tmp_path) == ["a", "b"]
+
+
+def test_whatever_call_fails_a_new_file_is_whole_or_not_there(tmp_path: Path) -> None:
+    path, seen = tmp_path / "a.roam", []
+
+    def prepare() -> None:
+        writing._swept.clear()
+        path.unlink(missing_ok=True)
+
+    def write() -> None:
+        write_atomically(path, NEW, replaces=False)
+
+    for name, work in each_fault(write, prepare, OSError(5, "Input/output error")):
+        seen.append(name)
+        if name in ("scandir", "link"):  # the latter as on a disk without links
+            work()
+            assert path.read_bytes() == NEW
+        else:
+            with pytest.raises(RoamError):
+                work()
+            assert not path.exists() or path.read_bytes() == NEW
+        assert names(tmp_path) in ([], ["a.roam"])
+    assert "link" in seen
 
 
 def test_pieces_that_break_off_leave_the_old_file(tmp_path: Path) -> None:

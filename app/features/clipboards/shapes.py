@@ -19,6 +19,7 @@ from ...model.view_state import ViewState
 from ...translation import tr
 from ..verbs.shapes import NOTHING_SELECTED, delete, rows_in_hand, select_items, told_of_locked
 from .keys import KeyClipboard, copied_keys
+from .properties import PropertyClipboard
 
 
 class ShapeClipboard:
@@ -36,6 +37,7 @@ class ShapeClipboard:
     ) -> None:
         self._document, self._view, self._paste_text = document, view_state, paste_text
         self.keys = KeyClipboard(document, view_state, parent)
+        self.properties = PropertyClipboard(document, view_state)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -43,7 +45,9 @@ class ShapeClipboard:
             "edit.copy": self.copy,
             "edit.cut": self.cut,
             "edit.paste": self.paste,
-        } | self.keys.handlers()
+            **self.keys.handlers(),
+            **self.properties.handlers(),
+        }
 
     def copy(self) -> None:
         """Copy the selected layers and shapes with all their keys."""

@@ -7,7 +7,7 @@ from collections import Counter
 from importlib.resources import files
 
 import pytest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.actions import menus
@@ -22,6 +22,8 @@ def test_ids_are_unique_and_every_action_stands_in_a_menu() -> None:
     ids = Counter(spec.id for spec in SPECS)
     assert max(ids.values()) == 1
     in_menus = {entry for entries in menus.MENUS.values() for entry in entries} - {menus.SEPARATOR, menus.RECENT}
+    assert menus.SUBMENUS.keys() <= in_menus
+    in_menus = (in_menus - menus.SUBMENUS.keys()) | {name for _, names in menus.SUBMENUS.values() for name in names}
     assert in_menus <= set(ids)
     assert set(ids) - in_menus == {"time.back_ten", "time.on_ten"}
 
@@ -42,6 +44,18 @@ def test_every_tooltip_shows_its_keys(qtbot: QtBot) -> None:
         keys = keymap.get(action_id, ())
         assert keys_text(keys) in actions[action_id].toolTip()
         assert len(actions[action_id].shortcuts()) == len(keys)
+
+
+def test_an_action_of_a_submenu_is_told_with_the_menu_that_it_hangs_in(qtbot: QtBot) -> None:
+    assert menus.menu_of("edit.paste_colour") == menus.menu_of("edit.paste") == "Edit"
+    window = QWidget()
+    qtbot.addWidget(window)
+    actions = Actions(window, QWidget(window), load_keymap())
+    bar = menus.menu_bar(actions, QMenu(window))
+    qtbot.addWidget(bar)
+    edit = next(menu for menu in (each.menu() for each in bar.actions()) if menu.title() == "Edit")
+    below = next(each.menu() for each in edit.actions() if each.text() == "Paste properties")
+    assert [each.objectName() for each in below.actions()] == list(menus.SUBMENUS[menus.PASTE_PROPERTIES][1])
 
 
 def test_every_icon_that_an_action_names_is_there(qtbot: QtBot) -> None:

@@ -1,16 +1,29 @@
-"""Pasting a key: onto frames, through a range, and to which shapes."""
+"""Pasting a key: onto frames, through a range, and to which shapes; and pasting properties."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Interpolation, Keyframe, Origin, Project, RotoShape, Spline, edit
-from roam_core.roto.pasting import copied_key, paste_key, paste_through, targets
+from roam_core.roto import (
+    Animated,
+    BlendMode,
+    Interpolation,
+    Keyframe,
+    Layer,
+    MotionBlur,
+    Origin,
+    Project,
+    RotoShape,
+    Spline,
+    ValueKey,
+    edit,
+)
+from roam_core.roto.pasting import PROPERTIES, copied_key, models, paste_key, paste_through, targets, with_properties
 from roam_core.roto.placement import LayerTransform
 
 SQUARE = polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
@@ -102,3 +115,57 @@ def test_keys_go_back_to_their_shapes_to_the_chosen_one_or_in_order() -> None:
     moved = replace(d, keys=(Keyframe(1, SQUARE + 50.0),))
     assert targets(project, [d, moved], [a, b]) == {"a": d.keys[0], "b": moved.keys[0]}
     assert targets(project, [d, moved], [a, b, c]) == {}
+
+
+STYLED = RotoShape(
+    "b",
+    "B",
+    (Keyframe(3, SQUARE, np.ones_like(SQUARE)),),
+    colour=(0.1, 0.2, 0.3),
+    blend=BlendMode.SUBTRACT,
+    opacity=Animated((ValueKey(1001, 0.25, slopes=(0.0, 0.1)), ValueKey(1010, 1.0))),
+    invert=True,
+    feather=Animated((ValueKey(5, 3.0),)),
+    motion_blur=MotionBlur(0.7, -0.35, 8),
+    lifetime=(2, 8),
+    visible=False,
+    locked=True,
+    link="one",
+    attached=False,
+    depth=((1, 1),),
+    compound="mask",
+)
+
+
+def test_properties_are_those_of_the_model_and_all_else_stays() -> None:
+    own = shape()
+    styled = with_properties(own, STYLED)
+    changed = {each.name for each in fields(own) if getattr(own, each.name) != getattr(styled, each.name)}
+    assert changed == set(PROPERTIES)
+    assert all(getattr(styled, name) == getattr(STYLED, name) for name in PROPERTIES)
+    assert with_properties(own, STYLED, ["colour"]) == replace(own, colour=(0.1, 0.2, 0.3))
+
+
+def test_every_property_of_a_shape_is_pasted_or_left_on_purpose() -> None:
+    """A field that is new has to be thought about here."""
+    left = {"id", "name", "keys", "closed", "spline", "placement", "lifetime", "visible", "locked", "extra"}
+    tracking = {"link", "attached", "depth", "compound"}
+    assert {each.name for each in fields(RotoShape)} == {*PROPERTIES, *left, *tracking}
+
+
+def test_a_layer_takes_of_properties_what_layers_have() -> None:
+    layer = Layer("l", "Arm", (shape(),))
+    styled = with_properties(layer, Layer("m", "Leg", (), opacity=0.5, invert=True, blend=BlendMode.MAX))
+    assert styled == replace(layer, opacity=0.5, invert=True, blend=BlendMode.MAX)
+
+
+def test_whose_properties_go_where() -> None:
+    a, b, c = (replace(shape(name), feather=float(number)) for number, name in enumerate("abc"))
+    x, y = replace(shape("x"), feather=8.0), replace(shape("y"), feather=9.0)
+    assert models([a], [x, y]) == {"x": a, "y": a}
+    assert models([a, b], [x, y]) == {"x": a, "y": b}
+    assert models([a, b, c], [x, y]) == {}
+    assert models([a, b, c], [x, y], ["opacity"]) == {"x": a, "y": a}  # alike in that
+    assert models([a, b, c], [replace(c, feather=5.0), replace(a, opacity=0.5)]) == {"a": a, "c": c}  # back
+    assert models([a, b], [replace(b, name="Another"), x]) == {"b": a, "x": b}  # of another project
+    assert models([], [x]) == models([a, b], []) == {}

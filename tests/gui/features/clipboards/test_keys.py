@@ -34,7 +34,7 @@ def keys(canvas: CanvasView, document: Document, view_state: ViewState, square: 
     for child in canvas.findChildren(Actions):
         for name in handlers:
             child[name].setShortcuts([])
-    Actions(canvas, canvas, {name: load_keymap()[name] for name in handlers}).connect_all(handlers)
+    Actions(canvas, canvas, {name: load_keymap().get(name, ()) for name in handlers}).connect_all(handlers)
     QGuiApplication.clipboard().clear()
     yield
     QGuiApplication.clipboard().clear()
