@@ -128,7 +128,7 @@ class Files(QObject):
         def work(report: Report) -> str:
             report.progress(0.0, tr("Looking at {name} …", name=path.name))
             report.partial(looked_at(path, layer, held))
-            return config_trouble()
+            return translated(config_trouble())
 
         job = self._runner.start("look", work)
         job.progress.connect(self.progress)
@@ -148,7 +148,7 @@ class Files(QObject):
             sentence = tr(
                 "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=gaps_of(source)
             ).rstrip()
-            told = (sentence, translated(unseen(source)), config_trouble())
+            told = (sentence, translated(unseen(source)), translated(config_trouble()))
             return Found(project, source, " ".join(filter(None, told)))
 
         self._open(tr("Opening {name} …", name=path.name), read, origin=path)

@@ -16,7 +16,7 @@ from roam_core.roto.relinking import is_renumbered, open_plate, other_content, o
 from roam_core.system_errors import reason_of
 
 from ..jobs.runner import Report
-from ..translation import N_, tr, translated
+from ..translation import N_, sentence_of, tr, translated
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -186,7 +186,9 @@ def plate_of(project: Project) -> tuple[Any, str]:
     try:
         source = declared(open_plate(clip), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:
-        return None, tr("The plate could not be opened; choose it again in the File menu. {error}", error=error)
+        return None, tr(
+            "The plate could not be opened; choose it again in the File menu. {error}", error=sentence_of(error)
+        )
     return source, differences(project, source)
 
 

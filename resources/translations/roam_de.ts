@@ -1725,6 +1725,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame {frame} von {path} lässt sich nicht dekodieren; der Film ist beschädigt oder abgeschnitten.</translation>
     </message>
     <message>
+        <source>Frame {frame} of {path} differs in size from the first; a plate needs one size.</source>
+        <translation>Frame {frame} von {path} hat eine andere Größe als der erste; alle Frames einer Plate brauchen dieselbe.</translation>
+    </message>
+    <message>
         <source>Frame {frame} of {path} is missing: the files there are {first} to {last}, with {count} missing between.</source>
         <translation>Frame {frame} von {path} fehlt: dort liegen die Dateien {first} bis {last}, dazwischen fehlen {count}.</translation>
     </message>
@@ -1739,6 +1743,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Frame {frame} of {path} is missing: {file} is no longer there.</source>
         <translation>Frame {frame} von {path} fehlt: {file} ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {refusal}</source>
+        <translation>Frame {frame} von {refusal}</translation>
     </message>
     <message>
         <source>Frame {frame} shows nothing; track from a frame that does.</source>
@@ -2850,6 +2858,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Hier läuft kein Encoder für Filme mit {suffix}; einen Ordner nennen, dann wird jeder Frame als Bild geschrieben.</translation>
     </message>
     <message>
+        <source>No file in {folder} follows the pattern {name}; {hint}.</source>
+        <translation>Keine Datei in {folder} passt zum Muster {name}; {hint}.</translation>
+    </message>
+    <message>
         <source>No font of this machine has {named}: {unknown} stands for each; install a font that has them.</source>
         <translation>Keine Schrift dieses Rechners hat {named}: Für jedes steht {unknown}; bitte eine passende Schrift installieren.</translation>
     </message>
@@ -2880,6 +2892,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>No object ends around that place; drag a box around it instead.</source>
         <translation>Um diese Stelle endet kein Objekt; stattdessen einen Rahmen darum ziehen.</translation>
+    </message>
+    <message>
+        <source>No plate was named; give a folder of images, a pattern, an image or a movie.</source>
+        <translation>Es ist keine Plate genannt; einen Ordner mit Bildern, ein Muster, ein Bild oder einen Film angeben.</translation>
     </message>
     <message>
         <source>No point lies under the brush; Ctrl and the wheel make it wider.</source>
@@ -3237,6 +3253,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Open: not tracked</source>
         <translation>Offen: wird nicht getrackt</translation>
+    </message>
+    <message>
+        <source>OpenColorIO cannot convert {spaces}: {reason}.</source>
+        <translation>OpenColorIO kann {spaces} nicht umrechnen: {reason}.</translation>
+    </message>
+    <message>
+        <source>OpenColorIO cannot show the view {view} on {display}: {reason}.</source>
+        <translation>OpenColorIO kann die Ansicht {view} auf {display} nicht zeigen: {reason}.</translation>
     </message>
     <message>
         <source>Opened lately</source>
@@ -4557,6 +4581,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Der B-Spline {name!r} wird als Bézier geschrieben: dieselbe Kurve mit anderen Tangenten.</translation>
     </message>
     <message>
+        <source>The OpenColorIO configuration {path} cannot be read: {reason}. Correct ${variable}, or unset it.</source>
+        <translation>Die OpenColorIO-Konfiguration {path} kann nicht gelesen werden: {reason}. ${variable} korrigieren oder löschen.</translation>
+    </message>
+    <message>
         <source>The blue channel alone, and back</source>
         <translation>Nur der blaue Kanal, und zurück</translation>
     </message>
@@ -4587,6 +4615,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>The clip&apos;s frames a second; while it plays, those that are shown, and the speed</source>
         <translation>Frames pro Sekunde des Clips; beim Abspielen die gezeigten und die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The colour space {name!r} is not known; choose one of {spaces}, or of the OpenColorIO configuration: {others}.</source>
+        <translation>Der Farbraum {name!r} ist nicht bekannt; einen aus {spaces} wählen oder aus der OpenColorIO-Konfiguration: {others}.</translation>
+    </message>
+    <message>
+        <source>The colour space {space!r} is not known to the OpenColorIO configuration {path}; choose another, or set ${variable} to the one that has it.</source>
+        <translation>Die OpenColorIO-Konfiguration {path} kennt den Farbraum {space!r} nicht; einen anderen wählen oder ${variable} auf die setzen, die ihn hat.</translation>
     </message>
     <message>
         <source>The copied keys are of other shapes: select those, or as many shapes as were copied.</source>
@@ -4811,6 +4847,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Notiz von Frame {frame} ging mit ihrer Markierung; &lt;edit.undo&gt; bringt sie zurück.</translation>
     </message>
     <message>
+        <source>The numbers of {path} run from {first} to {last}; that is no sequence of frames. Rename the files so that they count the frames.</source>
+        <translation>Die Nummern von {path} laufen von {first} bis {last}; das ist keine Folge von Frames. Die Dateien so umbenennen, dass sie die Frames zählen.</translation>
+    </message>
+    <message>
         <source>The oldest steps go first</source>
         <translation>Die ältesten Schritte gehen zuerst</translation>
     </message>
@@ -4897,6 +4937,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The points lie on one line, or on one another: put them apart.</source>
         <translation>Die Punkte liegen auf einer Linie oder aufeinander: bitte auseinanderziehen.</translation>
+    </message>
+    <message>
+        <source>The process that decodes answered without a {name} that makes sense; the file is damaged.</source>
+        <translation>Der dekodierende Prozess gab ohne sinnvolles {name} Antwort; die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The process that decodes pictures cannot be started ({reason}); install ROAM again, or set ROAM_DECODER=inside to do without one.</source>
+        <translation>Der Prozess, der Bilder dekodiert, lässt sich nicht starten ({reason}); ROAM neu installieren, oder ROAM_DECODER=inside setzen, dann geht es ohne.</translation>
     </message>
     <message>
         <source>The project has no clip yet; open a folder of images or a movie first.</source>
@@ -5047,6 +5095,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Hier ist keine Lücke zu füllen: auf zwei Frames mit anderen dazwischen einen Keyframe setzen (&lt;key.set&gt;).</translation>
     </message>
     <message>
+        <source>There is no image of frame {frame}; give one, or raise MissingFrame where the plate has none.</source>
+        <translation>Von Frame {frame} gibt es kein Bild; eines geben, oder MissingFrame auslösen, wo die Plate keines hat.</translation>
+    </message>
+    <message>
         <source>There is no key after this frame.</source>
         <translation>Nach diesem Frame gibt es keinen Keyframe.</translation>
     </message>
@@ -5089,6 +5141,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is no plate to track in; open a clip first.</source>
         <translation>Es gibt keine Plate zum Tracken; zuerst einen Clip öffnen.</translation>
+    </message>
+    <message>
+        <source>There is no room for decoded pictures {place} ({reason}); make room there, raise the limit of a file&apos;s size, or set ROAM_DECODER=inside to do without.</source>
+        <translation>Für dekodierte Bilder ist {place} kein Platz ({reason}); dort Platz schaffen, die Grenze für Dateigrößen anheben, oder ROAM_DECODER=inside setzen, dann geht es ohne.</translation>
     </message>
     <message>
         <source>There is no shape here that can be reshaped; draw one, or unlock and show it.</source>
@@ -5639,6 +5695,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Alpha-Operation {operation!r}</translation>
     </message>
     <message>
+        <source>an impossible picture</source>
+        <translation>einem unmöglichen Bild</translation>
+    </message>
+    <message>
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
     </message>
@@ -5895,12 +5955,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>schließen verlassen ende</translation>
     </message>
     <message>
+        <source>exit code {code}</source>
+        <translation>Rückgabewert {code}</translation>
+    </message>
+    <message>
         <source>farther smaller reduce</source>
         <translation>zoom ferner kleiner herauszoomen</translation>
     </message>
     <message>
         <source>feather</source>
         <translation>weiche Kante</translation>
+    </message>
+    <message>
+        <source>fewer pixels than were told</source>
+        <translation>weniger Pixeln als angekündigt</translation>
     </message>
     <message>
         <source>filled between two keys</source>
@@ -6011,6 +6079,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>vor den anderen</translation>
     </message>
     <message>
+        <source>in memory</source>
+        <translation>im Speicher</translation>
+    </message>
+    <message>
+        <source>in {folder}</source>
+        <translation>in {folder}</translation>
+    </message>
+    <message>
         <source>intelligent scissors edge snap draw roto mask path</source>
         <translation>kante einrasten zeichnen roto maske pfad schere</translation>
     </message>
@@ -6047,8 +6123,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>isolieren allein nur lokale ansicht sichtbarkeit auge</translation>
     </message>
     <message>
+        <source>it answered with {what}</source>
+        <translation>der dekodierende Prozess antwortete mit {what}</translation>
+    </message>
+    <message>
+        <source>it does not end</source>
+        <translation>kein Ende</translation>
+    </message>
+    <message>
         <source>it is damaged</source>
         <translation>sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it takes longer than {seconds:.0f} seconds</source>
+        <translation>es dauert länger als {seconds:.0f} Sekunden</translation>
     </message>
     <message>
         <source>its curve is smooth everywhere now, and its points moved by up to {moved:.1f} pixels</source>
@@ -6193,6 +6281,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>moves on smoothly</source>
         <translation>bewegt sich weich weiter</translation>
+    </message>
+    <message>
+        <source>no line of JSON</source>
+        <translation>keiner Zeile JSON</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>keinem Bild</translation>
+    </message>
+    <message>
+        <source>no sentence</source>
+        <translation>keinem Satz</translation>
     </message>
     <message>
         <source>none</source>
@@ -6547,6 +6647,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>die Zwischenablage</translation>
     </message>
     <message>
+        <source>the folder holds no image</source>
+        <translation>im Ordner liegt kein Bild</translation>
+    </message>
+    <message>
+        <source>the folder holds {names}</source>
+        <translation>im Ordner liegen {names}</translation>
+    </message>
+    <message>
         <source>the inversion</source>
         <translation>die Invertierung</translation>
     </message>
@@ -6715,6 +6823,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>verbiegen schieben ziehen verflüssigen modellieren pinsel magnet</translation>
     </message>
     <message>
+        <source>what decodes it ended unexpectedly ({how})</source>
+        <translation>der dekodierende Prozess endete unerwartet ({how})</translation>
+    </message>
+    <message>
         <source>wipe compare split screen ab buffer before after snapshot</source>
         <translation>wischen vergleichen teilen ab puffer vorher nachher schnappschuss</translation>
     </message>
@@ -6858,6 +6970,46 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         </translation>
     </message>
     <message>
+        <source>{file} asks for too much memory; it is damaged or too large.</source>
+        <translation>{file} verlangt zu viel Speicher; die Datei ist beschädigt oder zu groß.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be decoded: {reason}. It is damaged; render it again, or take it out of the plate.</source>
+        <translation>{file} lässt sich nicht dekodieren: {reason}. Die Datei ist beschädigt; bitte neu rendern oder aus der Plate nehmen.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read; it is damaged or cut short ({reason}). Render it again.</source>
+        <translation>{file} kann nicht gelesen werden; die Datei ist beschädigt oder abgeschnitten ({reason}). Bitte neu rendern.</translation>
+    </message>
+    <message>
+        <source>{file} claims to be {width} x {height} pixels, more than the {most} million that ROAM works with; it is damaged or too large, scale it down.</source>
+        <translation>{file} hat angeblich {width} x {height} Pixel, mehr als die {most} Millionen, mit denen ROAM arbeitet; die Datei ist beschädigt oder zu groß und muss verkleinert werden.</translation>
+    </message>
+    <message>
+        <source>{file} has no layer {name!r}; it has {layers}.</source>
+        <translation>{file} hat keine Ebene {name!r}; vorhanden: {layers}.</translation>
+    </message>
+    <message>
+        <source>{file} holds deep pixels and no picture; flatten it to one.</source>
+        <translation>{file} enthält Deep-Pixel und kein Bild; bitte zu einem Bild reduzieren.</translation>
+    </message>
+    <message>
+        <source>{file} holds more than {most} MiB of pixels; give a mask of one channel.</source>
+        <translation>{file} enthält mehr als {most} MiB an Pixeln; eine Maske mit einem Kanal angeben.</translation>
+    </message>
+    <message>
+        <source>{file} is a project, not a plate; name the plate: a folder of images, a pattern, an image or a movie.</source>
+        <translation>{file} ist ein Projekt, keine Plate; die Plate angeben: einen Ordner mit Bildern, ein Muster, ein Bild oder einen Film.</translation>
+    </message>
+    <message>
+        <source>{file} is no ROAM project, no picture and no movie. Open a folder of pictures, a movie, or a project, whose name ends with .roam; shapes of other programs are imported into a project.</source>
+        <translation>{file} ist kein ROAM-Projekt, kein Bild und kein Film. Einen Ordner mit Bildern, einen Film oder ein Projekt öffnen, dessen Name auf .roam endet; Formen anderer Programme werden in ein Projekt importiert.</translation>
+    </message>
+    <message>
+        <source>{file} is no image that can be read ({reason}); replace it or take it out of the plate.</source>
+        <translation>{file} ist kein lesbares Bild ({reason}); bitte ersetzen oder aus der Plate nehmen.</translation>
+    </message>
+    <message>
         <source>{file} is {width} x {height} pixels, the plate is {plate_width} x {plate_height}; all frames of a plate need one size.</source>
         <translation>{file} hat {width} x {height} Pixel, die Plate {plate_width} x {plate_height}; alle Frames einer Plate brauchen dieselbe Größe.</translation>
     </message>
@@ -6868,6 +7020,26 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{first}–{last}, {count} frames</source>
         <translation>{first}–{last}, {count} Frames</translation>
+    </message>
+    <message>
+        <source>{folder} holds no image and no movie; choose the folder that holds the plate&apos;s frames.</source>
+        <translation>{folder} enthält kein Bild und keinen Film; den Ordner wählen, in dem die Frames der Plate liegen.</translation>
+    </message>
+    <message>
+        <source>{folder} holds several movies ({names}); name one of them.</source>
+        <translation>{folder} enthält mehrere Filme ({names}); einen davon angeben.</translation>
+    </message>
+    <message>
+        <source>{folder} holds several sequences, none longer than the others, and none begins as the project&apos;s plate: {names}. Leave the plate alone in its folder, or relink the clip.</source>
+        <translation>{folder} enthält mehrere Bildsequenzen, keine länger als die anderen, und keine beginnt wie die Plate des Projekts: {names}. Nur die Plate in ihrem Ordner lassen oder den Clip neu verknüpfen.</translation>
+    </message>
+    <message>
+        <source>{folder} holds several sequences, none longer than the others: {names}. Give a pattern, such as {advised}.</source>
+        <translation>{folder} enthält mehrere Bildsequenzen, keine länger als die anderen: {names}. Ein Muster angeben, etwa {advised}.</translation>
+    </message>
+    <message>
+        <source>{folder} holds {count} images whose names do not count frames: {names}. Number them, with nine digits at most, such as shot.0001.png, or give one of them.</source>
+        <translation>{folder} enthält {count} Bilder, deren Namen keine Frames zählen: {names}. Die Bilder mit höchstens neun Ziffern nummerieren, etwa shot.0001.png, oder eines davon angeben.</translation>
     </message>
     <message>
         <source>{frames} on {pages}</source>
@@ -7022,6 +7194,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{names} und {count} weitere</translation>
     </message>
     <message>
+        <source>{name} (one frame, {first} to {last})</source>
+        <translation>{name} (ein Frame, {first} bis {last})</translation>
+    </message>
+    <message>
+        <source>{name} (one image)</source>
+        <translation>{name} (ein Bild)</translation>
+    </message>
+    <message>
+        <source>{name} ({count} frames, {first} to {last})</source>
+        <translation>{name} ({count} Frames, {first} bis {last})</translation>
+    </message>
+    <message>
         <source>{name} belongs to the same object now.</source>
         <translation>{name} gehört jetzt zum selben Objekt.</translation>
     </message>
@@ -7146,8 +7330,16 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{note} Ebenso: {names}.</translation>
     </message>
     <message>
+        <source>{one} and {other} in {folder} bear the same frame number; remove one, or give a pattern with the number of digits, such as name.%04d.png.</source>
+        <translation>{one} und {other} in {folder} tragen dieselbe Framenummer; eine davon entfernen oder ein Muster mit der Zahl der Ziffern angeben, etwa name.%04d.png.</translation>
+    </message>
+    <message>
         <source>{pace:.0f} ms a frame</source>
         <translation>{pace:.0f} ms pro Frame</translation>
+    </message>
+    <message>
+        <source>{path!r} is no path that can be opened: {reason}.</source>
+        <translation>{path!r} ist kein Pfad, der sich öffnen lässt: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot be read: {reason}.</source>
@@ -7178,8 +7370,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} gibt es nicht.</translation>
     </message>
     <message>
+        <source>{path} does not exist; give a folder of images, a pattern, an image or a movie.</source>
+        <translation>{path} gibt es nicht; einen Ordner mit Bildern, ein Muster, ein Bild oder einen Film angeben.</translation>
+    </message>
+    <message>
+        <source>{path} holds no picture that can be decoded; convert it to images.</source>
+        <translation>{path} enthält kein Bild, das sich dekodieren lässt; bitte in Bilder umwandeln.</translation>
+    </message>
+    <message>
         <source>{path} is a folder, not a file.</source>
         <translation>{path} ist ein Ordner, keine Datei.</translation>
+    </message>
+    <message>
+        <source>{path} is a movie: it has no layer {layer!r}.</source>
+        <translation>{path} ist ein Film und hat keine Ebene {layer!r}.</translation>
     </message>
     <message>
         <source>{path} is a pipe, a socket or a device, not a file; give a regular file.</source>
@@ -7190,8 +7394,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} ist beschädigt.</translation>
     </message>
     <message>
+        <source>{path} is interlaced: each of its frames shows two moments, in every other row. Deinterlace it in another program, as images or as a progressive movie, and open that.</source>
+        <translation>{path} ist interlaced: Jeder Frame zeigt zwei Momente, in jeder zweiten Zeile. In einem anderen Programm deinterlacen, als Bilder oder als progressiver Film, und das öffnen.</translation>
+    </message>
+    <message>
         <source>{path} is no keymap; keys are set in Edit &gt; Change keys.</source>
         <translation>{path} ist keine Tastenbelegung; Tasten werden unter Bearbeiten &gt; Tasten ändern festgelegt.</translation>
+    </message>
+    <message>
+        <source>{path} is no movie that can be decoded ({reason}); convert it to images.</source>
+        <translation>{path} ist kein Film, der sich dekodieren lässt ({reason}); bitte in Bilder umwandeln.</translation>
+    </message>
+    <message>
+        <source>{path} is no movie that can be decoded, or it is damaged; convert it to images.</source>
+        <translation>{path} ist kein Film, der sich dekodieren lässt, oder ist beschädigt; bitte in Bilder umwandeln.</translation>
     </message>
     <message>
         <source>{path} may not be read; give yourself the permission, or ask its owner for it.</source>
