@@ -135,7 +135,7 @@ def read_project(path: Path) -> Found:
         else tr(" Its plate was found at {path}; save to keep that.", path=project.require_clip().path)
     )
     told = problem or tr("Opened {name}.{moved}", name=path.name, moved=moved)
-    more = [_older(project, version), departed_settings(project.shapes)]
+    more = [_older(project, version), translated(departed_settings(project.shapes))]
     numbered, before, numbers = with_numbers(project, source)
     beyond = "" if before else _beyond(project, source)
     sentence = " ".join(filter(None, (told, numbers, beyond, *more)))

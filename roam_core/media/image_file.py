@@ -129,13 +129,10 @@ def read_channels(file: Path) -> Image | None:
     """
     source = opened_image(file)
     if source is not None and _bytes_told(source.spec()) > MOST_BYTES:
-        raise RoamError(
-            sentence(
-                "{file} holds more than {most} MiB of pixels; give a mask of one channel.",
-                file=file,
-                most=MOST_BYTES >> 20,
-            )
+        much = sentence(
+            "{file} holds more than {most} MiB of pixels; give a mask of one channel.", file=file, most=MOST_BYTES >> 20
         )
+        raise RoamError(much)
     told = mask_channels(_parts(source)) if source is not None and _is_exr(source) else None
     part = 0 if told is None else told.part
     is_there = source is not None and source.seek_subimage(part, 0)
@@ -198,12 +195,11 @@ def _open(file: Path) -> tuple[Any, tuple[ImageLayer, ...]]:
     as_stored.attribute("oiio:UnassociatedAlpha", 1)
     source = opened_image(file, as_stored)
     if source is None:
-        reason = _reason(oiio)
         raise RoamError(
             sentence(
                 "{file} is no image that can be read ({reason}); replace it or take it out of the plate.",
                 file=file,
-                reason=reason,
+                reason=_reason(oiio),
             )
         )
     layers = layers_of(_parts(source))
@@ -238,9 +234,8 @@ def _seek(file: Path, source: Any, layers: Sequence[ImageLayer], name: str) -> I
     """Go to the part of the layer of a name, or of the picture itself; the layer."""
     named = {layer.name: layer for layer in layers}
     if name and name not in named:
-        raise RoamError(
-            sentence("{file} has no layer {name!r}; it has {layers}.", file=file, name=name, layers=listed(layers))
-        )
+        told = {"file": file, "name": name, "layers": listed(layers)}
+        raise RoamError(sentence("{file} has no layer {name!r}; it has {layers}.", **told))
     chosen = named[name] if name else colour_layer(layers)
     if not source.seek_subimage(chosen.part, 0):
         raise _damaged(file, source)

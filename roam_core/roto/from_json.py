@@ -13,6 +13,7 @@ from roam_core.roto.packing import number, rest, text, unpacked_keys, unpacked_n
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
 from roam_core.roto.shape import BlendMode, Keyframe, MotionBlur, RotoShape, Spline
+from roam_core.translatable import N_
 
 LONGEST_PATH = 1 << 15
 """Letters of a plate's path."""
@@ -53,7 +54,7 @@ def _read_mark(document: Document) -> Mark:
 def _read_clip(document: Document, folder: Path) -> Clip:
     width, height = document["size"]
     first, last = whole(document["first"], "the clip's first frame"), whole(document["last"], "the clip's last frame")
-    require(last - first + 1, MAX_SPAN + 1, "frames in its clip")
+    require(last - first + 1, MAX_SPAN + 1, N_("frames in its clip"))
     if last < first:
         raise ValueError(f"its clip ends, on frame {last}, before it begins, on frame {first}")
     return Clip(
@@ -76,7 +77,7 @@ def _read_clip(document: Document, folder: Path) -> Clip:
 def _read_path(document: Document, folder: Path) -> Path:
     """Where the plate lies: from the project's folder; if it is not there, where it lay when the project was saved."""
     words = text(document["path"], "the clip's path"), text(document.get("absolute", ""), "the clip's absolute path")
-    require(max(map(len, words)), LONGEST_PATH, "letters in the clip's path")
+    require(max(map(len, words)), LONGEST_PATH, N_("letters in the clip's path"))
     if any("\0" in word for word in words):
         raise ValueError("the clip's path holds a null character")
     path, absolute = (Path(PurePosixPath(word)) for word in words)
@@ -87,7 +88,7 @@ def _read_path(document: Document, folder: Path) -> Path:
 
 
 def _read_layer(document: Document, count: Count, depth: int) -> Layer:
-    require(depth, MAX_DEPTH, "layers in layers")
+    require(depth, MAX_DEPTH, N_("layers in layers"))
     children: list[Layer | RotoShape] = []
     for child in document["children"]:
         if child["type"] == "Layer":
