@@ -312,6 +312,10 @@
         <translation>, ein Keyframe</translation>
     </message>
     <message>
+        <source>, and joins its even feather roughly</source>
+        <translation>, und schließt grob an die gleichmäßige weiche Kante an</translation>
+    </message>
+    <message>
         <source>, worth a look</source>
         <translation>, einen Blick wert</translation>
     </message>
@@ -3054,6 +3058,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Unter dem Pinsel liegt kein Punkt; Strg und Mausrad machen ihn größer.</translation>
     </message>
     <message>
+        <source>No point was found on frame {frame}; put them anew there, or make their areas larger.</source>
+        <translation>Auf Frame {frame} wurde kein Punkt gefunden; dort neu setzen, oder ihre Bereiche vergrößern.</translation>
+    </message>
+    <message>
         <source>No proposal waits for an answer.</source>
         <translation>Kein Vorschlag wartet auf Antwort.</translation>
     </message>
@@ -5191,6 +5199,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Fläche kippt, wie Bildschirme und Wände nahe der Kamera</translation>
     </message>
     <message>
+        <source>The plane was lost on frame {frame}: it would tip over; try a simpler motion.</source>
+        <translation>Die Fläche ging auf Frame {frame} verloren: Sie würde kippen; eine einfachere Bewegung versuchen.</translation>
+    </message>
+    <message>
+        <source>The plane was lost on frame {frame}: too little of it looks as it did; start again there, or leave out what covers it.</source>
+        <translation>Die Fläche ging auf Frame {frame} verloren: Zu wenig davon sieht aus wie zuvor; dort neu beginnen, oder auslassen, was sie verdeckt.</translation>
+    </message>
+    <message>
         <source>The plate alone</source>
         <translation>Nur die Plate</translation>
     </message>
@@ -5325,6 +5341,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The shape {name!r} has keys on frames beyond {most}, which Nuke rounds.</source>
         <translation>Die Form {name!r} hat Keyframes jenseits von Frame {most}, die Nuke rundet.</translation>
+    </message>
+    <message>
+        <source>The shape {name!r} is locked, or lies in a locked layer; unlock that before it is solved.</source>
+        <translation>Die Form {name!r} ist gesperrt oder liegt in einer gesperrten Ebene; vor dem Berechnen entsperren.</translation>
     </message>
     <message>
         <source>The shape {name} follows the expression {expression}, which is not run: it was left out.</source>
@@ -6095,8 +6115,28 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Zeit verkleinern</translation>
     </message>
     <message>
+        <source>a colour</source>
+        <translation>eine Farbe</translation>
+    </message>
+    <message>
+        <source>a depth</source>
+        <translation>eine Tiefe</translation>
+    </message>
+    <message>
         <source>a feather of about {width}, which is a blur</source>
         <translation>eine weiche Kante von etwa {width}, als Unschärfe</translation>
+    </message>
+    <message>
+        <source>a frame of a track</source>
+        <translation>ein Frame eines Tracks</translation>
+    </message>
+    <message>
+        <source>a frame of a transform</source>
+        <translation>ein Frame einer Transformation</translation>
+    </message>
+    <message>
+        <source>a frame of {name}</source>
+        <translation>ein Frame ({name})</translation>
     </message>
     <message>
         <source>a key has {found} parts</source>
@@ -6107,8 +6147,28 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>ein Keyframe muss ein Objekt sein</translation>
     </message>
     <message>
+        <source>a length of inputs</source>
+        <translation>eine Länge von Grundlagen</translation>
+    </message>
+    <message>
+        <source>a length of packed numbers</source>
+        <translation>eine Länge gepackter Zahlen</translation>
+    </message>
+    <message>
+        <source>a lifetime</source>
+        <translation>eine Lebensdauer</translation>
+    </message>
+    <message>
         <source>a list of keys is empty</source>
         <translation>eine Liste von Keyframes ist leer</translation>
+    </message>
+    <message>
+        <source>a list of numbers holds something else</source>
+        <translation>eine Liste von Zahlen enthält etwas anderes</translation>
+    </message>
+    <message>
+        <source>a list of packed numbers is damaged</source>
+        <translation>eine Liste gepackter Zahlen ist beschädigt</translation>
     </message>
     <message>
         <source>a list stands where a number belongs</source>
@@ -6117,6 +6177,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>a note on this frame</source>
         <translation>eine Notiz zu diesem Frame</translation>
+    </message>
+    <message>
+        <source>a number is not finite</source>
+        <translation>eine Zahl ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a number of the project is not finite</source>
+        <translation>eine Zahl des Projekts ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a packed number is not finite</source>
+        <translation>eine gepackte Zahl ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a place of a track</source>
+        <translation>eine Position eines Tracks</translation>
     </message>
     <message>
         <source>a point lies nowhere near the image</source>
@@ -6131,6 +6207,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>ein Punkt davon liegt weitab vom Bild</translation>
     </message>
     <message>
+        <source>a point that was set</source>
+        <translation>ein gesetzter Punkt</translation>
+    </message>
+    <message>
         <source>a run of keys has none of the known forms</source>
         <translation>eine Folge von Keyframes hat keine der bekannten Formen</translation>
     </message>
@@ -6139,8 +6219,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>ein Spline muss eine Liste von Punkten sein</translation>
     </message>
     <message>
+        <source>a surface has four corners</source>
+        <translation>eine Fläche hat vier Ecken</translation>
+    </message>
+    <message>
+        <source>a tangent of {name}</source>
+        <translation>eine Tangente ({name})</translation>
+    </message>
+    <message>
         <source>a transform has none of the known forms</source>
         <translation>eine Transformation hat keine der bekannten Formen</translation>
+    </message>
+    <message>
+        <source>a transform needs a frame for each matrix, and at least one</source>
+        <translation>eine Transformation braucht zu jeder Matrix einen Frame, und mindestens eine</translation>
     </message>
     <message>
         <source>a value in it is of another kind than it must be</source>
@@ -6181,6 +6273,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>alpha operation {operation!r}</source>
         <translation>Alpha-Operation {operation!r}</translation>
+    </message>
+    <message>
+        <source>an adjust key</source>
+        <translation>ein Korrektur-Keyframe</translation>
+    </message>
+    <message>
+        <source>an animated value has no key</source>
+        <translation>ein animierter Wert hat keinen Keyframe</translation>
+    </message>
+    <message>
+        <source>an animated value has two keys on one frame</source>
+        <translation>ein animierter Wert hat zwei Keyframes auf einem Frame</translation>
+    </message>
+    <message>
+        <source>an area of a track&apos;s points</source>
+        <translation>ein Bereich der Punkte eines Tracks</translation>
     </message>
     <message>
         <source>an impossible picture</source>
@@ -6731,6 +6839,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>die Unschärfe</translation>
     </message>
     <message>
+        <source>its clip ends, on frame {last}, before it begins, on frame {first}</source>
+        <translation>der Clip endet, auf Frame {last}, bevor er beginnt, auf Frame {first}</translation>
+    </message>
+    <message>
         <source>its corner pin</source>
         <translation>der Eckenpin</translation>
     </message>
@@ -6991,6 +7103,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>keinem Bild</translation>
     </message>
     <message>
+        <source>no reason given</source>
+        <translation>kein Grund genannt</translation>
+    </message>
+    <message>
         <source>no sentence</source>
         <translation>keinem Satz</translation>
     </message>
@@ -7075,6 +7191,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Out</translation>
     </message>
     <message>
+        <source>packed numbers are not as many as they say</source>
+        <translation>gepackte Zahlen sind nicht so viele wie angegeben</translation>
+    </message>
+    <message>
         <source>part {number} of {count}</source>
         <translation>Teil {number} von {count}</translation>
     </message>
@@ -7129,6 +7249,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>points in the shape {name!r}</source>
         <translation>Punkte in der Form {name!r}</translation>
+    </message>
+    <message>
+        <source>points of a track need the sizes of two areas</source>
+        <translation>Punkte eines Tracks brauchen die Größen zweier Bereiche</translation>
     </message>
     <message>
         <source>preferences options configuration memory cache threads scale</source>
@@ -7239,6 +7363,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>rig skelett gelenke knochen</translation>
     </message>
     <message>
+        <source>rotation in depth</source>
+        <translation>die Drehung in die Tiefe</translation>
+    </message>
+    <message>
         <source>roto node script write output</source>
         <translation>roto node skript schreiben ausgabe</translation>
     </message>
@@ -7275,6 +7403,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>gesetzt auf {frame}</translation>
     </message>
     <message>
+        <source>shape {name!r} has no key</source>
+        <translation>die Form {name!r} hat keinen Keyframe</translation>
+    </message>
+    <message>
+        <source>shape {name!r} has two keys on one frame</source>
+        <translation>die Form {name!r} hat zwei Keyframes auf einem Frame</translation>
+    </message>
+    <message>
         <source>shape {name}</source>
         <translation>Form {name}</translation>
     </message>
@@ -7293,6 +7429,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>shortcuts hotkeys keyboard help</source>
         <translation>tastenkürzel tastatur hilfe</translation>
+    </message>
+    <message>
+        <source>skew</source>
+        <translation>die Scherung</translation>
     </message>
     <message>
         <source>slow half speed</source>
@@ -7383,6 +7523,54 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>tangenten kurve anfasser</translation>
     </message>
     <message>
+        <source>the clip&apos;s absolute path</source>
+        <translation>der absolute Pfad des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s colour_space</source>
+        <translation>colour_space des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s content</source>
+        <translation>content des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s first frame</source>
+        <translation>der erste Frame des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s fps</source>
+        <translation>fps des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s height</source>
+        <translation>die Höhe des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s last frame</source>
+        <translation>der letzte Frame des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s layer</source>
+        <translation>layer des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s path</source>
+        <translation>der Pfad des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s path holds a null character</source>
+        <translation>der Pfad des Clips enthält ein Nullzeichen</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s pixel_aspect</source>
+        <translation>pixel_aspect des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s width</source>
+        <translation>die Breite des Clips</translation>
+    </message>
+    <message>
         <source>the clipboard</source>
         <translation>die Zwischenablage</translation>
     </message>
@@ -7391,12 +7579,28 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>die Farbe der Füllung</translation>
     </message>
     <message>
+        <source>the compound of a shape</source>
+        <translation>compound einer Form</translation>
+    </message>
+    <message>
+        <source>the confidence of a key</source>
+        <translation>die Konfidenz eines Keyframes</translation>
+    </message>
+    <message>
+        <source>the confidence of a track</source>
+        <translation>die Konfidenz eines Tracks</translation>
+    </message>
+    <message>
         <source>the fall-off of its feather</source>
         <translation>der Abfall der weichen Kante</translation>
     </message>
     <message>
         <source>the feather has other points than the outline</source>
         <translation>die weiche Kante hat andere Punkte als der Umriss</translation>
+    </message>
+    <message>
+        <source>the feather of a shape</source>
+        <translation>die weiche Kante einer Form</translation>
     </message>
     <message>
         <source>the file</source>
@@ -7411,12 +7615,48 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>im Ordner liegen {names}</translation>
     </message>
     <message>
+        <source>the frame of a key</source>
+        <translation>der Frame eines Keyframes</translation>
+    </message>
+    <message>
+        <source>the frame of a mark</source>
+        <translation>der Frame einer Markierung</translation>
+    </message>
+    <message>
+        <source>the frames of a transform must increase</source>
+        <translation>die Frames einer Transformation müssen ansteigen</translation>
+    </message>
+    <message>
+        <source>the frames of packed keys are no whole numbers</source>
+        <translation>die Frames gepackter Keyframes sind keine ganzen Zahlen</translation>
+    </message>
+    <message>
+        <source>the id of a layer</source>
+        <translation>die id einer Ebene</translation>
+    </message>
+    <message>
+        <source>the id of a shape</source>
+        <translation>die id einer Form</translation>
+    </message>
+    <message>
+        <source>the inputs of a key</source>
+        <translation>die Grundlage eines Keyframes</translation>
+    </message>
+    <message>
         <source>the inversion</source>
         <translation>die Invertierung</translation>
     </message>
     <message>
         <source>the keys are not in order</source>
         <translation>die Keyframes sind nicht in Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the keys of shape {name!r} differ in their number of points</source>
+        <translation>die Keyframes der Form {name!r} haben verschieden viele Punkte</translation>
+    </message>
+    <message>
+        <source>the link of a shape</source>
+        <translation>die Verknüpfung einer Form</translation>
     </message>
     <message>
         <source>the mode {mode!r}</source>
@@ -7427,8 +7667,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>die Bewegungsunschärfe muss 1 bis 1024 Abtastungen und einen Verschluss von 0 bis 1000 Frames haben</translation>
     </message>
     <message>
+        <source>the name of a layer</source>
+        <translation>der Name einer Ebene</translation>
+    </message>
+    <message>
+        <source>the name of a shape</source>
+        <translation>der Name einer Form</translation>
+    </message>
+    <message>
+        <source>the number of samples of motion blur</source>
+        <translation>die Zahl der Abtastungen der Bewegungsunschärfe</translation>
+    </message>
+    <message>
         <source>the opacity</source>
         <translation>die Deckkraft</translation>
+    </message>
+    <message>
+        <source>the opacity of a layer</source>
+        <translation>die Deckkraft einer Ebene</translation>
+    </message>
+    <message>
+        <source>the opacity of a shape</source>
+        <translation>die Deckkraft einer Form</translation>
+    </message>
+    <message>
+        <source>the packed keys and their {name} differ in length</source>
+        <translation>die gepackten Keyframes und {name} sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>the phase of motion blur</source>
+        <translation>die Phase der Bewegungsunschärfe</translation>
     </message>
     <message>
         <source>the plane</source>
@@ -7443,8 +7711,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Punkte</translation>
     </message>
     <message>
+        <source>the points that were set are not in order</source>
+        <translation>die gesetzten Punkte sind nicht in Reihenfolge</translation>
+    </message>
+    <message>
         <source>the runs of a mask do not fill its picture</source>
         <translation>die Läufe einer Maske füllen ihr Bild nicht</translation>
+    </message>
+    <message>
+        <source>the shutter of motion blur</source>
+        <translation>der Verschluss der Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <source>the text of a mark</source>
+        <translation>der Text einer Markierung</translation>
     </message>
     <message>
         <source>the text of a mask is damaged</source>
@@ -7517,6 +7797,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>trust doubt heat quality</source>
         <translation>vertrauen zweifel qualität</translation>
+    </message>
+    <message>
+        <source>two of its layers or shapes have one id</source>
+        <translation>zwei Ebenen oder Formen haben dieselbe id</translation>
     </message>
     <message>
         <source>two viewers beside split compare matte monitor dual</source>
@@ -7609,6 +7893,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>what decodes it ended unexpectedly ({how})</source>
         <translation>der dekodierende Prozess endete unerwartet ({how})</translation>
+    </message>
+    <message>
+        <source>what should be rows of {width} numbers is something else</source>
+        <translation>was Reihen aus {width} Zahlen sein sollte, ist etwas anderes</translation>
+    </message>
+    <message>
+        <source>what stands among the keys is no key</source>
+        <translation>unter den Keyframes steht etwas, das keiner ist</translation>
+    </message>
+    <message>
+        <source>what stands among the layers is no layer and no shape</source>
+        <translation>unter den Ebenen steht etwas, das weder Ebene noch Form ist</translation>
     </message>
     <message>
         <source>width and height must be positive</source>
@@ -7994,6 +8290,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} ist ein B-Spline und überall glatt; Ecken hat er erst als Bézier.</translation>
     </message>
     <message>
+        <source>{name!r} is a single point; draw an outline around the object first.</source>
+        <translation>{name!r} ist ein einzelner Punkt; zuerst einen Umriss um das Objekt zeichnen.</translation>
+    </message>
+    <message>
         <source>{name!r} is a single point; draw an outline around the object to fill it.</source>
         <translation>{name!r} ist ein einzelner Punkt; zum Füllen einen Umriss um das Objekt zeichnen.</translation>
     </message>
@@ -8178,8 +8478,28 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist weder ein Ordner noch ein Film, der auf {known} oder {last} endet.</translation>
     </message>
     <message>
+        <source>{name} is neither true nor false</source>
+        <translation>{name} ist weder true noch false</translation>
+    </message>
+    <message>
         <source>{name} is no name for a project; end it in {suffix}, as {better}.</source>
         <translation>{name} ist kein Name für ein Projekt; er muss auf {suffix} enden, etwa {better}.</translation>
+    </message>
+    <message>
+        <source>{name} is no number</source>
+        <translation>{name} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{name} is no number and no animated value</source>
+        <translation>{name} ist weder Zahl noch animierter Wert</translation>
+    </message>
+    <message>
+        <source>{name} is no text</source>
+        <translation>{name} ist kein Text</translation>
+    </message>
+    <message>
+        <source>{name} is no whole number</source>
+        <translation>{name} ist keine ganze Zahl</translation>
     </message>
     <message>
         <source>{name} is not exported.</source>
@@ -8218,8 +8538,16 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist ein Name für {kind}-Dateien, verlangt ist aber {asked}.</translation>
     </message>
     <message>
+        <source>{name} is {value:g}, not between {low:g} and {high:g}</source>
+        <translation>{name} ist {value:g}, nicht zwischen {low:g} und {high:g}</translation>
+    </message>
+    <message>
         <source>{name} is {who}.</source>
         <translation>{name} ist {who}.</translation>
+    </message>
+    <message>
+        <source>{name} lies not between {low} and {high}</source>
+        <translation>{name} liegt nicht zwischen {low} und {high}</translation>
     </message>
     <message>
         <source>{name} lies {where} from frame {frame} on.</source>

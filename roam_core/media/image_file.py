@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -129,10 +130,8 @@ def read_channels(file: Path) -> Image | None:
     """
     source = opened_image(file)
     if source is not None and _bytes_told(source.spec()) > MOST_BYTES:
-        much = sentence(
-            "{file} holds more than {most} MiB of pixels; give a mask of one channel.", file=file, most=MOST_BYTES >> 20
-        )
-        raise RoamError(much)
+        told_of = {"file": file, "most": MOST_BYTES >> 20}
+        raise RoamError(sentence("{file} holds more than {most} MiB of pixels; give a mask of one channel.", **told_of))
     told = mask_channels(_parts(source)) if source is not None and _is_exr(source) else None
     part = 0 if told is None else told.part
     is_there = source is not None and source.seek_subimage(part, 0)
@@ -444,7 +443,7 @@ def _said_space(spec: Any) -> str | None:
 
 def _reason(speaker: Any) -> str:
     """What OpenImageIO, or one of its readers, says of the last failure, in one line."""
-    try:
-        return " ".join(speaker.geterror().split()) or "no reason given"
-    except UnicodeDecodeError:  # the message quotes bytes of the damaged file
-        return "no reason given"
+    told = ""
+    with suppress(UnicodeDecodeError):  # the message quotes bytes of the damaged file
+        told = " ".join(speaker.geterror().split())
+    return told or sentence("no reason given")

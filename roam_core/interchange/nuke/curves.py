@@ -12,7 +12,7 @@ from roam_core.arrays import Array, Indices
 from roam_core.geometry import projective
 from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import MAX_NUMBER
-from roam_core.translatable import sentence
+from roam_core.translatable import N_, sentence
 
 STEP, STRAIGHT, CUBIC = range(3)
 """Interpolation numbers of a key; all that are not the first two are cubics."""
@@ -254,7 +254,7 @@ class Transform:
     @property
     def unknown(self) -> list[str]:
         """Parts that are set and that this reader leaves out."""
-        ranges = {"rotation in depth": (ROTATE, ROTATE + 2), "skew": (SKEW, EXTRA)}
+        ranges = {N_("rotation in depth"): (ROTATE, ROTATE + 2), N_("skew"): (SKEW, EXTRA)}
         return [name for name, (start, stop) in ranges.items() if any(i in self.parts for i in range(start, stop))]
 
     def matrices(self, moments: Array) -> Array:

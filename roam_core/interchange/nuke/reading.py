@@ -403,7 +403,7 @@ class _NodeReader:
             self._teller(kind, name)(sentence("its transform was left out, {reason}", reason=said_by(error)))
             return Transform({})
         for part in form.unknown:
-            self._teller(kind, name)(sentence("the {part} of its transform was left out", part=part))
+            self._teller(kind, name)(sentence("the {part} of its transform was left out", part=sentence(part)))
         return form
 
     def _true(self, name: str) -> str:
