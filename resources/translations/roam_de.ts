@@ -8095,23 +8095,23 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>{files} is no plain file and cannot be written over; name another.</source>
-        <translation>{files} ist keine gewöhnliche Datei und kann nicht überschrieben werden; eine andere angeben.</translation>
+        <translation>{files}: Das ist keine gewöhnliche Datei und kann nicht überschrieben werden; eine andere angeben.</translation>
     </message>
     <message>
         <source>{files} is read for this and is never written over; name another place.</source>
-        <translation>{files} wird hierfür gelesen und niemals überschrieben; einen anderen Ort angeben.</translation>
+        <translation>{files}: Das wird hierfür gelesen und niemals überschrieben; einen anderen Ort angeben.</translation>
     </message>
     <message>
         <source>{files} is there already and is no file of this kind that ROAM made; name another place, or say --overwrite.</source>
-        <translation>{files} gibt es schon und stammt nicht als Datei dieser Art von ROAM; einen anderen Ort angeben, oder --overwrite.</translation>
+        <translation>{files}: Das gibt es schon und stammt nicht als Datei dieser Art von ROAM; einen anderen Ort angeben, oder --overwrite.</translation>
     </message>
     <message>
         <source>{files} would be written twice; give each result a place of its own.</source>
-        <translation>{files} würde zweimal geschrieben; jedem Ergebnis einen eigenen Ort geben.</translation>
+        <translation>{files}: Das würde zweimal geschrieben; jedem Ergebnis einen eigenen Ort geben.</translation>
     </message>
     <message>
         <source>{files} would lie among the frames of the plate; choose another folder.</source>
-        <translation>{files} läge unter den Frames der Plate; einen anderen Ordner wählen.</translation>
+        <translation>{files}: Das läge unter den Frames der Plate; einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>{file} asks for too much memory; it is damaged or too large.</source>
