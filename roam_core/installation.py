@@ -18,7 +18,6 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
-from roam_core.translatable import N_, sentence
 
 if TYPE_CHECKING:
     from resources import demo as demo
@@ -38,7 +37,7 @@ WINDOW_MISSING = (
 
 STUDIO_LIBRARIES = ("distributed", "cryptography")
 """What processes of this machine ask for, of all that the extra `studio` brings."""
-STUDIO_MISSING = N_(
+STUDIO_MISSING = (
     "{library} is not installed; what batches and farms need is installed with: python -m pip install "
     '"roam-roto[studio]" (in a checkout of ROAM: ".[studio]").'
 )
@@ -68,7 +67,7 @@ def studio_module(name: str) -> Any:
     """
     library = name.partition(".")[0]
     if find_spec(library) is None:
-        raise RoamError(sentence(STUDIO_MISSING, library=library))
+        raise RoamError(STUDIO_MISSING.format(library=library))
     return import_module(name)
 
 

@@ -8242,10 +8242,6 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{left} Flecken und Löcher auf {count} Masken entfallen, jedes unter {speck:.0f} Quadratpixeln; die kleinste Fläche, der gefolgt wird, ist wählbar (--speckle).</translation>
     </message>
     <message>
-        <source>{library} is not installed; what batches and farms need is installed with: python -m pip install &quot;roam-roto[studio]&quot; (in a checkout of ROAM: &quot;.[studio]&quot;).</source>
-        <translation>{library} ist nicht installiert; was Stapel und Farmen brauchen, installiert: python -m pip install &quot;roam-roto[studio]&quot; (in einem Checkout von ROAM: &quot;.[studio]&quot;).</translation>
-    </message>
-    <message>
         <source>{made} {unwritten}</source>
         <translation>{made} {unwritten}</translation>
     </message>

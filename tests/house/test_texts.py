@@ -37,7 +37,7 @@ NAMES = {
     "PySide6-Essentials", "License-Expression",
 }  # fmt: skip
 """Names, the same in all languages: programs, libraries, what stands in files under a name."""
-ON_THE_COMMAND_LINE = {"cli", "studio", "params", "demo"}
+ON_THE_COMMAND_LINE = {"cli", "studio", "params", "installation"}
 """Rooms of the engine whose refusals and notes no window shows."""
 SAID_ELSEWHERE = {"LossyExport"}
 """Errors whose parts are shown, each a sentence, and not their own text."""
