@@ -13,7 +13,7 @@ from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 from roam_core.system_errors import reason_of
 
-from .translation import tr, translated
+from .translation import sentence_of, tr, translated
 
 Value = TypeVar("Value")
 
@@ -48,7 +48,7 @@ def loaded(path: Path, load: Callable[[Path], Value], default: Value) -> tuple[V
     try:
         return load(path), ""
     except RoamError as error:
-        return default, f"{error} {set_aside(path)}"
+        return default, f"{sentence_of(error)} {set_aside(path)}"
 
 
 def set_aside(path: Path) -> str:

@@ -10,6 +10,9 @@ from roam_core.errors import RoamError
 from roam_core.system_errors import reason_of
 from roam_core.translatable import sentence
 
+SPLIT = sentence("split it into several files")
+"""What is advised of a large file, where nothing better is known."""
+
 
 def require_regular(path: Path) -> None:
     """Refuse what is no regular file: opening a pipe would wait for its other end, and a device may never end.
@@ -37,13 +40,14 @@ def require_regular(path: Path) -> None:
         )
 
 
-def bounded_bytes(path: Path, most: int, remedy: str = "split it into several files") -> bytes:
+def bounded_bytes(path: Path, most: int, remedy: str = "") -> bytes:
     """The content of a regular file of at most `most` bytes.
 
     Raises
     ------
     RoamError
-        for whatever prevents it, as `require_regular` does; a larger file is refused with `remedy`, before it is read.
+        for whatever prevents it, as `require_regular` does; a larger file is refused before it is read, with
+        `remedy`, a sentence without its dot.
     """
     require_regular(path)
     try:
@@ -56,7 +60,9 @@ def bounded_bytes(path: Path, most: int, remedy: str = "split it into several fi
     except OSError as error:
         raise _unreadable(path, error) from None
     if is_larger or len(content) > most:
-        raise RoamError(f"{path} is larger than {_size(most)}; {remedy}.")
+        raise RoamError(
+            sentence("{path} is larger than {size}; {remedy}.", path=path, size=_size(most), remedy=remedy or SPLIT)
+        )
     return content
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from roam_core.errors import RoamError
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 
 @dataclass(frozen=True)
@@ -142,5 +142,13 @@ def _factor(dial: Dial, text: str) -> float:
     except ValueError:
         factor = float("nan")
     if not dial.low <= factor <= dial.high:
-        raise RoamError(f"{dial.name}={text} makes no sense; give a number from {dial.low:g} to {dial.high:g}.")
+        raise RoamError(
+            sentence(
+                "{name}={text} makes no sense; give a number from {low:g} to {high:g}.",
+                name=dial.name,
+                text=text,
+                low=dial.low,
+                high=dial.high,
+            )
+        )
     return factor

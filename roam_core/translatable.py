@@ -41,6 +41,22 @@ def _again(template: str, values: Mapping[str, object]) -> Sentence:
     return sentence(template, **values)
 
 
+def said_by(error: BaseException) -> str:
+    """What an error says, to be told within another sentence: its own sentence, where it was raised with one."""
+    return error.args[0] if error.args and isinstance(error.args[0], Sentence) else str(error)
+
+
 def listed(words: Sequence[str]) -> str:
     """`feather and motion blur`: words that are sentences of their own, joined."""
     return reduce(lambda before, after: sentence("{before} and {after}", before=before, after=after), words)
+
+
+def enumerated(words: Sequence[str], most: int | None = None) -> str:
+    """`a, b and 3 more`: words that may be sentences, joined; no more than `most` of them, and how many others."""
+    more = 0 if most is None else len(words) - most
+    shown = words[:most]
+    if any(isinstance(word, Sentence) for word in shown):
+        names = reduce(lambda before, after: sentence("{before}, {after}", before=before, after=after), shown)
+    else:
+        names = ", ".join(shown)
+    return sentence("{names} and {count} more", names=names, count=more) if more > 0 else names

@@ -126,7 +126,7 @@ class Files(QObject):
         def work(report: Report) -> str:
             report.progress(0.0, tr("Looking at {name} …", name=path.name))
             report.partial(looked_at(path, layer, held))
-            return config_trouble()
+            return translated(config_trouble())
 
         job = self._runner.start("look", work)
         job.progress.connect(self.progress)
@@ -146,7 +146,7 @@ class Files(QObject):
             sentence = tr(
                 "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=gaps_of(source)
             ).rstrip()
-            told = (sentence, translated(unseen(source)), config_trouble())
+            told = (sentence, translated(unseen(source)), translated(config_trouble()))
             return Found(project, source, " ".join(filter(None, told)))
 
         self._open(tr("Opening {name} …", name=path.name), read, origin=path)
@@ -219,7 +219,7 @@ class Files(QObject):
         def read() -> Found:
             found = read_project(path)
             first = tr("A copy of {name}; save to keep it.", name=path.name)
-            sentence = " ".join(filter(None, (first, departed_settings(found.project.shapes))))
+            sentence = " ".join(filter(None, (first, translated(departed_settings(found.project.shapes)))))
             return Found(found.project, found.source, sentence, is_unsaved=True, before=found.before)
 
         self._open(tr("Opening {name} …", name=path.name), read)
@@ -242,7 +242,7 @@ class Files(QObject):
             source, problem = plate_of(project)
             first = " ".join(filter(None, (loss, problem))) or tr("Recovered; save to keep it.")
             project, before, numbers = with_numbers(project, source)
-            sentence = " ".join(filter(None, (first, numbers, departed_settings(project.shapes))))
+            sentence = " ".join(filter(None, (first, numbers, translated(departed_settings(project.shapes)))))
             return Found(
                 project,
                 source,

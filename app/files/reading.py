@@ -19,7 +19,7 @@ from roam_core.system_errors import reason_of
 
 from ..jobs.runner import Report, Work
 from ..model.document import PROJECT_SUFFIX
-from ..translation import N_, tr, translated
+from ..translation import N_, sentence_of, tr, translated
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -142,7 +142,7 @@ def read_project(path: Path) -> Found:
         else tr(" Its plate was found at {path}; save to keep that.", path=project.require_clip().path)
     )
     told = problem or tr("Opened {name}.{moved}", name=path.name, moved=moved)
-    more = [_older(project, version), departed_settings(project.shapes)]
+    more = [_older(project, version), translated(departed_settings(project.shapes))]
     numbered, before, numbers = with_numbers(project, source)
     beyond = "" if before else _beyond(project, source)
     sentence = " ".join(filter(None, (told, numbers, beyond, *more)))
@@ -193,7 +193,9 @@ def plate_of(project: Project) -> tuple[Any, str]:
     try:
         source = declared(open_plate(clip), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:
-        return None, tr("The plate could not be opened; choose it again in the File menu. {error}", error=error)
+        return None, tr(
+            "The plate could not be opened; choose it again in the File menu. {error}", error=sentence_of(error)
+        )
     return source, differences(project, source)
 
 

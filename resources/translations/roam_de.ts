@@ -101,6 +101,54 @@
         <source> {shapes} edited or locked meanwhile: left as they are.</source>
         <translation> {shapes} inzwischen bearbeitet oder gesperrt und nicht verändert.</translation>
     </message>
+    <message>
+        <source>&quot;colour&quot; must be a list of three numbers</source>
+        <translation>&quot;colour&quot; muss eine Liste aus drei Zahlen sein</translation>
+    </message>
+    <message>
+        <source>&quot;kind&quot; must be &quot;layer&quot; or &quot;shape&quot;</source>
+        <translation>&quot;kind&quot; muss &quot;layer&quot; oder &quot;shape&quot; sein</translation>
+    </message>
+    <message>
+        <source>&quot;lifetime&quot; must be null or a first frame and the frame after the last</source>
+        <translation>&quot;lifetime&quot; muss null sein oder der erste Frame und der nach dem letzten</translation>
+    </message>
+    <message>
+        <source>&quot;lifetime&quot; must not end before it begins</source>
+        <translation>&quot;lifetime&quot; darf nicht enden, bevor es beginnt</translation>
+    </message>
+    <message>
+        <source>&quot;motion_blur&quot; must be null or an object</source>
+        <translation>&quot;motion_blur&quot; muss null oder ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>&quot;slopes&quot; must be two numbers</source>
+        <translation>&quot;slopes&quot; müssen zwei Zahlen sein</translation>
+    </message>
+    <message>
+        <source>&quot;{field}&quot; must be a list</source>
+        <translation>&quot;{field}&quot; muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>&quot;{field}&quot; must be a number</source>
+        <translation>&quot;{field}&quot; muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>&quot;{field}&quot; must be a text</source>
+        <translation>&quot;{field}&quot; muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>&quot;{field}&quot; must be one of {words}</source>
+        <translation>&quot;{field}&quot; muss eines davon sein: {words}</translation>
+    </message>
+    <message>
+        <source>&quot;{field}&quot; must be true or false</source>
+        <translation>&quot;{field}&quot; muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>&quot;{field}&quot; must lie between 0 and 1</source>
+        <translation>&quot;{field}&quot; muss zwischen 0 und 1 liegen</translation>
+    </message>
     <message numerus="yes">
         <source>%n boiling frame(s)</source>
         <translation>
@@ -256,8 +304,16 @@
         </translation>
     </message>
     <message>
+        <source>&apos;the {what} of {name}&apos;</source>
+        <translation>&apos;{what} von {name}&apos;</translation>
+    </message>
+    <message>
         <source>, a key</source>
         <translation>, ein Keyframe</translation>
+    </message>
+    <message>
+        <source>, and joins its even feather roughly</source>
+        <translation>, und schließt grob an die gleichmäßige weiche Kante an</translation>
     </message>
     <message>
         <source>, worth a look</source>
@@ -280,6 +336,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>1 frame, {each:.0f} ms</source>
         <translation>1 Frame, {each:.0f} ms</translation>
+    </message>
+    <message>
+        <source>1 key</source>
+        <translation>1 Keyframe</translation>
     </message>
     <message>
         <source>100 %</source>
@@ -314,12 +374,24 @@ Jetzt: {level}, {changes}</translation>
         <translation>; Konfidenz {confidence:.2f}</translation>
     </message>
     <message>
+        <source>; not held on frame {frames}</source>
+        <translation>; nicht gehalten auf Frame {frames}</translation>
+    </message>
+    <message>
         <source>; what came after them is damaged</source>
         <translation>; was danach kam, ist beschädigt</translation>
     </message>
     <message>
         <source>A closed shape needs at least {min_points_closed} points; click to place more.</source>
         <translation>Eine geschlossene Form braucht mindestens {min_points_closed} Punkte; weitere durch Klicken setzen.</translation>
+    </message>
+    <message>
+        <source>A contact sheet has {least} to {most} {what}, not {number}.</source>
+        <translation>Ein Kontaktbogen hat {least} bis {most} {what}, nicht {number}.</translation>
+    </message>
+    <message>
+        <source>A contact sheet is written as PNG; {name} does not end in .png.</source>
+        <translation>Ein Kontaktbogen wird als PNG geschrieben; {name} endet nicht auf .png.</translation>
     </message>
     <message>
         <source>A copy of {name}; save to keep it.</source>
@@ -342,12 +414,32 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ein Keyframe alle so viele Frames; 0: nur an beiden Enden des Bereichs</translation>
     </message>
     <message>
+        <source>A keyframe of {name} has no frame number: it was left out.</source>
+        <translation>Ein Keyframe von {name} hat keine Framenummer und entfällt.</translation>
+    </message>
+    <message>
         <source>A layer was copied, and its properties go to layers: select one, or copy a shape.</source>
         <translation>Kopiert ist eine Ebene, deren Eigenschaften Ebenen bekommen: eine auswählen, oder eine Form kopieren.</translation>
     </message>
     <message>
         <source>A locked shape cannot be changed by hand</source>
         <translation>Eine gesperrte Form lässt sich nicht von Hand ändern</translation>
+    </message>
+    <message>
+        <source>A mask of shape {shape} has its channels first; give one of them, such as mask[0].</source>
+        <translation>Eine Maske der Form {shape} hat ihre Kanäle vorn; einen davon geben, etwa mask[0].</translation>
+    </message>
+    <message>
+        <source>A mask of shape {shape} is no image; give one of (height, width) pixels.</source>
+        <translation>Eine Maske der Form {shape} ist kein Bild; eine mit (Höhe, Breite) Pixeln geben.</translation>
+    </message>
+    <message>
+        <source>A mask of {name} is damaged and was left out ({reason}).</source>
+        <translation>Eine Maske von {name} ist beschädigt und entfällt ({reason}).</translation>
+    </message>
+    <message>
+        <source>A matte of {width} x {height} pixels cannot be encoded as PNG.</source>
+        <translation>Eine Matte von {width} x {height} Pixeln lässt sich nicht als PNG kodieren.</translation>
     </message>
     <message>
         <source>A movie ends in {suffixes}; pictures go to a folder.</source>
@@ -372,6 +464,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>A point that is dragged, enlarged</source>
         <translation>Ein Punkt, der gezogen wird, vergrößert</translation>
+    </message>
+    <message>
+        <source>A polygon of {name} is damaged and was left out.</source>
+        <translation>Ein Polygon von {name} ist beschädigt und entfällt.</translation>
     </message>
     <message>
         <source>A short shot to try everything on</source>
@@ -512,6 +608,22 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>An error inside ROAM ended the work: {error}. Help &gt; Problem report… tells more.</source>
         <translation>Ein Fehler in ROAM hat die Arbeit beendet: {error}. Hilfe &gt; Problembericht… sagt mehr.</translation>
+    </message>
+    <message>
+        <source>An offset of {offset} would number frames beyond {most}; choose a smaller one.</source>
+        <translation>Ein Versatz von {offset} würde Frames jenseits von {most} nummerieren; einen kleineren wählen.</translation>
+    </message>
+    <message>
+        <source>An opacity or feather has a key on frame {frame}; Nuke rounds those beyond {most}.</source>
+        <translation>Eine Deckkraft oder weiche Kante hat einen Keyframe auf Frame {frame}; Nuke rundet jenseits von {most}.</translation>
+    </message>
+    <message>
+        <source>An outline of {name} is damaged and was left out.</source>
+        <translation>Ein Umriss von {name} ist beschädigt und entfällt.</translation>
+    </message>
+    <message>
+        <source>Annotations without an image of the file were left out.</source>
+        <translation>Annotationen ohne ein Bild der Datei entfallen.</translation>
     </message>
     <message>
         <source>Another colour…</source>
@@ -770,6 +882,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>CVAT blendet in Dateien keine Tracks aus: Das unsichtbare {name} ist dort zu sehen.</translation>
     </message>
     <message>
+        <source>CVAT&apos;s {kind} was left out: ROAM reads outlines only.</source>
+        <translation>{kind} aus CVAT entfällt: ROAM liest nur Umrisse.</translation>
+    </message>
+    <message>
         <source>Cannot allocate memory</source>
         <translation>Der Arbeitsspeicher reicht nicht</translation>
     </message>
@@ -1008,6 +1124,14 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Cryptomatte</source>
         <translation>Cryptomatte</translation>
+    </message>
+    <message>
+        <source>Cryptomatte cannot tell {other!r} from {word!r}: it knows both by {bits:08x}. Give one of them another name.</source>
+        <translation>Cryptomatte kann {other!r} nicht von {word!r} unterscheiden: Es kennt beide als {bits:08x}. Eines davon anders nennen.</translation>
+    </message>
+    <message>
+        <source>Cryptomatte is {own} deep, not {depth}: its numbers stand for names.</source>
+        <translation>Cryptomatte ist {own} tief, nicht {depth}: Seine Zahlen stehen für Namen.</translation>
     </message>
     <message>
         <source>Ctrl+Alt+click</source>
@@ -1344,6 +1468,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Edits make keys on their frames; off: they change keys around</source>
         <translation>Änderungen setzen Keyframes auf ihren Frames; aus: Sie ändern die Keyframes ringsum</translation>
+    </message>
+    <message>
+        <source>Elements of the kind {kind} were left out: ROAM reads outlines only.</source>
+        <translation>Elemente der Art {kind} entfallen: ROAM liest nur Umrisse.</translation>
     </message>
     <message>
         <source>Ellipse</source>
@@ -1733,8 +1861,16 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame {frame} ist {size}, der davor {other}; alle Frames eines Shots müssen gleich groß sein.</translation>
     </message>
     <message>
+        <source>Frame {frame} lies outside of the clip&apos;s, which are {first} to {last}.</source>
+        <translation>Frame {frame} liegt außerhalb des Clips mit den Frames {first} bis {last}.</translation>
+    </message>
+    <message>
         <source>Frame {frame} of {path} cannot be decoded; the movie is damaged or cut short.</source>
         <translation>Frame {frame} von {path} lässt sich nicht dekodieren; der Film ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {path} differs in size from the first; a plate needs one size.</source>
+        <translation>Frame {frame} von {path} hat eine andere Größe als der erste; alle Frames einer Plate brauchen dieselbe.</translation>
     </message>
     <message>
         <source>Frame {frame} of {path} is missing: the files there are {first} to {last}, with {count} missing between.</source>
@@ -1751,6 +1887,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Frame {frame} of {path} is missing: {file} is no longer there.</source>
         <translation>Frame {frame} von {path} fehlt: {file} ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} of {refusal}</source>
+        <translation>Frame {frame} von {refusal}</translation>
     </message>
     <message>
         <source>Frame {frame} shows nothing; track from a frame that does.</source>
@@ -2310,6 +2450,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keyframes auf den Frames {low} bis {high} liegen jetzt neben dem Clip, der {first} bis {last} hat; &lt;key.shift&gt; verschiebt Keyframes.</translation>
     </message>
     <message>
+        <source>Keys were tracked {how}.</source>
+        <translation>Keyframes wurden getrackt {how}.</translation>
+    </message>
+    <message>
         <source>Keys, lifetimes, opacity and feather, depth and the motion of layers go along; the clip stays. Earlier is below zero.</source>
         <translation>Keyframes, Lebensdauer, Deckkraft und Feather, Tiefe und die Bewegung von Ebenen gehen mit; der Clip bleibt. Früher heißt: unter null.</translation>
     </message>
@@ -2610,6 +2754,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Masken lassen sich in After Effects nicht ausblenden: {name!r} hat den Modus „Ohne“ statt {blend}.</translation>
     </message>
     <message>
+        <source>Masks have no keys of an artist&apos;s; ask for every key or for reduced ones.</source>
+        <translation>Masken haben keine von Hand gesetzten Keyframes; alle oder reduzierte Keyframes verlangen.</translation>
+    </message>
+    <message>
+        <source>Masks of the kind {kind} are not read.</source>
+        <translation>Masken der Art {kind} werden nicht gelesen.</translation>
+    </message>
+    <message>
         <source>Match the plate&apos;s edge</source>
         <translation>An Kante der Plate anpassen</translation>
     </message>
@@ -2624,6 +2776,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Mattes (PNG, EXR, TIFF)</source>
         <translation>Mattes (PNG, EXR, TIFF)</translation>
+    </message>
+    <message>
+        <source>Mattes are written as PNG, EXR or TIFF; {name} would be none of these.</source>
+        <translation>Mattes werden als PNG, EXR oder TIFF geschrieben; {name} wäre nichts davon.</translation>
+    </message>
+    <message>
+        <source>Mattes have 8 or 16 bits, not {bits}.</source>
+        <translation>Mattes haben 8 oder 16 Bit, nicht {bits}.</translation>
     </message>
     <message>
         <source>Mattes of</source>
@@ -2854,6 +3014,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Nächster Vorschlag</translation>
     </message>
     <message>
+        <source>No backup of {path} can be kept: files of others have the names of its backups.</source>
+        <translation>Von {path} kann keine Sicherung aufgehoben werden: Fremde Dateien tragen die Namen der Sicherungen.</translation>
+    </message>
+    <message>
         <source>No backup of {path} can be kept: {reason} ({folder}).</source>
         <translation>Von {path} kann keine Sicherung aufgehoben werden: {reason} ({folder}).</translation>
     </message>
@@ -2878,12 +3042,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Hier läuft kein Encoder für Filme mit {suffix}; einen Ordner nennen, dann wird jeder Frame als Bild geschrieben.</translation>
     </message>
     <message>
+        <source>No file in {folder} follows the pattern {name}; {hint}.</source>
+        <translation>Keine Datei in {folder} passt zum Muster {name}; {hint}.</translation>
+    </message>
+    <message>
         <source>No font of this machine has {named}: {unknown} stands for each; install a font that has them.</source>
         <translation>Keine Schrift dieses Rechners hat {named}: Für jedes steht {unknown}; bitte eine passende Schrift installieren.</translation>
     </message>
     <message>
         <source>No frame between these keys shows anything: there is nothing to fill.</source>
         <translation>Kein Frame zwischen diesen Keyframes zeigt etwas: Es gibt nichts zu füllen.</translation>
+    </message>
+    <message>
+        <source>No frame is numbered {offset} too high; choose a smaller offset.</source>
+        <translation>Kein Frame ist um {offset} zu hoch nummeriert; einen kleineren Versatz wählen.</translation>
     </message>
     <message>
         <source>No frame is tracked yet.</source>
@@ -2902,6 +3074,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Kein Keyframe: Die Form steht wie auf Frame {frame}</translation>
     </message>
     <message>
+        <source>No landmark was found on {least} frame(s) or more; {path} was not written.</source>
+        <translation>Keine Landmarke fand sich auf {least} Frames oder mehr; {path} wurde nicht geschrieben.</translation>
+    </message>
+    <message>
         <source>No motion blur.</source>
         <translation>Keine Bewegungsunschärfe.</translation>
     </message>
@@ -2910,8 +3086,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Um diese Stelle endet kein Objekt; stattdessen einen Rahmen darum ziehen.</translation>
     </message>
     <message>
+        <source>No plate was named; give a folder of images, a pattern, an image or a movie.</source>
+        <translation>Es ist keine Plate genannt; einen Ordner mit Bildern, ein Muster, ein Bild oder einen Film angeben.</translation>
+    </message>
+    <message>
         <source>No point lies under the brush; Ctrl and the wheel make it wider.</source>
         <translation>Unter dem Pinsel liegt kein Punkt; Strg und Mausrad machen ihn größer.</translation>
+    </message>
+    <message>
+        <source>No point was found on frame {frame}; put them anew there, or make their areas larger.</source>
+        <translation>Auf Frame {frame} wurde kein Punkt gefunden; dort neu setzen, oder ihre Bereiche vergrößern.</translation>
     </message>
     <message>
         <source>No proposal waits for an answer.</source>
@@ -3008,6 +3192,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing is tracked yet whose boil could be measured.</source>
         <translation>Noch ist nichts getrackt, dessen Flimmern sich messen ließe.</translation>
+    </message>
+    <message>
+        <source>Nothing is white in the masks {path}; paint the object white and the rest black.</source>
+        <translation>In den Masken {path} ist nichts weiß; das Objekt weiß malen und den Rest schwarz.</translation>
     </message>
     <message>
         <source>Nothing is white in {name}; paint the object white and the rest black.</source>
@@ -3271,6 +3459,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Offen: wird nicht getrackt</translation>
     </message>
     <message>
+        <source>OpenColorIO cannot convert {spaces}: {reason}.</source>
+        <translation>OpenColorIO kann {spaces} nicht umrechnen: {reason}.</translation>
+    </message>
+    <message>
+        <source>OpenColorIO cannot show the view {view} on {display}: {reason}.</source>
+        <translation>OpenColorIO kann die Ansicht {view} auf {display} nicht zeigen: {reason}.</translation>
+    </message>
+    <message>
         <source>Opened lately</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
@@ -3465,6 +3661,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Pictures (PNG)</source>
         <translation>Bilder (PNG)</translation>
+    </message>
+    <message>
+        <source>Pictures are scaled by {least:g} to {most:g}, not by {scale:g}.</source>
+        <translation>Bilder werden mit {least:g} bis {most:g} skaliert, nicht mit {scale:g}.</translation>
     </message>
     <message>
         <source>Pictures beside each other on a page</source>
@@ -4353,6 +4553,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>In Silhouette gilt der Verschluss der Sitzung: Der von {name!r} entfällt.</translation>
     </message>
     <message>
+        <source>Silhouette&apos;s shutter is the session&apos;s: {name} has ROAM&apos;s own.</source>
+        <translation>In Silhouette gilt der Verschluss der Sitzung: {name} hat den von ROAM.</translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>Größe</translation>
     </message>
@@ -4467,6 +4671,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Speed</source>
         <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Splines of other numbers of points than the first were left out: no point moves between them.</source>
+        <translation>Splines mit anderer Punktzahl als der erste entfallen: Zwischen ihnen bewegt sich kein Punkt.</translation>
     </message>
     <message>
         <source>Split shape</source>
@@ -4593,6 +4801,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>{keys} strecken: sie reichen von Frame {first} bis {last}.</translation>
     </message>
     <message>
+        <source>Style rules with {rule} were left out.</source>
+        <translation>Stilregeln mit {rule} entfallen.</translation>
+    </message>
+    <message>
         <source>Subtract</source>
         <translation>Subtrahieren</translation>
     </message>
@@ -4641,8 +4853,24 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Der B-Spline {name!r} wird als Bézier geschrieben: dieselbe Kurve mit anderen Tangenten.</translation>
     </message>
     <message>
+        <source>The OpenColorIO configuration {path} cannot be read: {reason}. Correct ${variable}, or unset it.</source>
+        <translation>Die OpenColorIO-Konfiguration {path} kann nicht gelesen werden: {reason}. ${variable} korrigieren oder löschen.</translation>
+    </message>
+    <message>
+        <source>The area of specks must be a number of square pixels, not {speckle:g}.</source>
+        <translation>Die Fläche von Flecken muss eine Zahl von Quadratpixeln sein, nicht {speckle:g}.</translation>
+    </message>
+    <message>
+        <source>The bitmap mask {name} was left out: its picture is not made of masks.</source>
+        <translation>Die Bitmap-Maske {name} entfällt: Ihr Bild besteht nicht aus Masken.</translation>
+    </message>
+    <message>
         <source>The blue channel alone, and back</source>
         <translation>Nur der blaue Kanal, und zurück</translation>
+    </message>
+    <message>
+        <source>The border of {name}, which moves its edge, is not read.</source>
+        <translation>Der Rand von {name}, der die Kante verschiebt, wird nicht gelesen.</translation>
     </message>
     <message>
         <source>The box is too small; drag one of at least {least:.0f} pixels around the object.</source>
@@ -4671,6 +4899,22 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>The clip&apos;s frames a second; while it plays, those that are shown, and the speed</source>
         <translation>Frames pro Sekunde des Clips; beim Abspielen die gezeigten und die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The clipboard</source>
+        <translation>Die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no shapes of a kind that ROAM reads.</source>
+        <translation>Die Zwischenablage enthält keine Formen einer Art, die ROAM liest.</translation>
+    </message>
+    <message>
+        <source>The colour space {name!r} is not known; choose one of {spaces}, or of the OpenColorIO configuration: {others}.</source>
+        <translation>Der Farbraum {name!r} ist nicht bekannt; einen aus {spaces} wählen oder aus der OpenColorIO-Konfiguration: {others}.</translation>
+    </message>
+    <message>
+        <source>The colour space {space!r} is not known to the OpenColorIO configuration {path}; choose another, or set ${variable} to the one that has it.</source>
+        <translation>Die OpenColorIO-Konfiguration {path} kennt den Farbraum {space!r} nicht; einen anderen wählen oder ${variable} auf die setzen, die ihn hat.</translation>
     </message>
     <message>
         <source>The copied keys are of other shapes: select those, or as many shapes as were copied.</source>
@@ -4713,6 +4957,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Das Ziehen wurde verworfen: Seine Form oder der Frame hat sich inzwischen geändert.</translation>
     </message>
     <message>
+        <source>The drawing measures {wide} x {high}: it was fitted to the clip&apos;s {clip_width} x {clip_height} pixels, each axis by its own ratio.</source>
+        <translation>Die Zeichnung misst {wide} x {high}: Sie wurde in die {clip_width} x {clip_height} Pixel des Clips eingepasst, jede Achse mit eigenem Faktor.</translation>
+    </message>
+    <message>
+        <source>The drawing measures {wide} x {high}: it was fitted to the clip&apos;s {clip_width} x {clip_height} pixels.</source>
+        <translation>Die Zeichnung misst {wide} x {high}: Sie wurde in die {clip_width} x {clip_height} Pixel des Clips eingepasst.</translation>
+    </message>
+    <message>
         <source>The energy is the engine&apos;s measure of how badly outlines agree with the picture:
 the farther it falls, the more speaks for the change.</source>
         <translation>Die Energie misst, wie schlecht Umrisse mit dem Bild übereinstimmen:
@@ -4749,6 +5001,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The few numbers of the engine that are worth turning</source>
         <translation>Die wenigen Zahlen der Engine, an denen Drehen sich lohnt</translation>
+    </message>
+    <message>
+        <source>The file ends within the node {name}: what is whole was read.</source>
+        <translation>Die Datei endet mitten im Knoten {name}: Gelesen wurde, was vollständig ist.</translation>
+    </message>
+    <message>
+        <source>The file speaks of pictures of {width:g} x {height:g} pixels, the clip has {clip_width} x {clip_height}: the shapes were scaled, each axis by its own ratio.</source>
+        <translation>Die Datei spricht von Bildern mit {width:g} x {height:g} Pixeln, der Clip hat {clip_width} x {clip_height}: Die Formen wurden skaliert, jede Achse mit eigenem Faktor.</translation>
+    </message>
+    <message>
+        <source>The file speaks of pictures of {width:g} x {height:g} pixels, the clip has {clip_width} x {clip_height}: the shapes were scaled.</source>
+        <translation>Die Datei spricht von Bildern mit {width:g} x {height:g} Pixeln, der Clip hat {clip_width} x {clip_height}: Die Formen wurden skaliert.</translation>
+    </message>
+    <message>
+        <source>The filter of {name} was left out.</source>
+        <translation>Der Filter von {name} entfällt.</translation>
     </message>
     <message>
         <source>The first frame</source>
@@ -4791,6 +5059,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die vier Ecken müssen Ecken einer Fläche bleiben: keine darf deren Seiten überqueren.</translation>
     </message>
     <message>
+        <source>The frame of the {what} of {name} was left out: what lies beyond it masks, too.</source>
+        <translation>Ein Rahmen entfällt, {what} von {name}: Auch was außerhalb liegt, maskiert.</translation>
+    </message>
+    <message>
+        <source>The frame of {name} was left out: what lies beyond it shows, too.</source>
+        <translation>Der Rahmen von {name} entfällt: Auch was außerhalb liegt, ist zu sehen.</translation>
+    </message>
+    <message>
         <source>The frames on which a track moves the layer</source>
         <translation>Die Frames, auf denen ein Track die Ebene bewegt</translation>
     </message>
@@ -4805,6 +5081,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The green channel alone, and back</source>
         <translation>Nur der grüne Kanal, und zurück</translation>
+    </message>
+    <message>
+        <source>The grey of {name} in a mask was read as its opacity.</source>
+        <translation>Das Grau von {name} in einer Maske wurde als Deckkraft gelesen.</translation>
+    </message>
+    <message>
+        <source>The images&apos; names do not number the clip&apos;s frames: they were taken in their order.</source>
+        <translation>Die Namen der Bilder nummerieren nicht die Frames des Clips: Sie wurden der Reihe nach genommen.</translation>
     </message>
     <message>
         <source>The inversion and visibility of the root layer are lost: it is no object.</source>
@@ -4831,8 +5115,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Journal {journal} hat keinen Anfang; daraus lässt sich nichts wiederherstellen.</translation>
     </message>
     <message>
+        <source>The key of {name!r} on frame {frame} does not say which configuration made it; track it again.</source>
+        <translation>Der Keyframe von {name!r} auf Frame {frame} nennt nicht die Konfiguration, aus der er entstand; bitte neu tracken.</translation>
+    </message>
+    <message>
+        <source>The key of {name!r} on frame {frame} is out of date: the artist&apos;s key, the clip or the parameters have changed since. Track it again first.</source>
+        <translation>Der Keyframe von {name!r} auf Frame {frame} ist veraltet: Der eigene Keyframe, der Clip oder die Parameter haben sich seitdem geändert. Zuerst neu tracken.</translation>
+    </message>
+    <message>
         <source>The keys before and after, however far</source>
         <translation>Die Keyframes davor und danach, wie weit sie auch liegen</translation>
+    </message>
+    <message>
+        <source>The keys lie on frames {begins} to {ends}, none of them on the clip&apos;s {first} to {last}: the shapes stand still there. &apos;roam import --frame-offset {shift}&apos; would begin with the clip.</source>
+        <translation>Die Keyframes liegen auf den Frames {begins} bis {ends}, keiner davon auf denen des Clips, {first} bis {last}: Die Formen stehen dort still. &apos;roam import --frame-offset {shift}&apos; begänne mit dem Clip.</translation>
     </message>
     <message>
         <source>The keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}; &lt;key.shift&gt; moves them.</source>
@@ -4863,6 +5159,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Ebene {name!r} kann nicht in sich selbst verschoben werden.</translation>
     </message>
     <message>
+        <source>The mask bears no number of the clip&apos;s frames: its key stands on the first, {first}.</source>
+        <translation>Die Maske trägt keine Nummer aus den Frames des Clips: Ihr Keyframe steht auf dem ersten, {first}.</translation>
+    </message>
+    <message>
+        <source>The mask {name} was left out: {reason}.</source>
+        <translation>Die Maske {name} entfällt: {reason}.</translation>
+    </message>
+    <message>
+        <source>The mask {path} is {width}x{height}, the clip is {clip_width}x{clip_height}; give a mask of the start frame in the clip&apos;s size.</source>
+        <translation>Die Maske {path} hat {width}x{height} Pixel, der Clip {clip_width}x{clip_height}; eine Maske des Startframes in der Größe des Clips angeben.</translation>
+    </message>
+    <message>
         <source>The matte is what lies outside of the shape</source>
         <translation>Die Matte ist, was außerhalb der Form liegt</translation>
     </message>
@@ -4879,20 +5187,44 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Matte ohne ihre Umrisse, und zurück</translation>
     </message>
     <message>
+        <source>The mattes of frames {other} and {frame} would both be named {name!r}.</source>
+        <translation>Die Mattes der Frames {other} und {frame} hießen beide {name!r}.</translation>
+    </message>
+    <message>
         <source>The mattes would differ in the other program:</source>
         <translation>Die Mattes würden im anderen Programm abweichen:</translation>
+    </message>
+    <message>
+        <source>The mode {mode} of the {subject} is none of ROAM&apos;s; it adds.</source>
+        <translation>Den Modus {mode} von {subject} hat ROAM nicht; es wird addiert.</translation>
     </message>
     <message>
         <source>The motion of {name}: click to select its shapes</source>
         <translation>Die Bewegung von {name}: Klicken wählt ihre Formen aus</translation>
     </message>
     <message>
+        <source>The moving centre of {name} is not read: it stays where its points are.</source>
+        <translation>Der bewegte Mittelpunkt von {name} wird nicht gelesen: Die Form bleibt, wo ihre Punkte sind.</translation>
+    </message>
+    <message>
+        <source>The name {name}… is too long; choose a shorter one.</source>
+        <translation>Der Name {name}… ist zu lang; einen kürzeren wählen.</translation>
+    </message>
+    <message>
         <source>The next frame is a key already: there is nothing to track before it.</source>
         <translation>Der nächste Frame ist schon ein Keyframe: Davor gibt es nichts zu tracken.</translation>
     </message>
     <message>
+        <source>The node {node} names no format, and was read as of the clip&apos;s, {own_width} x {own_height} pixels; its middle is that of {width:g} x {height:g}. If its shapes lie askew, set its format in Nuke.</source>
+        <translation>Der Knoten {node} nennt kein Format und wurde in dem des Clips gelesen, {own_width} x {own_height} Pixel; seine Mitte ist die von {width:g} x {height:g}. Liegen die Formen schief, in Nuke das Format setzen.</translation>
+    </message>
+    <message>
         <source>The note of frame {frame} went with its mark; &lt;edit.undo&gt; brings it back.</source>
         <translation>Die Notiz von Frame {frame} ging mit ihrer Markierung; &lt;edit.undo&gt; bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>The numbers of {path} run from {first} to {last}; that is no sequence of frames. Rename the files so that they count the frames.</source>
+        <translation>Die Nummern von {path} laufen von {first} bis {last}; das ist keine Folge von Frames. Die Dateien so umbenennen, dass sie die Frames zählen.</translation>
     </message>
     <message>
         <source>The oldest steps go first</source>
@@ -4903,12 +5235,28 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Zuletzt benutzter</translation>
     </message>
     <message>
+        <source>The opacity of the {subject} was left out: {reason}.</source>
+        <translation>Die Deckkraft von {subject} entfällt: {reason}.</translation>
+    </message>
+    <message>
         <source>The outline colour of the copied shape, for the selected ones; mattes stay</source>
         <translation>Die Umrissfarbe der kopierten Form, für die ausgewählten; Mattes bleiben</translation>
     </message>
     <message>
         <source>The outlines of frames before and after</source>
         <translation>Die Umrisse der Frames davor und danach</translation>
+    </message>
+    <message>
+        <source>The paint mode {mode} of {name} is not read; the mask is added.</source>
+        <translation>Der Malmodus {mode} von {name} wird nicht gelesen; die Maske wird addiert.</translation>
+    </message>
+    <message>
+        <source>The paint of {name} in a mask is no plain colour: it was read as white.</source>
+        <translation>Die Füllung von {name} in einer Maske ist keine einfache Farbe: Sie wurde als Weiß gelesen.</translation>
+    </message>
+    <message>
+        <source>The path of {name} is damaged: what stands before the damage was read.</source>
+        <translation>Der Pfad von {name} ist beschädigt: Gelesen wurde, was vor dem Schaden steht.</translation>
     </message>
     <message>
         <source>The picture alone; Esc leaves</source>
@@ -4945,6 +5293,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The plane tilts as screens and walls near the camera do</source>
         <translation>Die Fläche kippt, wie Bildschirme und Wände nahe der Kamera</translation>
+    </message>
+    <message>
+        <source>The plane was lost on frame {frame}: it would tip over; try a simpler motion.</source>
+        <translation>Die Fläche ging auf Frame {frame} verloren: Sie würde kippen; eine einfachere Bewegung versuchen.</translation>
+    </message>
+    <message>
+        <source>The plane was lost on frame {frame}: too little of it looks as it did; start again there, or leave out what covers it.</source>
+        <translation>Die Fläche ging auf Frame {frame} verloren: Zu wenig davon sieht aus wie zuvor; dort neu beginnen, oder auslassen, was sie verdeckt.</translation>
     </message>
     <message>
         <source>The plate alone</source>
@@ -4987,12 +5343,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Punkte liegen auf einer Linie oder aufeinander: bitte auseinanderziehen.</translation>
     </message>
     <message>
+        <source>The pre-warp {name!r} wants landmarks; give the configuration LandmarkParams.</source>
+        <translation>Der Pre-Warp {name!r} braucht Landmarken; der Konfiguration LandmarkParams geben.</translation>
+    </message>
+    <message>
+        <source>The process that decodes answered without a {name} that makes sense; the file is damaged.</source>
+        <translation>Der dekodierende Prozess gab ohne sinnvolles {name} Antwort; die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The process that decodes pictures cannot be started ({reason}); install ROAM again, or set ROAM_DECODER=inside to do without one.</source>
+        <translation>Der Prozess, der Bilder dekodiert, lässt sich nicht starten ({reason}); ROAM neu installieren, oder ROAM_DECODER=inside setzen, dann geht es ohne.</translation>
+    </message>
+    <message>
+        <source>The project cannot be saved: {reason}; take some away.</source>
+        <translation>Das Projekt kann nicht gespeichert werden: {reason}; einige entfernen.</translation>
+    </message>
+    <message>
         <source>The project has no clip yet; open a folder of images or a movie first.</source>
         <translation>Das Projekt hat noch keinen Clip; zuerst einen Ordner mit Bildern oder einen Film öffnen.</translation>
     </message>
     <message>
+        <source>The project holds no closed shape, and MLT&apos;s splines are closed; nothing was written.</source>
+        <translation>Das Projekt enthält keine geschlossene Form, und Splines von MLT sind geschlossen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
         <source>The project is being saved …</source>
         <translation>Das Projekt wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>The project is too large for a file that can be opened again; take keys or shapes away.</source>
+        <translation>Das Projekt ist zu groß für eine Datei, die sich wieder öffnen lässt; Keyframes oder Formen entfernen.</translation>
     </message>
     <message>
         <source>The project was changed meanwhile; nothing was opened.</source>
@@ -5001,6 +5381,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The range holds no frame; its last frame lies before its first.</source>
         <translation>Der Bereich enthält keinen Frame; sein letzter liegt vor dem ersten.</translation>
+    </message>
+    <message>
+        <source>The reach of smoothing must be a positive number of pixels, not {reach:g}.</source>
+        <translation>Die Reichweite der Glättung muss eine positive Zahl von Pixeln sein, nicht {reach:g}.</translation>
     </message>
     <message>
         <source>The red channel alone, and back</source>
@@ -5051,6 +5435,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Form {name!r} hat auf Frame {frame} einen Punkt, der weitab vom Bild liegt; ihn korrigieren oder löschen, dann noch einmal exportieren.</translation>
     </message>
     <message>
+        <source>The shape {name!r} has keys on frames beyond {most}, which Nuke rounds.</source>
+        <translation>Die Form {name!r} hat Keyframes jenseits von Frame {most}, die Nuke rundet.</translation>
+    </message>
+    <message>
+        <source>The shape {name!r} is locked, or lies in a locked layer; unlock that before it is solved.</source>
+        <translation>Die Form {name!r} ist gesperrt oder liegt in einer gesperrten Ebene; vor dem Berechnen entsperren.</translation>
+    </message>
+    <message>
+        <source>The shape {name} follows the expression {expression}, which is not run: it was left out.</source>
+        <translation>Die Form {name} folgt der Expression {expression}, die nicht ausgeführt wird: Sie entfällt.</translation>
+    </message>
+    <message>
+        <source>The shape {name} was left out: {reason}.</source>
+        <translation>Die Form {name} entfällt: {reason}.</translation>
+    </message>
+    <message>
         <source>The shapes are hidden; show them (overlay view) to draw and edit.</source>
         <translation>Die Formen sind ausgeblendet; zum Zeichnen und Bearbeiten bitte einblenden (Ansicht Overlay).</translation>
     </message>
@@ -5063,12 +5463,40 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die weiche Kante geht durch die getrackten Frames in die nächsten eigenen Keyframes über; &lt;feather.all_keys&gt; gibt sie allen.</translation>
     </message>
     <message>
+        <source>The soft edge of {name} lies on both sides of its outline; it was read as outside.</source>
+        <translation>Die weiche Kante von {name} liegt zu beiden Seiten des Umrisses; sie wurde als außen gelesen.</translation>
+    </message>
+    <message>
+        <source>The stroke {name} came as an open shape, without its brush.</source>
+        <translation>Der Strich {name} kam als offene Form, ohne seinen Pinsel.</translation>
+    </message>
+    <message>
+        <source>The style rule for {rule} was not understood and left out.</source>
+        <translation>Die Stilregel für {rule} ist unverständlich und entfällt.</translation>
+    </message>
+    <message>
         <source>The sum of both, as projects of earlier versions added: soft edges that overlap grow hard</source>
         <translation>Die Summe beider, wie Projekte früherer Versionen addierten: sich überlappende weiche Kanten werden hart</translation>
     </message>
     <message>
         <source>The tangents in opacity or feather of {name!r} become linear keys on every frame.</source>
         <translation>Aus den Tangenten in Deckkraft oder weicher Kante von {name!r} werden lineare Keyframes auf jedem Frame.</translation>
+    </message>
+    <message>
+        <source>The tolerance of masks must be a positive number of pixels, not {tolerance:g}.</source>
+        <translation>Die Toleranz der Masken muss eine positive Zahl von Pixeln sein, nicht {tolerance:g}.</translation>
+    </message>
+    <message>
+        <source>The tolerance of reduced keys must be a positive number of pixels, not {tolerance:g}.</source>
+        <translation>Die Toleranz reduzierter Keyframes muss eine positive Zahl von Pixeln sein, nicht {tolerance:g}.</translation>
+    </message>
+    <message>
+        <source>The tool {name} is no polygon mask and was left out of its chain.</source>
+        <translation>Das Werkzeug {name} ist keine Polygonmaske und entfällt in seiner Kette.</translation>
+    </message>
+    <message>
+        <source>The track {name!r} goes where no image is; it cannot be exported.</source>
+        <translation>Der Track {name!r} führt dorthin, wo kein Bild ist, und kann nicht exportiert werden.</translation>
     </message>
     <message>
         <source>The translation {code!r} is not installed; choose another language in the settings.</source>
@@ -5079,12 +5507,60 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das ganze Projekt, auch Gesperrtes und Notizen</translation>
     </message>
     <message>
+        <source>The width and feather of single points of {name} were left out.</source>
+        <translation>Breite und weiche Kante einzelner Punkte von {name} entfallen.</translation>
+    </message>
+    <message>
+        <source>The width of lines was left out; {lines_only} of the outlines are drawn as lines only.</source>
+        <translation>Die Breite von Linien entfällt; nur als Linien gezeichnete Umrisse: {lines_only}.</translation>
+    </message>
+    <message>
+        <source>The {property} of the layer {name} was left out: {reason}.</source>
+        <translation>{property} der Ebene {name} entfällt: {reason}.</translation>
+    </message>
+    <message>
+        <source>The {property} of the {subject} varies: it was read as {value}, its first key.</source>
+        <translation>{property} von {subject} ändert sich: Gelesen wurde {value}, der erste Keyframe.</translation>
+    </message>
+    <message>
+        <source>The {subject}: {meaning} was left out.</source>
+        <translation>{subject}: {meaning} entfällt.</translation>
+    </message>
+    <message>
+        <source>The {subject}: {told}.</source>
+        <translation>{subject}: {told}.</translation>
+    </message>
+    <message>
+        <source>The {what} of {name} is given in shares of its box: it was left out.</source>
+        <translation>{what} von {name} steht in Anteilen des umgebenden Rechtecks und entfällt.</translation>
+    </message>
+    <message>
+        <source>The {what} of {name} is no outline of the drawing: it was left out.</source>
+        <translation>{what} von {name} ist kein Umriss der Zeichnung und entfällt.</translation>
+    </message>
+    <message>
+        <source>The {what} of {name} was left out ({reason}).</source>
+        <translation>{what} von {name} entfällt ({reason}).</translation>
+    </message>
+    <message>
         <source>Their keys lie on frames {low} to {high}, none of them on the clip&apos;s {first} to {last}: nothing varies here.</source>
         <translation>Ihre Keyframes liegen auf Frame {low} bis {high}, keiner davon im Clip von {first} bis {last}: Hier ändert sich nichts mit der Zeit.</translation>
     </message>
     <message>
         <source>Then</source>
         <translation>Dann</translation>
+    </message>
+    <message>
+        <source>There are no instances with an outline in the file.</source>
+        <translation>In der Datei sind keine Instanzen mit einem Umriss.</translation>
+    </message>
+    <message>
+        <source>There are no outlines in the drawing.</source>
+        <translation>In der Zeichnung sind keine Umrisse.</translation>
+    </message>
+    <message>
+        <source>There are no outlines in the file.</source>
+        <translation>In der Datei sind keine Umrisse.</translation>
     </message>
     <message>
         <source>There is a file of that name in {folder}, now that {suffix} is added to it. It would be lost.</source>
@@ -5107,8 +5583,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt keinen Bildschirm für ein Fenster; bitte die Kommandozeile benutzen (roam --help) oder sich mit Bildschirm oder X-Weiterleitung anmelden.</translation>
     </message>
     <message>
+        <source>There is no export format {name!r}; there are: {known}.</source>
+        <translation>Es gibt kein Exportformat {name!r}; es gibt: {known}.</translation>
+    </message>
+    <message>
         <source>There is no feather here to reset; the Feather number stands in the Shape panel.</source>
         <translation>Hier ist kein Feather zurückzusetzen; die Zahl Feather steht im Formbereich.</translation>
+    </message>
+    <message>
+        <source>There is no font for text.</source>
+        <translation>Es gibt keine Schrift für Text.</translation>
+    </message>
+    <message>
+        <source>There is no font {font!r}; name the file of one.</source>
+        <translation>Es gibt keine Schrift {font!r}; die Datei einer Schrift angeben.</translation>
     </message>
     <message>
         <source>There is no frame of {words!r} between {first} and {last}.</source>
@@ -5137,6 +5625,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is no gap to fill here: set a key (&lt;key.set&gt;) on two frames, with others between them.</source>
         <translation>Hier ist keine Lücke zu füllen: auf zwei Frames mit anderen dazwischen einen Keyframe setzen (&lt;key.set&gt;).</translation>
+    </message>
+    <message>
+        <source>There is no image of frame {frame}; give one, or raise MissingFrame where the plate has none.</source>
+        <translation>Von Frame {frame} gibt es kein Bild; eines geben, oder MissingFrame auslösen, wo die Plate keines hat.</translation>
     </message>
     <message>
         <source>There is no key after this frame.</source>
@@ -5183,6 +5675,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Es gibt keine Plate zum Tracken; zuerst einen Clip öffnen.</translation>
     </message>
     <message>
+        <source>There is no pre-warp {name!r}; choose none, klt or flow.</source>
+        <translation>Es gibt keinen Pre-Warp {name!r}; none, klt oder flow wählen.</translation>
+    </message>
+    <message>
+        <source>There is no room for decoded pictures {place} ({reason}); make room there, raise the limit of a file&apos;s size, or set ROAM_DECODER=inside to do without.</source>
+        <translation>Für dekodierte Bilder ist {place} kein Platz ({reason}); dort Platz schaffen, die Grenze für Dateigrößen anheben, oder ROAM_DECODER=inside setzen, dann geht es ohne.</translation>
+    </message>
+    <message>
         <source>There is no shape here that can be reshaped; draw one, or unlock and show it.</source>
         <translation>Hier ist keine Form, die sich verformen ließe; bitte eine zeichnen oder entsperren und einblenden.</translation>
     </message>
@@ -5209,6 +5709,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is no shape whose properties could be pasted; copy one first.</source>
         <translation>Es gibt keine Form, deren Eigenschaften sich einfügen ließen; zuerst eine kopieren.</translation>
+    </message>
+    <message>
+        <source>There is no track to export.</source>
+        <translation>Es gibt keinen Track zum Exportieren.</translation>
     </message>
     <message>
         <source>There is nothing to compare yet; open a clip first.</source>
@@ -5468,6 +5972,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Was Abstürze hinterließen und was verworfen wurde, Sitzung für Sitzung</translation>
     </message>
     <message>
+        <source>What cuts the {what} of {name} itself was left out.</source>
+        <translation>Es entfällt, was seinerseits zuschneidet: {what} von {name}.</translation>
+    </message>
+    <message>
         <source>What hides what, from this frame on; mattes go by the order in the list</source>
         <translation>Was was verdeckt, ab diesem Frame; Mattes gehen nach der Reihenfolge in der Liste</translation>
     </message>
@@ -5532,6 +6040,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Kopierte hat verschiedene Eigenschaften: eine Form kopieren, oder ebenso viele auswählen.</translation>
     </message>
     <message>
+        <source>What {name} refers to ({key}) is not in the drawing: it was left out.</source>
+        <translation>Worauf {name} verweist ({key}), ist nicht in der Zeichnung und entfällt.</translation>
+    </message>
+    <message>
+        <source>What {name} refers to lies in another file, not opened: it was left out.</source>
+        <translation>Worauf {name} verweist, liegt in einer anderen Datei, die nicht geöffnet wird, und entfällt.</translation>
+    </message>
+    <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
     </message>
@@ -5554,6 +6070,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Where the selected points are, or the whole shape, from the top edge, in pixels</source>
         <translation>Wo die ausgewählten Punkte oder die ganze Form liegen, vom oberen Rand, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Whether the node {name} is disabled varies: it was read as on.</source>
+        <translation>Ob der Knoten {name} abgeschaltet ist, ändert sich: Er wurde als eingeschaltet gelesen.</translation>
     </message>
     <message>
         <source>Which channel is shown</source>
@@ -5707,12 +6227,136 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Zeit verkleinern</translation>
     </message>
     <message>
+        <source>a colour</source>
+        <translation>eine Farbe</translation>
+    </message>
+    <message>
+        <source>a depth</source>
+        <translation>eine Tiefe</translation>
+    </message>
+    <message>
         <source>a feather of about {width}, which is a blur</source>
         <translation>eine weiche Kante von etwa {width}, als Unschärfe</translation>
     </message>
     <message>
+        <source>a frame of a track</source>
+        <translation>ein Frame eines Tracks</translation>
+    </message>
+    <message>
+        <source>a frame of a transform</source>
+        <translation>ein Frame einer Transformation</translation>
+    </message>
+    <message>
+        <source>a frame of {name}</source>
+        <translation>ein Frame ({name})</translation>
+    </message>
+    <message>
+        <source>a key has {found} parts</source>
+        <translation>ein Keyframe hat {found} Teile</translation>
+    </message>
+    <message>
+        <source>a key must be an object</source>
+        <translation>ein Keyframe muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>a length of inputs</source>
+        <translation>eine Länge von Grundlagen</translation>
+    </message>
+    <message>
+        <source>a length of packed numbers</source>
+        <translation>eine Länge gepackter Zahlen</translation>
+    </message>
+    <message>
+        <source>a lifetime</source>
+        <translation>eine Lebensdauer</translation>
+    </message>
+    <message>
+        <source>a list of keys is empty</source>
+        <translation>eine Liste von Keyframes ist leer</translation>
+    </message>
+    <message>
+        <source>a list of numbers holds something else</source>
+        <translation>eine Liste von Zahlen enthält etwas anderes</translation>
+    </message>
+    <message>
+        <source>a list of packed numbers is damaged</source>
+        <translation>eine Liste gepackter Zahlen ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a list stands where a number belongs</source>
+        <translation>eine Liste steht, wo eine Zahl hingehört</translation>
+    </message>
+    <message>
         <source>a note on this frame</source>
         <translation>eine Notiz zu diesem Frame</translation>
+    </message>
+    <message>
+        <source>a number is not finite</source>
+        <translation>eine Zahl ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a number of the project is not finite</source>
+        <translation>eine Zahl des Projekts ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a packed number is not finite</source>
+        <translation>eine gepackte Zahl ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a place of a track</source>
+        <translation>eine Position eines Tracks</translation>
+    </message>
+    <message>
+        <source>a point lies nowhere near the image</source>
+        <translation>ein Punkt liegt weitab vom Bild</translation>
+    </message>
+    <message>
+        <source>a point of it has {found} positions, not {count}</source>
+        <translation>ein Punkt hat {found} Positionen, nicht {count}</translation>
+    </message>
+    <message>
+        <source>a point of it lies nowhere near the image</source>
+        <translation>ein Punkt davon liegt weitab vom Bild</translation>
+    </message>
+    <message>
+        <source>a point that was set</source>
+        <translation>ein gesetzter Punkt</translation>
+    </message>
+    <message>
+        <source>a run of keys has none of the known forms</source>
+        <translation>eine Folge von Keyframes hat keine der bekannten Formen</translation>
+    </message>
+    <message>
+        <source>a spline must be a list of points</source>
+        <translation>ein Spline muss eine Liste von Punkten sein</translation>
+    </message>
+    <message>
+        <source>a surface has four corners</source>
+        <translation>eine Fläche hat vier Ecken</translation>
+    </message>
+    <message>
+        <source>a tangent of {name}</source>
+        <translation>eine Tangente ({name})</translation>
+    </message>
+    <message>
+        <source>a transform has none of the known forms</source>
+        <translation>eine Transformation hat keine der bekannten Formen</translation>
+    </message>
+    <message>
+        <source>a transform needs a frame for each matrix, and at least one</source>
+        <translation>eine Transformation braucht zu jeder Matrix einen Frame, und mindestens eine</translation>
+    </message>
+    <message>
+        <source>a value in it is of another kind than it must be</source>
+        <translation>ein Wert darin ist von anderer Art, als er sein muss</translation>
+    </message>
+    <message>
+        <source>a word stands where a key belongs</source>
+        <translation>ein Wort steht, wo ein Keyframe hingehört</translation>
+    </message>
+    <message>
+        <source>a word stands where a point belongs</source>
+        <translation>ein Wort steht, wo ein Punkt hingehört</translation>
     </message>
     <message>
         <source>accept yes topology</source>
@@ -5741,6 +6385,26 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>alpha operation {operation!r}</source>
         <translation>Alpha-Operation {operation!r}</translation>
+    </message>
+    <message>
+        <source>an adjust key</source>
+        <translation>ein Korrektur-Keyframe</translation>
+    </message>
+    <message>
+        <source>an animated value has no key</source>
+        <translation>ein animierter Wert hat keinen Keyframe</translation>
+    </message>
+    <message>
+        <source>an animated value has two keys on one frame</source>
+        <translation>ein animierter Wert hat zwei Keyframes auf einem Frame</translation>
+    </message>
+    <message>
+        <source>an area of a track&apos;s points</source>
+        <translation>ein Bereich der Punkte eines Tracks</translation>
+    </message>
+    <message>
+        <source>an impossible picture</source>
+        <translation>einem unmöglichen Bild</translation>
     </message>
     <message>
         <source>and {count} more</source>
@@ -5849,6 +6513,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>clear track reset remove</source>
         <translation>track löschen zurücksetzen entfernen</translation>
+    </message>
+    <message>
+        <source>clip path</source>
+        <translation>Beschneidungspfad</translation>
     </message>
     <message>
         <source>clipboard</source>
@@ -5987,6 +6655,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>zweifelhafte</translation>
     </message>
     <message>
+        <source>each point must be a handle, a point and a handle of two numbers</source>
+        <translation>jeder Punkt muss aus Tangente, Punkt und Tangente mit je zwei Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>each point must be a list of two or six numbers, and there must be one</source>
+        <translation>jeder Punkt muss eine Liste aus zwei oder sechs Zahlen sein, und einer muss da sein</translation>
+    </message>
+    <message>
         <source>empty begin</source>
         <translation>leer beginnen</translation>
     </message>
@@ -6011,12 +6687,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>schließen verlassen ende</translation>
     </message>
     <message>
+        <source>exit code {code}</source>
+        <translation>Rückgabewert {code}</translation>
+    </message>
+    <message>
         <source>farther smaller reduce</source>
         <translation>zoom ferner kleiner herauszoomen</translation>
     </message>
     <message>
         <source>feather</source>
         <translation>weiche Kante</translation>
+    </message>
+    <message>
+        <source>fewer pixels than were told</source>
+        <translation>weniger Pixeln als angekündigt</translation>
     </message>
     <message>
         <source>filled between two keys</source>
@@ -6061,6 +6745,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>frames</source>
         <translation>Frames</translation>
+    </message>
+    <message>
+        <source>frames between the keys of {name!r}</source>
+        <translation>Frames zwischen den Keyframes von {name!r}</translation>
+    </message>
+    <message>
+        <source>frames in its clip</source>
+        <translation>Frames im Clip</translation>
     </message>
     <message>
         <source>frames {first} to {last}</source>
@@ -6127,6 +6819,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>vor den anderen</translation>
     </message>
     <message>
+        <source>in memory</source>
+        <translation>im Speicher</translation>
+    </message>
+    <message>
+        <source>in {folder}</source>
+        <translation>in {folder}</translation>
+    </message>
+    <message>
         <source>increment incremental up number next plus</source>
         <translation>inkrementell hochzählen nummer nächste plus</translation>
     </message>
@@ -6167,12 +6867,188 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>isolieren allein nur lokale ansicht sichtbarkeit auge</translation>
     </message>
     <message>
+        <source>it answered with {what}</source>
+        <translation>der dekodierende Prozess antwortete mit {what}</translation>
+    </message>
+    <message>
+        <source>it does not end</source>
+        <translation>kein Ende</translation>
+    </message>
+    <message>
+        <source>it falls into more than {most} parts and holes</source>
+        <translation>mehr als {most} Teile und Löcher</translation>
+    </message>
+    <message>
+        <source>it has a point that lies nowhere near the picture</source>
+        <translation>ein Punkt liegt weitab vom Bild</translation>
+    </message>
+    <message>
+        <source>it has fewer than two points</source>
+        <translation>weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>it has more than {most} runs</source>
+        <translation>mehr als {most} Läufe</translation>
+    </message>
+    <message>
+        <source>it has more {what} than {most}</source>
+        <translation>mehr {what} als {most}</translation>
+    </message>
+    <message>
+        <source>it has no path</source>
+        <translation>kein Pfad</translation>
+    </message>
+    <message>
+        <source>it has no polyline</source>
+        <translation>keine Polylinie</translation>
+    </message>
+    <message>
+        <source>it has two keys on one frame</source>
+        <translation>zwei Keyframes auf einem Frame</translation>
+    </message>
+    <message>
+        <source>it has {count} entries of points, not three for each point</source>
+        <translation>{count} Einträge für Punkte, nicht drei je Punkt</translation>
+    </message>
+    <message>
+        <source>it is a {species} shape</source>
+        <translation>eine Form der Art {species}</translation>
+    </message>
+    <message>
+        <source>it is a {species} stroke</source>
+        <translation>ein Strich der Art {species}</translation>
+    </message>
+    <message>
+        <source>it is closed on some keys only</source>
+        <translation>nur auf manchen Keyframes geschlossen</translation>
+    </message>
+    <message>
+        <source>it is cut off</source>
+        <translation>abgeschnitten</translation>
+    </message>
+    <message>
         <source>it is damaged</source>
         <translation>sie ist beschädigt</translation>
     </message>
     <message>
+        <source>it is no text file</source>
+        <translation>keine Textdatei</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON</source>
+        <translation>kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>it is of the kind {kind}</source>
+        <translation>von der Art {kind}</translation>
+    </message>
+    <message>
+        <source>it lies nowhere near the picture</source>
+        <translation>weitab vom Bild</translation>
+    </message>
+    <message>
+        <source>it speaks of pictures of {width:g} x {height:g} pixels</source>
+        <translation>spricht von Bildern mit {width:g} x {height:g} Pixeln</translation>
+    </message>
+    <message>
+        <source>it takes longer than {seconds:.0f} seconds</source>
+        <translation>es dauert länger als {seconds:.0f} Sekunden</translation>
+    </message>
+    <message>
+        <source>item {number} of {place}</source>
+        <translation>Eintrag {number} in {place}</translation>
+    </message>
+    <message>
+        <source>its blend mode {value:g} is none of ROAM&apos;s; it adds</source>
+        <translation>den Mischmodus {value:g} hat ROAM nicht; es wird addiert</translation>
+    </message>
+    <message>
+        <source>its blur</source>
+        <translation>die Unschärfe</translation>
+    </message>
+    <message>
+        <source>its clip ends, on frame {last}, before it begins, on frame {first}</source>
+        <translation>der Clip endet, auf Frame {last}, bevor er beginnt, auf Frame {first}</translation>
+    </message>
+    <message>
+        <source>its corner pin</source>
+        <translation>der Eckenpin</translation>
+    </message>
+    <message>
+        <source>its counts must be whole numbers</source>
+        <translation>ihre Läufe müssen ganze Zahlen sein</translation>
+    </message>
+    <message>
         <source>its curve is smooth everywhere now, and its points moved by up to {moved:.1f} pixels</source>
         <translation>die Kurve ist jetzt überall glatt, und ihre Punkte haben sich um bis zu {moved:.1f} Pixel verschoben</translation>
+    </message>
+    <message>
+        <source>its feather</source>
+        <translation>die weiche Kante</translation>
+    </message>
+    <message>
+        <source>its feather differs in x and y; it has the mean</source>
+        <translation>die weiche Kante ist in x und y verschieden; es gilt der Mittelwert</translation>
+    </message>
+    <message>
+        <source>its feather has not as many points as its outline</source>
+        <translation>die weiche Kante hat nicht so viele Punkte wie der Umriss</translation>
+    </message>
+    <message>
+        <source>its keys are of several kinds</source>
+        <translation>die Keyframes sind von verschiedener Art</translation>
+    </message>
+    <message>
+        <source>its keys differ in their number of points</source>
+        <translation>die Keyframes haben verschieden viele Punkte</translation>
+    </message>
+    <message>
+        <source>its keys have no path, or differ in their number of points</source>
+        <translation>die Keyframes haben keinen Pfad oder verschieden viele Punkte</translation>
+    </message>
+    <message>
+        <source>its points have none of the known forms</source>
+        <translation>die Punkte haben keine der bekannten Formen</translation>
+    </message>
+    <message>
+        <source>its shrinking or growing</source>
+        <translation>das Schrumpfen oder Wachsen</translation>
+    </message>
+    <message>
+        <source>its size must be a height and a width</source>
+        <translation>ihre Größe muss eine Höhe und eine Breite sein</translation>
+    </message>
+    <message>
+        <source>its spline {name} has a key that is none</source>
+        <translation>der Spline {name} hat einen Keyframe, der keiner ist</translation>
+    </message>
+    <message>
+        <source>its transform follows the expression {expression} and was left out</source>
+        <translation>die Transformation folgt der Expression {expression} und entfällt</translation>
+    </message>
+    <message>
+        <source>its transform was left out, {reason}</source>
+        <translation>die Transformation entfällt, {reason}</translation>
+    </message>
+    <message>
+        <source>its visibility is switched by keys; its opacity has them</source>
+        <translation>die Sichtbarkeit wird durch Keyframes geschaltet; die Deckkraft hat sie nun</translation>
+    </message>
+    <message>
+        <source>its {name!r} cannot be read</source>
+        <translation>{name!r} ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>its {name!r} follows an expression, which is not run; it has its last value</source>
+        <translation>{name!r} folgt einer Expression, die nicht ausgeführt wird; es gilt der letzte Wert</translation>
+    </message>
+    <message>
+        <source>its {name!r} is animated; it has the first value</source>
+        <translation>{name!r} ist animiert; es gilt der erste Wert</translation>
+    </message>
+    <message>
+        <source>its {name} is no number</source>
+        <translation>{name} ist keine Zahl</translation>
     </message>
     <message>
         <source>jitter flicker steady flow temporal</source>
@@ -6231,6 +7107,26 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Keyframes</translation>
     </message>
     <message>
+        <source>keys are not in the order of time</source>
+        <translation>Keyframes stehen nicht in zeitlicher Reihenfolge</translation>
+    </message>
+    <message>
+        <source>layer {name}</source>
+        <translation>Ebene {name}</translation>
+    </message>
+    <message>
+        <source>layers and shapes</source>
+        <translation>Ebenen und Formen</translation>
+    </message>
+    <message>
+        <source>layers in layers</source>
+        <translation>Ebenen in Ebenen</translation>
+    </message>
+    <message>
+        <source>letters in the clip&apos;s path</source>
+        <translation>Buchstaben im Pfad des Clips</translation>
+    </message>
+    <message>
         <source>line: before, white dashes: after, hatched: what differs</source>
         <translation>Linie: vorher, weiße Striche: nachher, schraffiert: was sich unterscheidet</translation>
     </message>
@@ -6271,6 +7167,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Markierungen</translation>
     </message>
     <message>
+        <source>mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
         <source>mask black white channel</source>
         <translation>maske schwarz weiß kanal</translation>
     </message>
@@ -6299,6 +7199,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Modus {mode!r}</translation>
     </message>
     <message>
+        <source>more than {limit} keys stand for {limit} times</source>
+        <translation>mehr als {limit} Keyframes stehen für {limit} Zeiten</translation>
+    </message>
+    <message>
+        <source>more than {most} transforms in one list</source>
+        <translation>mehr als {most} Transformationen in einer Liste</translation>
+    </message>
+    <message>
         <source>motion blur</source>
         <translation>Bewegungsunschärfe</translation>
     </message>
@@ -6317,6 +7225,30 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>moves on smoothly</source>
         <translation>bewegt sich weich weiter</translation>
+    </message>
+    <message>
+        <source>no line of JSON</source>
+        <translation>keiner Zeile JSON</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>keinem Bild</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>kein Grund genannt</translation>
+    </message>
+    <message>
+        <source>no sentence</source>
+        <translation>keinem Satz</translation>
+    </message>
+    <message>
+        <source>no transform: {name!r} of {count} numbers</source>
+        <translation>keine Transformation: {name!r} mit {count} Zahlen</translation>
+    </message>
+    <message>
+        <source>no transform: {text!r}</source>
+        <translation>keine Transformation: {text!r}</translation>
     </message>
     <message>
         <source>none</source>
@@ -6391,6 +7323,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Out</translation>
     </message>
     <message>
+        <source>packed numbers are not as many as they say</source>
+        <translation>gepackte Zahlen sind nicht so viele wie angegeben</translation>
+    </message>
+    <message>
         <source>part {number} of {count}</source>
         <translation>Teil {number} von {count}</translation>
     </message>
@@ -6409,6 +7345,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>pictures</source>
         <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>pictures beside each other</source>
+        <translation>Bilder nebeneinander</translation>
+    </message>
+    <message>
+        <source>pixels of width</source>
+        <translation>Pixel Breite</translation>
     </message>
     <message>
         <source>planar track corner pin surface drift fix mocha keyframe</source>
@@ -6433,6 +7377,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>point tracker tracking one two four corners pattern search area follow</source>
         <translation>punkt tracker tracking eins zwei vier ecken muster suchbereich folgen</translation>
+    </message>
+    <message>
+        <source>points in the shape {name!r}</source>
+        <translation>Punkte in der Form {name!r}</translation>
+    </message>
+    <message>
+        <source>points of a track need the sizes of two areas</source>
+        <translation>Punkte eines Tracks brauchen die Größen zweier Bereiche</translation>
     </message>
     <message>
         <source>preferences options configuration memory cache threads scale</source>
@@ -6543,8 +7495,20 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>rig skelett gelenke knochen</translation>
     </message>
     <message>
+        <source>rotation in depth</source>
+        <translation>die Drehung in die Tiefe</translation>
+    </message>
+    <message>
         <source>roto node script write output</source>
         <translation>roto node skript schreiben ausgabe</translation>
+    </message>
+    <message>
+        <source>rows of pictures</source>
+        <translation>Reihen von Bildern</translation>
+    </message>
+    <message>
+        <source>samples of motion blur</source>
+        <translation>Abtastungen der Bewegungsunschärfe</translation>
     </message>
     <message>
         <source>saved</source>
@@ -6571,6 +7535,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>gesetzt auf {frame}</translation>
     </message>
     <message>
+        <source>shape {name!r} has no key</source>
+        <translation>die Form {name!r} hat keinen Keyframe</translation>
+    </message>
+    <message>
+        <source>shape {name!r} has two keys on one frame</source>
+        <translation>die Form {name!r} hat zwei Keyframes auf einem Frame</translation>
+    </message>
+    <message>
+        <source>shape {name}</source>
+        <translation>Form {name}</translation>
+    </message>
+    <message>
+        <source>shape {name} ({place})</source>
+        <translation>Form {name} ({place})</translation>
+    </message>
+    <message>
         <source>shapes splines</source>
         <translation>formen splines</translation>
     </message>
@@ -6581,6 +7561,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>shortcuts hotkeys keyboard help</source>
         <translation>tastenkürzel tastatur hilfe</translation>
+    </message>
+    <message>
+        <source>skew</source>
+        <translation>die Scherung</translation>
     </message>
     <message>
         <source>slow half speed</source>
@@ -6617,6 +7601,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>splines outlines invisible</source>
         <translation>splines umrisse unsichtbar</translation>
+    </message>
+    <message>
+        <source>split it into several files</source>
+        <translation>auf mehrere Dateien aufteilen</translation>
     </message>
     <message>
         <source>square box quad draw roto mask</source>
@@ -6671,20 +7659,180 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>tangenten kurve anfasser</translation>
     </message>
     <message>
+        <source>the clip&apos;s absolute path</source>
+        <translation>der absolute Pfad des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s colour_space</source>
+        <translation>colour_space des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s content</source>
+        <translation>content des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s first frame</source>
+        <translation>der erste Frame des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s fps</source>
+        <translation>fps des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s height</source>
+        <translation>die Höhe des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s last frame</source>
+        <translation>der letzte Frame des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s layer</source>
+        <translation>layer des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s path</source>
+        <translation>der Pfad des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s path holds a null character</source>
+        <translation>der Pfad des Clips enthält ein Nullzeichen</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s pixel_aspect</source>
+        <translation>pixel_aspect des Clips</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s width</source>
+        <translation>die Breite des Clips</translation>
+    </message>
+    <message>
         <source>the clipboard</source>
         <translation>die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>the colour of its paint</source>
+        <translation>die Farbe der Füllung</translation>
+    </message>
+    <message>
+        <source>the compound of a shape</source>
+        <translation>compound einer Form</translation>
+    </message>
+    <message>
+        <source>the confidence of a key</source>
+        <translation>die Konfidenz eines Keyframes</translation>
+    </message>
+    <message>
+        <source>the confidence of a track</source>
+        <translation>die Konfidenz eines Tracks</translation>
+    </message>
+    <message>
+        <source>the fall-off of its feather</source>
+        <translation>der Abfall der weichen Kante</translation>
+    </message>
+    <message>
+        <source>the feather has other points than the outline</source>
+        <translation>die weiche Kante hat andere Punkte als der Umriss</translation>
+    </message>
+    <message>
+        <source>the feather of a shape</source>
+        <translation>die weiche Kante einer Form</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>der Datei</translation>
+    </message>
+    <message>
+        <source>the folder holds no image</source>
+        <translation>im Ordner liegt kein Bild</translation>
+    </message>
+    <message>
+        <source>the folder holds {names}</source>
+        <translation>im Ordner liegen {names}</translation>
+    </message>
+    <message>
+        <source>the frame of a key</source>
+        <translation>der Frame eines Keyframes</translation>
+    </message>
+    <message>
+        <source>the frame of a mark</source>
+        <translation>der Frame einer Markierung</translation>
+    </message>
+    <message>
+        <source>the frames of a transform must increase</source>
+        <translation>die Frames einer Transformation müssen ansteigen</translation>
+    </message>
+    <message>
+        <source>the frames of packed keys are no whole numbers</source>
+        <translation>die Frames gepackter Keyframes sind keine ganzen Zahlen</translation>
+    </message>
+    <message>
+        <source>the id of a layer</source>
+        <translation>die id einer Ebene</translation>
+    </message>
+    <message>
+        <source>the id of a shape</source>
+        <translation>die id einer Form</translation>
+    </message>
+    <message>
+        <source>the inputs of a key</source>
+        <translation>die Grundlage eines Keyframes</translation>
     </message>
     <message>
         <source>the inversion</source>
         <translation>die Invertierung</translation>
     </message>
     <message>
+        <source>the keys are not in order</source>
+        <translation>die Keyframes sind nicht in Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the keys of shape {name!r} differ in their number of points</source>
+        <translation>die Keyframes der Form {name!r} haben verschieden viele Punkte</translation>
+    </message>
+    <message>
+        <source>the link of a shape</source>
+        <translation>die Verknüpfung einer Form</translation>
+    </message>
+    <message>
         <source>the mode {mode!r}</source>
         <translation>den Modus {mode!r}</translation>
     </message>
     <message>
+        <source>the motion blur must have 1 to 1024 samples and a shutter of 0 to 1000 frames</source>
+        <translation>die Bewegungsunschärfe muss 1 bis 1024 Abtastungen und einen Verschluss von 0 bis 1000 Frames haben</translation>
+    </message>
+    <message>
+        <source>the name of a layer</source>
+        <translation>der Name einer Ebene</translation>
+    </message>
+    <message>
+        <source>the name of a shape</source>
+        <translation>der Name einer Form</translation>
+    </message>
+    <message>
+        <source>the number of samples of motion blur</source>
+        <translation>die Zahl der Abtastungen der Bewegungsunschärfe</translation>
+    </message>
+    <message>
         <source>the opacity</source>
         <translation>die Deckkraft</translation>
+    </message>
+    <message>
+        <source>the opacity of a layer</source>
+        <translation>die Deckkraft einer Ebene</translation>
+    </message>
+    <message>
+        <source>the opacity of a shape</source>
+        <translation>die Deckkraft einer Form</translation>
+    </message>
+    <message>
+        <source>the packed keys and their {name} differ in length</source>
+        <translation>die gepackten Keyframes und {name} sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>the phase of motion blur</source>
+        <translation>die Phase der Bewegungsunschärfe</translation>
     </message>
     <message>
         <source>the plane</source>
@@ -6699,8 +7847,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Punkte</translation>
     </message>
     <message>
+        <source>the points that were set are not in order</source>
+        <translation>die gesetzten Punkte sind nicht in Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the runs of a mask do not fill its picture</source>
+        <translation>die Läufe einer Maske füllen ihr Bild nicht</translation>
+    </message>
+    <message>
+        <source>the shutter of motion blur</source>
+        <translation>der Verschluss der Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <source>the text of a mark</source>
+        <translation>der Text einer Markierung</translation>
+    </message>
+    <message>
+        <source>the text of a mask is damaged</source>
+        <translation>der Text einer Maske ist beschädigt</translation>
+    </message>
+    <message>
         <source>the whole</source>
         <translation>dem Ganzen</translation>
+    </message>
+    <message>
+        <source>the width of its stroke</source>
+        <translation>die Breite des Strichs</translation>
+    </message>
+    <message>
+        <source>the {part} of its transform was left out</source>
+        <translation>{part} der Transformation entfällt</translation>
     </message>
     <message>
         <source>through time</source>
@@ -6717,6 +7893,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>timeline dopesheet farther</source>
         <translation>zoom zeitleiste ferner herauszoomen</translation>
+    </message>
+    <message>
+        <source>times are missing or not in order</source>
+        <translation>Zeiten fehlen oder sind nicht in Reihenfolge</translation>
     </message>
     <message>
         <source>to</source>
@@ -6753,6 +7933,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>trust doubt heat quality</source>
         <translation>vertrauen zweifel qualität</translation>
+    </message>
+    <message>
+        <source>two of its layers or shapes have one id</source>
+        <translation>zwei Ebenen oder Formen haben dieselbe id</translation>
     </message>
     <message>
         <source>two viewers beside split compare matte monitor dual</source>
@@ -6843,8 +8027,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>verbiegen schieben ziehen verflüssigen modellieren pinsel magnet</translation>
     </message>
     <message>
+        <source>what decodes it ended unexpectedly ({how})</source>
+        <translation>der dekodierende Prozess endete unerwartet ({how})</translation>
+    </message>
+    <message>
+        <source>what should be rows of {width} numbers is something else</source>
+        <translation>was Reihen aus {width} Zahlen sein sollte, ist etwas anderes</translation>
+    </message>
+    <message>
+        <source>what stands among the keys is no key</source>
+        <translation>unter den Keyframes steht etwas, das keiner ist</translation>
+    </message>
+    <message>
+        <source>what stands among the layers is no layer and no shape</source>
+        <translation>unter den Ebenen steht etwas, das weder Ebene noch Form ist</translation>
+    </message>
+    <message>
+        <source>width and height must be positive</source>
+        <translation>Breite und Höhe müssen positiv sein</translation>
+    </message>
+    <message>
         <source>wipe compare split screen ab buffer before after snapshot</source>
         <translation>wischen vergleichen teilen ab puffer vorher nachher schnappschuss</translation>
+    </message>
+    <message>
+        <source>with {names}, which this program does not know: they count as stale</source>
+        <translation>mit {names}, das dieses Programm nicht kennt: Sie gelten als veraltet</translation>
+    </message>
+    <message>
+        <source>with {names}, which turns a dial that is offered no more: they stay as they are</source>
+        <translation>mit {names}, das an einem Regler dreht, den es nicht mehr gibt: Sie bleiben, wie sie sind</translation>
     </message>
     <message>
         <source>write store keep</source>
@@ -6919,6 +8131,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{confidence:.2f}{doubt}</translation>
     </message>
     <message>
+        <source>{count} B-spline(s) lie in a layer that moves in perspective, which carries the curve in place of its control points: {word} strays by up to {most:.1f} px.</source>
+        <translation>B-Splines in einer perspektivisch bewegten Ebene, die die Kurve statt ihrer Kontrollpunkte mitnimmt: {count}; {word} weicht bis zu {most:.1f} px ab.</translation>
+    </message>
+    <message>
         <source>{count} B-splines, {name!r} among them, are written as Bezier: the same curves, with other handles.</source>
         <translation>{count} B-Splines, darunter {name!r}, werden als Bézier geschrieben: dieselben Kurven mit anderen Tangenten.</translation>
     </message>
@@ -6935,16 +8151,32 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{count} Keyframes</translation>
     </message>
     <message>
+        <source>{count} keys stand for {times} times</source>
+        <translation>{count} Keyframes stehen für {times} Zeiten</translation>
+    </message>
+    <message>
         <source>{count} layers</source>
         <translation>{count} Ebenen</translation>
+    </message>
+    <message>
+        <source>{count} masks are missing between the first and the last; no keys stand there.</source>
+        <translation>Zwischen der ersten und der letzten Maske fehlen {count}; dort stehen keine Keyframes.</translation>
     </message>
     <message>
         <source>{count} more</source>
         <translation>{count} weitere</translation>
     </message>
     <message>
+        <source>{count} more shapes: {keys} keys for {frames} frames; at least {share:.0f} % of the outline within {tolerance:g} px, {greatest:.1f} px at the farthest, IoU at least {overlap:.3f}; not held on {missed} frames.</source>
+        <translation>{count} weitere Formen: {keys} Keyframes für {frames} Frames; mindestens {share:.0f} % des Umrisses innerhalb von {tolerance:g} px, höchstens {greatest:.1f} px entfernt, IoU mindestens {overlap:.3f}; auf {missed} Frames nicht gehalten.</translation>
+    </message>
+    <message>
         <source>{count} of {all} gap(s) could not be filled: {reason}</source>
         <translation>{count} von {all} Lücken ließen sich nicht füllen: {reason}</translation>
+    </message>
+    <message>
+        <source>{count} points over all keys</source>
+        <translation>{count} Punkte über alle Keyframes</translation>
     </message>
     <message>
         <source>{count} shape</source>
@@ -6975,6 +8207,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{count} Formen liegen {where} ab Frame {frame}.</translation>
     </message>
     <message>
+        <source>{damage} The shapes pass over frame {number}.</source>
+        <translation>{damage} Die Formen gehen über Frame {number} hinweg.</translation>
+    </message>
+    <message>
         <source>{done} frames, {each:.0f} ms each</source>
         <translation>{done} Frames, je {each:.0f} ms</translation>
     </message>
@@ -6984,6 +8220,74 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
             <numerusform>{edit}: %n Keyframe geändert.</numerusform>
             <numerusform>{edit}: %n Keyframes geändert.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>{error} Its newest backup is {backup}.</source>
+        <translation>{error} Die neueste Sicherung ist {backup}.</translation>
+    </message>
+    <message>
+        <source>{field} of {name} comes from {source}, which is not read.</source>
+        <translation>{field} von {name} kommt aus {source} und wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>{files} is no plain file and cannot be written over; name another.</source>
+        <translation>{files}: Das ist keine gewöhnliche Datei und kann nicht überschrieben werden; eine andere angeben.</translation>
+    </message>
+    <message>
+        <source>{files} is read for this and is never written over; name another place.</source>
+        <translation>{files}: Das wird hierfür gelesen und niemals überschrieben; einen anderen Ort angeben.</translation>
+    </message>
+    <message>
+        <source>{files} is there already and is no file of this kind that ROAM made; name another place, or say --overwrite.</source>
+        <translation>{files}: Das gibt es schon und stammt nicht als Datei dieser Art von ROAM; einen anderen Ort angeben, oder --overwrite.</translation>
+    </message>
+    <message>
+        <source>{files} would be written twice; give each result a place of its own.</source>
+        <translation>{files}: Das würde zweimal geschrieben; jedem Ergebnis einen eigenen Ort geben.</translation>
+    </message>
+    <message>
+        <source>{files} would lie among the frames of the plate; choose another folder.</source>
+        <translation>{files}: Das läge unter den Frames der Plate; einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>{file} asks for too much memory; it is damaged or too large.</source>
+        <translation>{file} verlangt zu viel Speicher; die Datei ist beschädigt oder zu groß.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be decoded: {reason}. It is damaged; render it again, or take it out of the plate.</source>
+        <translation>{file} lässt sich nicht dekodieren: {reason}. Die Datei ist beschädigt; bitte neu rendern oder aus der Plate nehmen.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read; it is damaged or cut short ({reason}). Render it again.</source>
+        <translation>{file} kann nicht gelesen werden; die Datei ist beschädigt oder abgeschnitten ({reason}). Bitte neu rendern.</translation>
+    </message>
+    <message>
+        <source>{file} claims to be {width} x {height} pixels, more than the {most} million that ROAM works with; it is damaged or too large, scale it down.</source>
+        <translation>{file} hat angeblich {width} x {height} Pixel, mehr als die {most} Millionen, mit denen ROAM arbeitet; die Datei ist beschädigt oder zu groß und muss verkleinert werden.</translation>
+    </message>
+    <message>
+        <source>{file} has no layer {name!r}; it has {layers}.</source>
+        <translation>{file} hat keine Ebene {name!r}; vorhanden: {layers}.</translation>
+    </message>
+    <message>
+        <source>{file} holds deep pixels and no picture; flatten it to one.</source>
+        <translation>{file} enthält Deep-Pixel und kein Bild; bitte zu einem Bild reduzieren.</translation>
+    </message>
+    <message>
+        <source>{file} holds more than {most} MiB of pixels; give a mask of one channel.</source>
+        <translation>{file} enthält mehr als {most} MiB an Pixeln; eine Maske mit einem Kanal angeben.</translation>
+    </message>
+    <message>
+        <source>{file} is a project, not a plate; name the plate: a folder of images, a pattern, an image or a movie.</source>
+        <translation>{file} ist ein Projekt, keine Plate; die Plate angeben: einen Ordner mit Bildern, ein Muster, ein Bild oder einen Film.</translation>
+    </message>
+    <message>
+        <source>{file} is no ROAM project, no picture and no movie. Open a folder of pictures, a movie, or a project, whose name ends with .roam; shapes of other programs are imported into a project.</source>
+        <translation>{file} ist kein ROAM-Projekt, kein Bild und kein Film. Einen Ordner mit Bildern, einen Film oder ein Projekt öffnen, dessen Name auf .roam endet; Formen anderer Programme werden in ein Projekt importiert.</translation>
+    </message>
+    <message>
+        <source>{file} is no image that can be read ({reason}); replace it or take it out of the plate.</source>
+        <translation>{file} ist kein lesbares Bild ({reason}); bitte ersetzen oder aus der Plate nehmen.</translation>
     </message>
     <message>
         <source>{file} is {width} x {height} pixels, the plate is {plate_width} x {plate_height}; all frames of a plate need one size.</source>
@@ -6998,12 +8302,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{first}–{last}, {count} Frames</translation>
     </message>
     <message>
+        <source>{folder} holds no image and no movie; choose the folder that holds the plate&apos;s frames.</source>
+        <translation>{folder} enthält kein Bild und keinen Film; den Ordner wählen, in dem die Frames der Plate liegen.</translation>
+    </message>
+    <message>
+        <source>{folder} holds several movies ({names}); name one of them.</source>
+        <translation>{folder} enthält mehrere Filme ({names}); einen davon angeben.</translation>
+    </message>
+    <message>
+        <source>{folder} holds several sequences, none longer than the others, and none begins as the project&apos;s plate: {names}. Leave the plate alone in its folder, or relink the clip.</source>
+        <translation>{folder} enthält mehrere Bildsequenzen, keine länger als die anderen, und keine beginnt wie die Plate des Projekts: {names}. Nur die Plate in ihrem Ordner lassen oder den Clip neu verknüpfen.</translation>
+    </message>
+    <message>
+        <source>{folder} holds several sequences, none longer than the others: {names}. Give a pattern, such as {advised}.</source>
+        <translation>{folder} enthält mehrere Bildsequenzen, keine länger als die anderen: {names}. Ein Muster angeben, etwa {advised}.</translation>
+    </message>
+    <message>
+        <source>{folder} holds {count} images whose names do not count frames: {names}. Number them, with nine digits at most, such as shot.0001.png, or give one of them.</source>
+        <translation>{folder} enthält {count} Bilder, deren Namen keine Frames zählen: {names}. Die Bilder mit höchstens neun Ziffern nummerieren, etwa shot.0001.png, oder eines davon angeben.</translation>
+    </message>
+    <message>
         <source>{frames} on {pages}</source>
         <translation>{frames} auf {pages}</translation>
     </message>
     <message>
         <source>{frames}, {width} x {height}</source>
         <translation>{frames}, {width} x {height}</translation>
+    </message>
+    <message>
+        <source>{grey} of the {count} masks are grey for the most part, neither black nor white; if they are pictures, give the masks of them, white inside.</source>
+        <translation>Größtenteils grau, weder schwarz noch weiß: {grey} der {count} Masken; sind es Bilder, die Masken davon angeben, innen weiß.</translation>
     </message>
     <message>
         <source>{journal} cannot be marked: {reason}.</source>
@@ -7016,6 +8344,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{keys} is the key of “{action}”.</source>
         <translation>{keys} ist die Taste von „{action}“.</translation>
+    </message>
+    <message>
+        <source>{keys} keys for {frames} frames</source>
+        <translation>{keys} Keyframes für {frames} Frames</translation>
     </message>
     <message>
         <source>{keys} moved; boil {before:.2f} px before, {after:.2f} px now.</source>
@@ -7034,8 +8366,24 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{keys} hält an</translation>
     </message>
     <message>
+        <source>{key} of {name} has an expression, which is not evaluated.</source>
+        <translation>{key} von {name} hat eine Expression, die nicht ausgewertet wird.</translation>
+    </message>
+    <message>
+        <source>{key} of {name} is not read: it stays where its points are.</source>
+        <translation>{key} von {name} wird nicht gelesen: Die Form bleibt, wo ihre Punkte sind.</translation>
+    </message>
+    <message>
+        <source>{left} specks and pinholes on {count} masks were left out, each below {speck:.0f} square pixels; the smallest area that is followed can be chosen (--speckle).</source>
+        <translation>{left} Flecken und Löcher auf {count} Masken entfallen, jedes unter {speck:.0f} Quadratpixeln; die kleinste Fläche, der gefolgt wird, ist wählbar (--speckle).</translation>
+    </message>
+    <message>
         <source>{made} {unwritten}</source>
         <translation>{made} {unwritten}</translation>
+    </message>
+    <message>
+        <source>{meaning} was left out</source>
+        <translation>{meaning} entfällt</translation>
     </message>
     <message>
         <source>{name!r} does not exist on frame {frame}: it is left out.</source>
@@ -7074,6 +8422,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r} ist ein B-Spline und überall glatt; Ecken hat er erst als Bézier.</translation>
     </message>
     <message>
+        <source>{name!r} is a single point; draw an outline around the object first.</source>
+        <translation>{name!r} ist ein einzelner Punkt; zuerst einen Umriss um das Objekt zeichnen.</translation>
+    </message>
+    <message>
         <source>{name!r} is a single point; draw an outline around the object to fill it.</source>
         <translation>{name!r} ist ein einzelner Punkt; zum Füllen einen Umriss um das Objekt zeichnen.</translation>
     </message>
@@ -7084,6 +8436,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name!r} is locked or hidden; unlock and show it to edit it.</source>
         <translation>{name!r} ist gesperrt oder ausgeblendet; zum Bearbeiten bitte entsperren und einblenden.</translation>
+    </message>
+    <message>
+        <source>{name!r} is missing or unknown</source>
+        <translation>{name!r} fehlt oder ist unbekannt</translation>
+    </message>
+    <message>
+        <source>{name!r} is no file name for the matte of frame {frame}.</source>
+        <translation>{name!r} ist kein Dateiname für die Matte von Frame {frame}.</translation>
     </message>
     <message>
         <source>{name!r} is not shown while others are soloed; &lt;shape.solo&gt; shows all.</source>
@@ -7138,6 +8498,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name!r}: {keys} Keys für {frames} Bilder; der Umriss bewegt sich um höchstens {max_error:.2f} px, im Mittel {mean_error:.2f} px ({checked}).</translation>
     </message>
     <message>
+        <source>{name!r}: {points} points, {kept}; at least {share:.0f} % of the outline within {tolerance:g} px on every frame ({mean:.2f} px on average, {greatest:.1f} px at the farthest), IoU at least {overlap:.3f}{missed}.</source>
+        <translation>{name!r}: {points} Punkte, {kept}; mindestens {share:.0f} % des Umrisses innerhalb von {tolerance:g} px auf jedem Frame (im Mittel {mean:.2f} px, höchstens {greatest:.1f} px), IoU mindestens {overlap:.3f}{missed}.</translation>
+    </message>
+    <message>
         <source>{named}, and {count} more alike</source>
         <translation>{named} und {count} weitere ebenso</translation>
     </message>
@@ -7150,12 +8514,52 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{names} und {count} weitere</translation>
     </message>
     <message>
+        <source>{names} or {last}</source>
+        <translation>{names} oder {last}</translation>
+    </message>
+    <message>
+        <source>{name} (one frame, {first} to {last})</source>
+        <translation>{name} (ein Frame, {first} bis {last})</translation>
+    </message>
+    <message>
+        <source>{name} (one image)</source>
+        <translation>{name} (ein Bild)</translation>
+    </message>
+    <message>
+        <source>{name} ({count} frames, {first} to {last})</source>
+        <translation>{name} ({count} Frames, {first} bis {last})</translation>
+    </message>
+    <message>
         <source>{name} belongs to the same object now.</source>
         <translation>{name} gehört jetzt zum selben Objekt.</translation>
     </message>
     <message>
         <source>{name} boils</source>
         <translation>{name} flimmert</translation>
+    </message>
+    <message>
+        <source>{name} comes and goes, or changes its number of points: it became several shapes.</source>
+        <translation>{name} kommt und geht oder wechselt die Punktzahl: Daraus wurden mehrere Formen.</translation>
+    </message>
+    <message>
+        <source>{name} files hold all pixels; ask for EXR to leave out the black around the shapes.</source>
+        <translation>{name}-Dateien enthalten alle Pixel; um das Schwarz um die Formen wegzulassen, EXR wählen.</translation>
+    </message>
+    <message>
+        <source>{name} files hold no Cryptomatte; ask for EXR.</source>
+        <translation>{name}-Dateien nehmen kein Cryptomatte auf; EXR wählen.</translation>
+    </message>
+    <message>
+        <source>{name} files hold no channels with names; ask for EXR.</source>
+        <translation>{name}-Dateien haben keine benannten Kanäle; EXR wählen.</translation>
+    </message>
+    <message>
+        <source>{name} has eased keys; they were read as straight ones.</source>
+        <translation>{name} hat weich laufende Keyframes; sie wurden als gerade gelesen.</translation>
+    </message>
+    <message>
+        <source>{name} has keys between frames; they were moved to the nearest ones.</source>
+        <translation>{name} hat Keyframes zwischen den Frames; sie wurden auf die nächsten verschoben.</translation>
     </message>
     <message>
         <source>{name} has {count} frames that can be read, its header says {claimed}: it may be cut short.</source>
@@ -7172,6 +8576,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} in {layer}</source>
         <translation>{name} in {layer}</translation>
+    </message>
+    <message>
+        <source>{name} is a line, whose width is not read: it came in hidden.</source>
+        <translation>{name} ist eine Linie, deren Breite nicht gelesen wird: Sie kam ausgeblendet.</translation>
     </message>
     <message>
         <source>{name} is a picture in colour, no mask; paint the object white and the rest black.</source>
@@ -7200,6 +8608,34 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is locked; unlock it to track it.</source>
         <translation>{name} ist gesperrt; zum Tracken bitte entsperren.</translation>
+    </message>
+    <message>
+        <source>{name} is neither a folder nor a movie that ends in {known} or {last}.</source>
+        <translation>{name} ist weder ein Ordner noch ein Film, der auf {known} oder {last} endet.</translation>
+    </message>
+    <message>
+        <source>{name} is neither true nor false</source>
+        <translation>{name} ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>{name} is no name for a project; end it in {suffix}, as {better}.</source>
+        <translation>{name} ist kein Name für ein Projekt; er muss auf {suffix} enden, etwa {better}.</translation>
+    </message>
+    <message>
+        <source>{name} is no number</source>
+        <translation>{name} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{name} is no number and no animated value</source>
+        <translation>{name} ist weder Zahl noch animierter Wert</translation>
+    </message>
+    <message>
+        <source>{name} is no text</source>
+        <translation>{name} ist kein Text</translation>
+    </message>
+    <message>
+        <source>{name} is no whole number</source>
+        <translation>{name} ist keine ganze Zahl</translation>
     </message>
     <message>
         <source>{name} is not exported.</source>
@@ -7234,16 +8670,40 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist offen; zum Tracken der Fläche bitte schließen (&lt;points.toggle_closed&gt; im Viewer).</translation>
     </message>
     <message>
+        <source>{name} is the name of {kind} files, but {asked} is asked for.</source>
+        <translation>{name} ist ein Name für {kind}-Dateien, verlangt ist aber {asked}.</translation>
+    </message>
+    <message>
         <source>{name} is the new version already; nothing changed since it was saved.</source>
         <translation>{name} ist schon die neue Version; seit dem Speichern hat sich nichts geändert.</translation>
+    </message>
+    <message>
+        <source>{name} is {value:g}, not between {low:g} and {high:g}</source>
+        <translation>{name} ist {value:g}, nicht zwischen {low:g} und {high:g}</translation>
     </message>
     <message>
         <source>{name} is {who}.</source>
         <translation>{name} ist {who}.</translation>
     </message>
     <message>
+        <source>{name} lies not between {low} and {high}</source>
+        <translation>{name} liegt nicht zwischen {low} und {high}</translation>
+    </message>
+    <message>
         <source>{name} lies {where} from frame {frame} on.</source>
         <translation>{name} liegt {where} ab Frame {frame}.</translation>
+    </message>
+    <message>
+        <source>{name} mattes are compressed by {choice}, not {compression!r}.</source>
+        <translation>{name}-Mattes werden mit {choice} komprimiert, nicht mit {compression!r}.</translation>
+    </message>
+    <message>
+        <source>{name} mattes are {choice} deep, not {depth}.</source>
+        <translation>{name}-Mattes haben die Tiefe {choice}, nicht {depth}.</translation>
+    </message>
+    <message>
+        <source>{name} refers to itself: it was left out.</source>
+        <translation>{name} verweist auf sich selbst und entfällt.</translation>
     </message>
     <message>
         <source>{name} was changed by another program since it was opened or saved here.</source>
@@ -7256,6 +8716,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} was deleted meanwhile.</source>
         <translation>{name} wurde inzwischen gelöscht.</translation>
+    </message>
+    <message>
+        <source>{name} was left out ({reason}).</source>
+        <translation>{name} entfällt ({reason}).</translation>
+    </message>
+    <message>
+        <source>{name} was left out: it lies nowhere near the image.</source>
+        <translation>{name} liegt weitab vom Bild und entfällt.</translation>
     </message>
     <message>
         <source>{name} was locked meanwhile.</source>
@@ -7274,12 +8742,68 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name}: Klicken wählt aus, Umschalt fügt hinzu</translation>
     </message>
     <message>
+        <source>{name}={text} makes no sense; give a number from {low:g} to {high:g}.</source>
+        <translation>{name}={text} ergibt keinen Sinn; eine Zahl von {low:g} bis {high:g} angeben.</translation>
+    </message>
+    <message>
         <source>{note} So it is with {names}.</source>
         <translation>{note} Ebenso: {names}.</translation>
     </message>
     <message>
+        <source>{number} is no frame number</source>
+        <translation>{number} ist keine Framenummer</translation>
+    </message>
+    <message>
+        <source>{one} and {other} in {folder} bear the same frame number; remove one, or give a pattern with the number of digits, such as name.%04d.png.</source>
+        <translation>{one} und {other} in {folder} tragen dieselbe Framenummer; eine davon entfernen oder ein Muster mit der Zahl der Ziffern angeben, etwa name.%04d.png.</translation>
+    </message>
+    <message>
         <source>{pace:.0f} ms a frame</source>
         <translation>{pace:.0f} ms pro Frame</translation>
+    </message>
+    <message>
+        <source>{path!r} is no path that can be opened: {reason}.</source>
+        <translation>{path!r} ist kein Pfad, der sich öffnen lässt: {reason}.</translation>
+    </message>
+    <message>
+        <source>{path} (and {count} other file)</source>
+        <translation>{path} (und {count} weitere Datei)</translation>
+    </message>
+    <message>
+        <source>{path} (and {count} other files)</source>
+        <translation>{path} (und {count} weitere Dateien)</translation>
+    </message>
+    <message>
+        <source>{path} cannot be encoded: of {count} frames {found} can be read; is the disk full?</source>
+        <translation>{path} kann nicht kodiert werden: Von {count} Frames sind {found} lesbar; ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>{path} cannot be encoded: {reason}.</source>
+        <translation>{path} kann nicht kodiert werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.</source>
+        <translation>{path} kann nicht als Maskenbild gelesen werden; ein PNG, TIFF oder JPEG angeben, innen weiß.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: a point lies nowhere near the image.</source>
+        <translation>{path} kann nicht gelesen werden: Ein Punkt liegt weitab vom Bild.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: an image has no number.</source>
+        <translation>{path} kann nicht gelesen werden: Ein Bild hat keine Nummer.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: at {word}, {reason}.</source>
+        <translation>{path} kann nicht gelesen werden: bei {word}, {reason}.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: in {place}, {trouble}.</source>
+        <translation>{path} kann nicht gelesen werden: in {place}, {trouble}.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: width and height of its images must be positive.</source>
+        <translation>{path} kann nicht gelesen werden: Breite und Höhe der Bilder müssen positiv sein.</translation>
     </message>
     <message>
         <source>{path} cannot be read: {reason}.</source>
@@ -7306,32 +8830,252 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} kann nicht geschrieben werden: {reason}.</translation>
     </message>
     <message>
+        <source>{path} declares a document type or an entity, which files of shapes do not need; it was not read.</source>
+        <translation>{path} deklariert einen Dokumenttyp oder eine Entität, was Dateien mit Formen nicht brauchen, und wurde nicht gelesen.</translation>
+    </message>
+    <message>
         <source>{path} does not exist.</source>
         <translation>{path} gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{path} does not exist; give a file of shapes, a mask or a folder of masks.</source>
+        <translation>{path} gibt es nicht; eine Datei mit Formen, eine Maske oder einen Ordner mit Masken angeben.</translation>
+    </message>
+    <message>
+        <source>{path} does not exist; give a folder of images, a pattern, an image or a movie.</source>
+        <translation>{path} gibt es nicht; einen Ordner mit Bildern, ein Muster, ein Bild oder einen Film angeben.</translation>
+    </message>
+    <message>
+        <source>{path} does not say what pictures its shapes belong to: {reason}.</source>
+        <translation>{path} sagt nicht, zu welchen Bildern die Formen gehören: {reason}.</translation>
+    </message>
+    <message>
+        <source>{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.</source>
+        <translation>{path} hat keine Endung, aus der ROAM Formen liest; es liest: {known}, und Ordner mit Masken.</translation>
+    </message>
+    <message>
+        <source>{path} has version {version} of the format; this program reads up to {newest}.</source>
+        <translation>{path} hat Version {version} des Formats; dieses Programm liest bis {newest}.</translation>
+    </message>
+    <message>
+        <source>{path} holds masks of more than {most} parts and holes; bring them in as pictures of masks.</source>
+        <translation>{path} enthält Masken mit mehr als {most} Teilen und Löchern; als Maskenbilder importieren.</translation>
+    </message>
+    <message>
+        <source>{path} holds masks of more than {most} runs; bring them in as pictures of masks.</source>
+        <translation>{path} enthält Masken mit mehr als {most} Läufen; als Maskenbilder importieren.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {most} MiB; copy fewer shapes at once.</source>
+        <translation>{path} enthält mehr als {most} MiB; weniger Formen auf einmal kopieren.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {most} attributes; split it into several files.</source>
+        <translation>{path} enthält mehr als {most} Attribute; auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {most} keys; split it into several files.</source>
+        <translation>{path} enthält mehr als {most} Keyframes; auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {most} lists and objects; split it into several files.</source>
+        <translation>{path} enthält mehr als {most} Listen und Objekte; auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {most} lists; split it into several files.</source>
+        <translation>{path} enthält mehr als {most} Listen; auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {most} parts; split it into several files.</source>
+        <translation>{path} enthält mehr als {most} Teile; auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {most} shapes and layers; split it into several files.</source>
+        <translation>{path} enthält mehr als {most} Formen und Ebenen; auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} holds more than {much} (at shape {shape}); split it into several files.</source>
+        <translation>{path} enthält mehr als {much} (bei Form {shape}); auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} holds more values ({values}) than can be opened; it is damaged, or no ROAM project.</source>
+        <translation>{path} enthält mehr Werte ({values}), als sich öffnen lassen; die Datei ist beschädigt oder kein ROAM-Projekt.</translation>
+    </message>
+    <message>
+        <source>{path} holds no Roto or RotoPaint node.</source>
+        <translation>{path} enthält keinen Roto- oder RotoPaint-Knoten.</translation>
+    </message>
+    <message>
+        <source>{path} holds no picture that can be decoded; convert it to images.</source>
+        <translation>{path} enthält kein Bild, das sich dekodieren lässt; bitte in Bilder umwandeln.</translation>
+    </message>
+    <message>
+        <source>{path} holds no shapes: it has neither a &quot;format&quot; of &quot;{format}&quot;, nor &quot;images&quot; and &quot;annotations&quot; as COCO has, nor is it a spline of MLT.</source>
+        <translation>{path} enthält keine Formen: Es gibt weder ein &quot;format&quot; mit &quot;{format}&quot; noch &quot;images&quot; und &quot;annotations&quot; wie in COCO, noch ist es ein Spline von MLT.</translation>
+    </message>
+    <message>
+        <source>{path} holds no tools of Fusion&apos;s.</source>
+        <translation>{path} enthält keine Werkzeuge von Fusion.</translation>
+    </message>
+    <message>
+        <source>{path} holds pictures in colour, no masks; give the masks of them, white inside and black elsewhere.</source>
+        <translation>{path} enthält Farbbilder, keine Masken; die Masken dazu angeben, innen weiß und sonst schwarz.</translation>
+    </message>
+    <message>
+        <source>{path} holds the number {word}; no picture is that large.</source>
+        <translation>{path} enthält die Zahl {word}; so groß ist kein Bild.</translation>
     </message>
     <message>
         <source>{path} is a folder, not a file.</source>
         <translation>{path} ist ein Ordner, keine Datei.</translation>
     </message>
     <message>
+        <source>{path} is a folder, not a project file.</source>
+        <translation>{path} ist ein Ordner, keine Projektdatei.</translation>
+    </message>
+    <message>
+        <source>{path} is a movie: it has no layer {layer!r}.</source>
+        <translation>{path} ist ein Film und hat keine Ebene {layer!r}.</translation>
+    </message>
+    <message>
         <source>{path} is a pipe, a socket or a device, not a file; give a regular file.</source>
         <translation>{path} ist eine Pipe, ein Socket oder ein Gerät, keine Datei; geben Sie eine gewöhnliche Datei an.</translation>
+    </message>
+    <message>
+        <source>{path} is a project; export its shapes (--to json) and import those, or copy them from window to window.</source>
+        <translation>{path} ist ein Projekt; seine Formen exportieren (--to json) und diese importieren, oder sie von Fenster zu Fenster kopieren.</translation>
+    </message>
+    <message>
+        <source>{path} is damaged or cut short ({reason}).</source>
+        <translation>{path} ist beschädigt oder abgeschnitten ({reason}).</translation>
     </message>
     <message>
         <source>{path} is damaged.</source>
         <translation>{path} ist beschädigt.</translation>
     </message>
     <message>
+        <source>{path} is damaged: {reason}.</source>
+        <translation>{path} ist beschädigt: {reason}.</translation>
+    </message>
+    <message>
+        <source>{path} is empty: it was cut short while it was written or copied.</source>
+        <translation>{path} ist leer: Die Datei wurde beim Schreiben oder Kopieren abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{path} is interlaced: each of its frames shows two moments, in every other row. Deinterlace it in another program, as images or as a progressive movie, and open that.</source>
+        <translation>{path} ist interlaced: Jeder Frame zeigt zwei Momente, in jeder zweiten Zeile. In einem anderen Programm deinterlacen, als Bilder oder als progressiver Film, und das öffnen.</translation>
+    </message>
+    <message>
+        <source>{path} is larger than {most} MiB; that is no ROAM project.</source>
+        <translation>{path} ist größer als {most} MiB; das ist kein ROAM-Projekt.</translation>
+    </message>
+    <message>
+        <source>{path} is larger than {size}; {remedy}.</source>
+        <translation>{path} ist größer als {size}; {remedy}.</translation>
+    </message>
+    <message>
+        <source>{path} is no SVG picture (its root element is {element}).</source>
+        <translation>{path} ist kein SVG-Bild (das Wurzelelement ist {element}).</translation>
+    </message>
+    <message>
+        <source>{path} is no Silhouette shape file (it begins with {element}).</source>
+        <translation>{path} ist keine Formendatei von Silhouette (sie beginnt mit {element}).</translation>
+    </message>
+    <message>
+        <source>{path} is no file of CVAT&apos;s (its root element is {element}).</source>
+        <translation>{path} ist keine Datei von CVAT (das Wurzelelement ist {element}).</translation>
+    </message>
+    <message>
         <source>{path} is no keymap; keys are set in Edit &gt; Change keys.</source>
         <translation>{path} ist keine Tastenbelegung; Tasten werden unter Bearbeiten &gt; Tasten ändern festgelegt.</translation>
+    </message>
+    <message>
+        <source>{path} is no movie that can be decoded ({reason}); convert it to images.</source>
+        <translation>{path} ist kein Film, der sich dekodieren lässt ({reason}); bitte in Bilder umwandeln.</translation>
+    </message>
+    <message>
+        <source>{path} is no movie that can be decoded, or it is damaged; convert it to images.</source>
+        <translation>{path} ist kein Film, der sich dekodieren lässt, oder ist beschädigt; bitte in Bilder umwandeln.</translation>
+    </message>
+    <message>
+        <source>{path} is no regular file, so it is no ROAM project.</source>
+        <translation>{path} ist keine gewöhnliche Datei und damit kein ROAM-Projekt.</translation>
+    </message>
+    <message>
+        <source>{path} is no setting of Fusion&apos;s, or it is cut off (at {word}).</source>
+        <translation>{path} ist kein Setting von Fusion oder ist abgeschnitten (bei {word}).</translation>
+    </message>
+    <message>
+        <source>{path} is no setting of Fusion&apos;s, or it is cut off.</source>
+        <translation>{path} ist kein Setting von Fusion oder ist abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{path} is no valid JSON.</source>
+        <translation>{path} ist kein gültiges JSON.</translation>
+    </message>
+    <message>
+        <source>{path} is no valid XML ({reason}).</source>
+        <translation>{path} ist kein gültiges XML ({reason}).</translation>
+    </message>
+    <message>
+        <source>{path} is not a ROAM project ({reason}).</source>
+        <translation>{path} ist kein ROAM-Projekt ({reason}).</translation>
+    </message>
+    <message>
+        <source>{path} is not a ROAM project.</source>
+        <translation>{path} ist kein ROAM-Projekt.</translation>
+    </message>
+    <message>
+        <source>{path} is packed, but damaged; save it again.</source>
+        <translation>{path} ist gepackt, aber beschädigt; bitte neu speichern.</translation>
     </message>
     <message>
         <source>{path} is there already; nothing is written over it.</source>
         <translation>{path} gibt es schon; es wird nicht überschrieben.</translation>
     </message>
     <message>
+        <source>{path} joins the mask {following} with itself.</source>
+        <translation>{path} verbindet die Maske {following} mit sich selbst.</translation>
+    </message>
+    <message>
         <source>{path} may not be read; give yourself the permission, or ask its owner for it.</source>
         <translation>{path} darf nicht gelesen werden; geben Sie sich die Berechtigung, oder fragen Sie den Eigentümer danach.</translation>
+    </message>
+    <message>
+        <source>{path} nests its parts more than {most} deep; no program writes such a file.</source>
+        <translation>{path} verschachtelt Teile mehr als {most} tief; so eine Datei schreibt kein Programm.</translation>
+    </message>
+    <message>
+        <source>{path} says no valid version; it may be damaged.</source>
+        <translation>{path} nennt keine gültige Version und ist vielleicht beschädigt.</translation>
+    </message>
+    <message>
+        <source>{path} speaks of pictures of several sizes, which cannot be frames of one clip.</source>
+        <translation>{path} spricht von Bildern verschiedener Größen, die nicht Frames eines Clips sein können.</translation>
+    </message>
+    <message>
+        <source>{path} speaks of pictures of {width:g} x {height:g} pixels; that cannot be.</source>
+        <translation>{path} spricht von Bildern mit {width:g} x {height:g} Pixeln; das kann nicht sein.</translation>
+    </message>
+    <message>
+        <source>{path} unpacks to more than {most} MiB; split it into several files.</source>
+        <translation>{path} ist entpackt größer als {most} MiB; auf mehrere Dateien aufteilen.</translation>
+    </message>
+    <message>
+        <source>{path} was written by a newer ROAM (file version {version}, this program reads up to {newest}); open it with that version.</source>
+        <translation>{path} wurde von einem neueren ROAM geschrieben (Dateiversion {version}, dieses Programm liest bis {newest}); mit jener Version öffnen.</translation>
+    </message>
+    <message>
+        <source>{path}: the curves of the node {node} are not in the form of Nuke 7 and later; save the script with such a version.</source>
+        <translation>{path}: Die Kurven des Knotens {node} haben nicht die Form von Nuke 7 und später; das Skript mit so einer Version speichern.</translation>
+    </message>
+    <message>
+        <source>{pattern}: nothing is put in place of {place}; {name} stands for a layer or shape.</source>
+        <translation>{pattern}: Für {place} wird nichts eingesetzt; {name} steht für eine Ebene oder Form.</translation>
+    </message>
+    <message>
+        <source>{pattern}: {name} stands for a layer or shape, but there is one matte of all; ask for one per layer or per shape, or take it out.</source>
+        <translation>{pattern}: {name} steht für eine Ebene oder Form, es gibt aber eine Matte für alle; eine je Ebene oder je Form verlangen, oder es herausnehmen.</translation>
     </message>
     <message>
         <source>{pixels:.1f} px</source>
@@ -7350,8 +9094,28 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{pixels:g} px</translation>
     </message>
     <message>
+        <source>{place}, item {number}</source>
+        <translation>{place}, Eintrag {number}</translation>
+    </message>
+    <message>
+        <source>{place}, key on frame {frame}</source>
+        <translation>{place}, Keyframe auf Frame {frame}</translation>
+    </message>
+    <message>
+        <source>{place}, {field}</source>
+        <translation>{place}, {field}</translation>
+    </message>
+    <message>
         <source>{program} counts from 0, the clip&apos;s first frame: an offset of {offset} numbers frames below that, which it does not show.</source>
         <translation>{program} zählt ab 0, dem ersten Frame des Clips: Ein Versatz von {offset} nummeriert Frames darunter, die es nicht zeigt.</translation>
+    </message>
+    <message>
+        <source>{property!r} has no value</source>
+        <translation>{property!r} hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>{property!r} has {found} numbers, not {count}</source>
+        <translation>{property!r} hat {found} Zahlen, nicht {count}</translation>
     </message>
     <message>
         <source>{rate:.0f} of </source>
@@ -7384,6 +9148,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{space} (found)</source>
         <translation>{space} (gefunden)</translation>
+    </message>
+    <message>
+        <source>{species} {name} warps by its curves, which make no matte: they came in hidden.</source>
+        <translation>{species} {name} verzerrt mit seinen Kurven, die keine Matte ergeben: Sie kamen ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>{stays}; and {stale}</source>
+        <translation>{stays}; und {stale}</translation>
+    </message>
+    <message>
+        <source>{text!r} is no number</source>
+        <translation>{text!r} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{text!r} is no sensible number</source>
+        <translation>{text!r} ist keine sinnvolle Zahl</translation>
     </message>
     <message>
         <source>{tip}; double click: neutral</source>

@@ -10,6 +10,7 @@ from roam_core.errors import RoamError
 from roam_core.propagate.shapes.provenance import MIN_POINTS
 from roam_core.roto import Project, RotoShape
 from roam_core.roto.layers import only
+from roam_core.translatable import sentence
 
 
 class NothingToSolve(RoamError):
@@ -75,9 +76,13 @@ def trackable(project: Project, picking: Picking = EVERYTHING) -> list[RotoShape
     wanted = [shape for shape in closed if shape.point_count >= MIN_POINTS]
     if picking.names and len(wanted) < len(closed):
         name = next(shape.name for shape in closed if shape not in wanted)
-        raise RoamError(f"{name!r} is a single point; draw an outline around the object first.")
+        raise RoamError(sentence("{name!r} is a single point; draw an outline around the object first.", name=name))
     locked = {shape.id: shape.name for shape in wanted if project.is_locked(shape.id)}
     if picking.names and locked:
         name = next(iter(locked.values()))
-        raise RoamError(f"The shape {name!r} is locked, or lies in a locked layer; unlock that before it is solved.")
+        raise RoamError(
+            sentence(
+                "The shape {name!r} is locked, or lies in a locked layer; unlock that before it is solved.", name=name
+            )
+        )
     return [shape for shape in wanted if shape.id not in locked]

@@ -8,13 +8,11 @@ from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.interchange.protocol import STANDARD, ExportOptions
-from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
+from roam_core.interchange.reading import CLIPBOARD, PLAIN, Imported, Importer, ImportOptions
 from roam_core.interchange.recognition import name_of
 from roam_core.interchange.registry import EXPORTERS, IMPORTERS
 from roam_core.roto import Clip, Project
-
-CLIPBOARD = Path("The clipboard")
-"""What stands for a file's name in sentences."""
+from roam_core.translatable import sentence
 
 
 def node_text(name: str, project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
@@ -42,5 +40,5 @@ def read_text(text: str, clip: Clip, options: ImportOptions = PLAIN) -> Imported
     """
     importer = format_of(text)
     if importer is None:
-        raise RoamError(f"{CLIPBOARD} holds no shapes of a kind that ROAM reads.")
+        raise RoamError(sentence("The clipboard holds no shapes of a kind that ROAM reads."))
     return importer.read(CLIPBOARD, clip, replace(options, content=text.encode("utf-8", "surrogatepass")))

@@ -13,7 +13,7 @@ from roam_core.interchange.mlt.reading import MltReader
 from roam_core.interchange.plain_json import FORMAT, JsonReader
 from roam_core.interchange.reading import MAX_PARTS, PLAIN, Imported, ImportOptions, ShapeReader, quietly
 from roam_core.roto import Clip
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 
 class JsonImporter:
@@ -26,7 +26,8 @@ class JsonImporter:
     @quietly
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Read the shapes of a file; one sentence for a file that is of no kind that is known."""
-        document = parsed_json(ShapeReader(path, clip, options))
+        reader = ShapeReader(path, clip, options)
+        document = parsed_json(reader)
         if isinstance(document, dict) and document.get("format") == FORMAT:
             return JsonReader(path, clip, options).shapes(document)
         if is_coco(document):
@@ -34,8 +35,12 @@ class JsonImporter:
         if is_mlt(document):
             return MltReader(path, clip, options).shapes(document)
         raise RoamError(
-            f'{path} holds no shapes: it has neither a "format" of "{FORMAT}", nor "images" and "annotations" as COCO '
-            "has, nor is it a spline of MLT."
+            sentence(
+                '{path} holds no shapes: it has neither a "format" of "{format}", nor "images" and '
+                '"annotations" as COCO has, nor is it a spline of MLT.',
+                path=reader.called,
+                format=FORMAT,
+            )
         )
 
 
@@ -44,8 +49,14 @@ def parsed_json(reader: ShapeReader) -> Any:
     text = reader.text()
     # Every list, object and comma may become an object in memory: they are counted before the text is taken apart.
     if max(text.count("{") + text.count("["), text.count(",") // 4) > MAX_PARTS:
-        raise RoamError(f"{reader.path} holds more than {MAX_PARTS} lists and objects; split it into several files.")
+        raise RoamError(
+            sentence(
+                "{path} holds more than {most} lists and objects; split it into several files.",
+                path=reader.called,
+                most=MAX_PARTS,
+            )
+        )
     try:
         return json.loads(text)
     except (ValueError, RecursionError):
-        raise RoamError(f"{reader.path} is no valid JSON.") from None
+        raise RoamError(sentence("{path} is no valid JSON.", path=reader.called)) from None

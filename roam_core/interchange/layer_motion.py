@@ -14,6 +14,7 @@ from roam_core.interchange.keys.keying import NEAR, keys_of
 from roam_core.interchange.reading import ShapeReader, brief
 from roam_core.roto import Interpolation, Layer, LayerTransform, RotoShape, Spline
 from roam_core.roto.placement import Placement, matrix_at
+from roam_core.translatable import sentence
 
 
 def layer_motion(
@@ -69,8 +70,13 @@ def tell_strays(layer: Layer, reader: ShapeReader) -> None:
     if seen:
         most, name = max(seen)
         reader.note(
-            f"{len(seen)} B-spline(s) lie in a layer that moves in perspective, which carries the curve in place "
-            f"of its control points: {brief(name)} strays by up to {most:.1f} px."
+            sentence(
+                "{count} B-spline(s) lie in a layer that moves in perspective, which carries the curve in "
+                "place of its control points: {word} strays by up to {most:.1f} px.",
+                count=len(seen),
+                word=brief(name),
+                most=most,
+            )
         )
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from roam_core.errors import RoamError
+from roam_core.translatable import sentence
 
 MATTES = "mattes"
 """The name of the format that is pictures; all others hold shapes."""
@@ -122,19 +123,41 @@ class MatteStyle:
         object.__setattr__(self, "depth", None if self.depth is None else Depth(self.depth))
         name = self.file.upper()
         if self.depth is not None and self.depth not in DEPTHS[self.file]:
-            raise RoamError(f"{name} mattes are {_choice(DEPTHS[self.file])} deep, not {self.depth}.")
+            raise RoamError(
+                sentence(
+                    "{name} mattes are {choice} deep, not {depth}.",
+                    name=name,
+                    choice=_choice(DEPTHS[self.file]),
+                    depth=self.depth,
+                )
+            )
         if self.compression is not None and self.compression not in COMPRESSIONS[self.file]:
             raise RoamError(
-                f"{name} mattes are compressed by {_choice(COMPRESSIONS[self.file])}, not {self.compression!r}."
+                sentence(
+                    "{name} mattes are compressed by {choice}, not {compression!r}.",
+                    name=name,
+                    choice=_choice(COMPRESSIONS[self.file]),
+                    compression=self.compression,
+                )
             )
         if self.file is not MatteFile.EXR and self.gathering is Gathering.CHANNELS:
-            raise RoamError(f"{name} files hold no channels with names; ask for EXR.")
+            raise RoamError(sentence("{name} files hold no channels with names; ask for EXR.", name=name))
         if self.file is not MatteFile.EXR and self.gathering is Gathering.CRYPTOMATTE:
-            raise RoamError(f"{name} files hold no Cryptomatte; ask for EXR.")
+            raise RoamError(sentence("{name} files hold no Cryptomatte; ask for EXR.", name=name))
         if self.gathering is Gathering.CRYPTOMATTE and self.depth not in (None, Depth.FLOAT):
-            raise RoamError(f"Cryptomatte is {Depth.FLOAT} deep, not {self.depth}: its numbers stand for names.")
+            raise RoamError(
+                sentence(
+                    "Cryptomatte is {own} deep, not {depth}: its numbers stand for names.",
+                    own=Depth.FLOAT,
+                    depth=self.depth,
+                )
+            )
         if self.file is not MatteFile.EXR and self.window is DataWindow.TIGHT:
-            raise RoamError(f"{name} files hold all pixels; ask for EXR to leave out the black around the shapes.")
+            raise RoamError(
+                sentence(
+                    "{name} files hold all pixels; ask for EXR to leave out the black around the shapes.", name=name
+                )
+            )
 
     @property
     def suffix(self) -> str:
@@ -155,4 +178,6 @@ class MatteStyle:
 
 
 def _choice(words: tuple[str, ...]) -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} or {words[-1]}"
+    if len(words) == 1:
+        return words[0]
+    return sentence("{names} or {last}", names=", ".join(words[:-1]), last=words[-1])

@@ -40,7 +40,7 @@ from roam_core.roto.animated import Animatable, Slopes
 from roam_core.roto.imported import IMPORT
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.roto.value_curves import bounded
-from roam_core.translatable import N_
+from roam_core.translatable import N_, said_by, sentence
 
 Number = Callable[..., float]
 """Reads a number of a field: `_Reader._number` or `_share`."""
@@ -186,21 +186,28 @@ class JsonReader(ShapeReader):
         version = document.get("version")
         if version not in (1, VERSION):
             raise RoamError(
-                f"{self.path} has version {brief(str(version))} of the format; this program reads up to {VERSION}."
+                sentence(
+                    "{path} has version {version} of the format; this program reads up to {newest}.",
+                    path=self.called,
+                    version=brief(str(version)),
+                    newest=VERSION,
+                )
             )
         self._sums = version == 1
-        size = tuple(self._number(document, name, "the file") for name in ("width", "height"))
+        size = tuple(self._number(document, name, sentence("the file")) for name in ("width", "height"))
         if min(size) <= 0.0:
-            raise self._refusal("the file", "width and height must be positive")
-        return self.finished(self._items(document, "the file", 1), (size[0], size[1]))
+            raise self._refusal(sentence("the file"), sentence("width and height must be positive"))
+        return self.finished(self._items(document, sentence("the file"), 1), (size[0], size[1]))
 
     def _items(self, values: dict[str, Any], place: str, depth: int) -> tuple[Layer | RotoShape, ...]:
         self.check_depth(depth)
         children: list[Layer | RotoShape] = []
         for number, item in enumerate(self._list(values, "items", place), start=1):
-            inner = f"item {number} of {place}" if depth == 1 else f"{place}, item {number}"
+            inner = sentence("item {number} of {place}", number=number, place=place)
+            if depth > 1:
+                inner = sentence("{place}, item {number}", place=place, number=number)
             if not isinstance(item, dict) or item.get("kind") not in ("layer", "shape"):
-                raise self._refusal(inner, '"kind" must be "layer" or "shape"')
+                raise self._refusal(inner, sentence('"kind" must be "layer" or "shape"'))
             if item["kind"] == "layer":
                 children.append(self._layer(item, inner, depth))
             else:
@@ -225,10 +232,10 @@ class JsonReader(ShapeReader):
 
     def _shape(self, values: dict[str, Any], place: str) -> RotoShape:
         name = self._text(values, "name", place)
-        place = f"shape {brief(name)} ({place})"
+        place = sentence("shape {name} ({place})", name=brief(name), place=place)
         keys = tuple(self._key(key, name, place) for key in self._list(values, "keys", place))
         if not sensible(keys):
-            raise self._refusal(place, "a point lies nowhere near the image")
+            raise self._refusal(place, sentence("a point lies nowhere near the image"))
         blend = self._choice(BlendMode, values, "blend", BlendMode.ADD, place)
         spline = self._choice(Spline, values, "spline", Spline.BEZIER, place)
         red, green, blue = self._colour(values, place)
@@ -250,14 +257,14 @@ class JsonReader(ShapeReader):
                 compound=self._text(values, "compound", place),
             )
         except ValueError as error:
-            raise self._refusal(place, str(error)) from None
+            raise self._refusal(place, said_by(error)) from None
         return _as_bspline(shape) if spline is Spline.BSPLINE else shape
 
     def _key(self, values: Any, name: str, place: str) -> Keyframe:
         if not isinstance(values, dict):
-            raise self._refusal(place, "a key must be an object")
+            raise self._refusal(place, sentence("a key must be an object"))
         frame = self._frame(self._number(values, "frame", place), place)
-        place = f"{place}, key on frame {frame}"
+        place = sentence("{place}, key on frame {frame}", place=place, frame=frame)
         rows = self._list(values, "points", place)
         self.check_points(len(rows), name)
         points = self._points(rows, place)
@@ -265,7 +272,7 @@ class JsonReader(ShapeReader):
         if values.get("feather") is not None:
             feather = self._points(self._list(values, "feather", place), place)
             if feather.shape != points.shape:
-                raise self._refusal(place, "the feather has other points than the outline")
+                raise self._refusal(place, sentence("the feather has other points than the outline"))
         interpolation = self._choice(Interpolation, values, "interpolation", Interpolation.LINEAR, place)
         origin = self._choice(Origin, values, "origin", Origin.ARTIST, place)
         return Keyframe(
@@ -279,36 +286,40 @@ class JsonReader(ShapeReader):
 
     def _points(self, rows: list[Any], place: str) -> Array:
         if not rows or not all(isinstance(row, list) and len(row) in (2, 6) and are_numbers(row) for row in rows):
-            raise self._refusal(place, "each point must be a list of two or six numbers, and there must be one")
+            raise self._refusal(
+                place, sentence("each point must be a list of two or six numbers, and there must be one")
+            )
         return np.array([row * (6 // len(row)) for row in rows], dtype=np.float64).reshape(-1, 3, 2)
 
     # ---- values ------------------------------------------------------------------------------------------------------
 
     def _refusal(self, place: str, trouble: str) -> RoamError:
-        return RoamError(f"{self.path} cannot be read: in {place}, {trouble}.")
+        return RoamError(
+            sentence("{path} cannot be read: in {place}, {trouble}.", path=self.called, place=place, trouble=trouble)
+        )
 
     def _list(self, values: dict[str, Any], field: str, place: str) -> list[Any]:
         value = values.get(field)
         if not isinstance(value, list):
-            raise self._refusal(place, f'"{field}" must be a list')
+            raise self._refusal(place, sentence('"{field}" must be a list', field=field))
         return value
 
     def _text(self, values: dict[str, Any], field: str, place: str) -> str:
         value = values.get(field, "")
         if not isinstance(value, str):
-            raise self._refusal(place, f'"{field}" must be a text')
+            raise self._refusal(place, sentence('"{field}" must be a text', field=field))
         return value
 
     def _truth(self, values: dict[str, Any], field: str, default: bool, place: str) -> bool:
         value = values.get(field, default)
         if not isinstance(value, bool):
-            raise self._refusal(place, f'"{field}" must be true or false')
+            raise self._refusal(place, sentence('"{field}" must be true or false', field=field))
         return value
 
     def _number(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
         value = values.get(field, default)
         if not are_numbers([value]):
-            raise self._refusal(place, f'"{field}" must be a number')
+            raise self._refusal(place, sentence('"{field}" must be a number', field=field))
         assert isinstance(value, int | float)
         return float(value)
 
@@ -319,13 +330,21 @@ class JsonReader(ShapeReader):
             return read(values, field, place, default)
         self.check_keys(len(keys))
         try:
-            return bounded(Animated(tuple(self._value_key(key, f"{place}, {field}", read) for key in keys)), field)
+            return bounded(
+                Animated(
+                    tuple(
+                        self._value_key(key, sentence("{place}, {field}", place=place, field=field), read)
+                        for key in keys
+                    )
+                ),
+                field,
+            )
         except ValueError as error:
-            raise self._refusal(place, str(error)) from None
+            raise self._refusal(place, said_by(error)) from None
 
     def _value_key(self, values: Any, place: str, read: Number) -> ValueKey:
         if not isinstance(values, dict):
-            raise self._refusal(place, "a key must be an object")
+            raise self._refusal(place, sentence("a key must be an object"))
         frame = self._frame(self._number(values, "frame", place), place)
         interpolation = self._choice(Interpolation, values, "interpolation", Interpolation.LINEAR, place)
         return ValueKey(frame, read(values, "value", place), interpolation, self._slopes(values.get("slopes"), place))
@@ -335,25 +354,25 @@ class JsonReader(ShapeReader):
         if pair is None:
             return None
         if not isinstance(pair, list) or len(pair) != 2 or not are_numbers(pair):
-            raise self._refusal(place, '"slopes" must be two numbers')
+            raise self._refusal(place, sentence('"slopes" must be two numbers'))
         return float(pair[0]), float(pair[1])
 
     def _share(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
         value = self._number(values, field, place, default)
         if not -ROUNDING <= value <= 1.0 + ROUNDING:
-            raise self._refusal(place, f'"{field}" must lie between 0 and 1')
+            raise self._refusal(place, sentence('"{field}" must lie between 0 and 1', field=field))
         return min(max(value, 0.0), 1.0)
 
     def _choice(self, kind: type[Kind], values: dict[str, Any], field: str, default: Kind, place: str) -> Kind:
         value = values.get(field, default)
         if value not in list(kind):
-            raise self._refusal(place, f'"{field}" must be one of {", ".join(kind)}')
+            raise self._refusal(place, sentence('"{field}" must be one of {words}', field=field, words=", ".join(kind)))
         return kind(value)
 
     def _colour(self, values: dict[str, Any], place: str) -> list[float]:
         value = values.get("colour", list(NO_COLOUR))
         if not isinstance(value, list) or len(value) != 3 or not are_numbers(value):
-            raise self._refusal(place, '"colour" must be a list of three numbers')
+            raise self._refusal(place, sentence('"colour" must be a list of three numbers'))
         return [min(max(float(share), 0.0), 1.0) for share in value]
 
     def _motion_blur(self, values: dict[str, Any], place: str) -> MotionBlur | None:
@@ -361,11 +380,13 @@ class JsonReader(ShapeReader):
         if blur is None:
             return None
         if not isinstance(blur, dict):
-            raise self._refusal(place, '"motion_blur" must be null or an object')
+            raise self._refusal(place, sentence('"motion_blur" must be null or an object'))
         shutter, phase = (self._number(blur, field, place) for field in ("shutter", "phase"))
         samples = self._number(blur, "samples", place, 16.0)
         if not 1.0 <= samples <= 1024.0 or not 0.0 <= shutter <= 1000.0:
-            raise self._refusal(place, "the motion blur must have 1 to 1024 samples and a shutter of 0 to 1000 frames")
+            raise self._refusal(
+                place, sentence("the motion blur must have 1 to 1024 samples and a shutter of 0 to 1000 frames")
+            )
         return MotionBlur(shutter, phase, round(samples))
 
     def _lifetime(self, values: dict[str, Any], place: str) -> tuple[int, int] | None:
@@ -373,17 +394,19 @@ class JsonReader(ShapeReader):
         if lifetime is None:
             return None
         if not isinstance(lifetime, list) or len(lifetime) != 2 or not are_numbers(lifetime):
-            raise self._refusal(place, '"lifetime" must be null or a first frame and the frame after the last')
+            raise self._refusal(
+                place, sentence('"lifetime" must be null or a first frame and the frame after the last')
+            )
         start, stop = (self._frame(frame, place) for frame in lifetime)
         if stop < start:
-            raise self._refusal(place, '"lifetime" must not end before it begins')
+            raise self._refusal(place, sentence('"lifetime" must not end before it begins'))
         return start, stop
 
     def _frame(self, number: float, place: str) -> int:
         try:
             return self.frame(number)
         except ValueError as error:
-            raise self._refusal(place, str(error)) from None
+            raise self._refusal(place, said_by(error)) from None
 
 
 def _as_bspline(shape: RotoShape) -> RotoShape:

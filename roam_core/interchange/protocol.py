@@ -78,7 +78,11 @@ class ExportOptions(Reporting):
         """The frames that are written; a `RoamError` where they are none of the clip's, or numbered absurdly."""
         if max(abs(frame + self.frame_offset) for frame in (clip.first, clip.last)) > MAX_FRAMES:
             raise RoamError(
-                f"An offset of {self.frame_offset} would number frames beyond {MAX_FRAMES}; choose a smaller one."
+                sentence(
+                    "An offset of {offset} would number frames beyond {most}; choose a smaller one.",
+                    offset=self.frame_offset,
+                    most=MAX_FRAMES,
+                )
             )
         if self.frames is None:
             return clip.frame_range
@@ -98,7 +102,14 @@ class ExportOptions(Reporting):
         """The frame of a still picture; a `RoamError` where the clip does not have it."""
         frames = self.frames_of(clip)
         if self.frame is not None and self.frame not in clip.frame_range:
-            raise RoamError(f"Frame {self.frame} lies outside of the clip's, which are {clip.first} to {clip.last}.")
+            raise RoamError(
+                sentence(
+                    "Frame {frame} lies outside of the clip's, which are {first} to {last}.",
+                    frame=self.frame,
+                    first=clip.first,
+                    last=clip.last,
+                )
+            )
         return frames[0] if self.frame is None else self.frame
 
 

@@ -19,7 +19,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key
 from roam_core.interchange.protocol import MAX_FRAMES, KeyChoice
 from roam_core.interchange.recognition import text_of
-from roam_core.interchange.telling import Note, gathered
+from roam_core.interchange.telling import gathered
 from roam_core.params import scale_for
 from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
@@ -93,6 +93,9 @@ class ImportOptions(Reporting):
 
 
 PLAIN = ImportOptions()
+
+CLIPBOARD = Path("The clipboard")
+"""The path of a text of the clipboard."""
 
 quietly = np.errstate(over="ignore", invalid="ignore", divide="ignore")
 """Around what reckons with a file's numbers: layers in layers may send a point beyond all of them. Its shape is then
@@ -170,7 +173,16 @@ class ShapeReader:
 
     def __post_init__(self) -> None:
         if abs(self.options.frame_offset) > MAX_FRAMES:
-            raise RoamError(f"No frame is numbered {self.options.frame_offset} too high; choose a smaller offset.")
+            raise RoamError(
+                sentence(
+                    "No frame is numbered {offset} too high; choose a smaller offset.", offset=self.options.frame_offset
+                )
+            )
+
+    @property
+    def called(self) -> str:
+        """What sentences call the file."""
+        return sentence("The clipboard") if self.path == CLIPBOARD else str(self.path)
 
     def content(self, most: int | None = None) -> bytes:
         """The whole file; one sentence when it is missing, no file, or larger than `most` (`MAX_BYTES` for None)."""
@@ -178,7 +190,11 @@ class ShapeReader:
         if given is None:
             return bounded_bytes(self.path, most)
         if len(given) > most:
-            raise RoamError(f"{self.path} holds more than {most >> 20} MiB; copy fewer shapes at once.")
+            raise RoamError(
+                sentence(
+                    "{path} holds more than {most} MiB; copy fewer shapes at once.", path=self.called, most=most >> 20
+                )
+            )
         return given
 
     def text(self, most: int | None = None) -> str:
@@ -188,13 +204,25 @@ class ShapeReader:
     def check_depth(self, depth: int) -> None:
         """Refuse a file whose parts lie deeper in one another than `MAX_DEPTH`."""
         if depth > MAX_DEPTH:
-            raise RoamError(f"{self.path} nests its parts more than {MAX_DEPTH} deep; no program writes such a file.")
+            raise RoamError(
+                sentence(
+                    "{path} nests its parts more than {most} deep; no program writes such a file.",
+                    path=self.called,
+                    most=MAX_DEPTH,
+                )
+            )
 
     def check_parts(self, count: int = 1) -> None:
         """Count `count` more parts of any kind, and refuse more than `MAX_PARTS`."""
         self.parts += count
         if self.parts > MAX_PARTS:
-            raise RoamError(f"{self.path} holds more than {MAX_PARTS} parts; split it into several files.")
+            raise RoamError(
+                sentence(
+                    "{path} holds more than {most} parts; split it into several files.",
+                    path=self.called,
+                    most=MAX_PARTS,
+                )
+            )
 
     def check_points(self, count: int, shape: str, keys: int = 1) -> None:
         """A safe point: count `count` more control points of `keys` keys; refuse more than a file may hold.
@@ -204,9 +232,16 @@ class ShapeReader:
         self.points += count
         self.keys += keys
         if self.points > MAX_POINTS or self.keys > MAX_KEYS:
-            much = f"{MAX_POINTS} points over all keys" if self.points > MAX_POINTS else f"{MAX_KEYS} keys"
+            much = sentence("{count} keys", count=MAX_KEYS)
+            if self.points > MAX_POINTS:
+                much = sentence("{count} points over all keys", count=MAX_POINTS)
             raise RoamError(
-                f"{self.path} holds more than {much} (at shape {brief(shape)}); split it into several files."
+                sentence(
+                    "{path} holds more than {much} (at shape {shape}); split it into several files.",
+                    path=self.called,
+                    much=much,
+                    shape=brief(shape),
+                )
             )
         self.options.advance(0.0, sentence("Shape {name}", name=brief(shape)))
 
@@ -214,26 +249,36 @@ class ShapeReader:
         """Count the keys of an animated value with those of shapes; refuse more than a file may hold."""
         self.keys += count
         if self.keys > MAX_KEYS:
-            raise RoamError(f"{self.path} holds more than {MAX_KEYS} keys; split it into several files.")
+            raise RoamError(
+                sentence(
+                    "{path} holds more than {most} keys; split it into several files.", path=self.called, most=MAX_KEYS
+                )
+            )
 
     def fresh_id(self, kind: str) -> str:
         """`shape-1`, `shape-2`, ...: unique within this file; more than `MAX_ITEMS` are refused."""
         self._ids[kind] = self._ids.get(kind, 0) + 1
         if sum(self._ids.values()) > MAX_ITEMS:
-            raise RoamError(f"{self.path} holds more than {MAX_ITEMS} shapes and layers; split it into several files.")
+            raise RoamError(
+                sentence(
+                    "{path} holds more than {most} shapes and layers; split it into several files.",
+                    path=self.called,
+                    most=MAX_ITEMS,
+                )
+            )
         return f"{kind}-{self._ids[kind]}"
 
     def frame(self, number: float) -> int:
         """The plate's frame for a whole frame number of the file, the offset taken off; absurd numbers are refused."""
         if not abs(number) <= MAX_FRAMES:
-            raise ValueError(f"{number} is no frame number")
+            raise ValueError(sentence("{number} is no frame number", number=number))
         return round(number) - self.options.frame_offset
 
-    def note(self, sentence: str, subject: str = "") -> None:
-        """Remember a loss, once; where it says of one shape or layer, `subject` is what that is called in it."""
-        if sentence not in self._told:
-            self._told.add(sentence)
-            self.notes.append(Note.of(sentence, subject) if subject else sentence)
+    def note(self, told: str) -> None:
+        """Remember a loss, once: a sentence, of which `name`, or the `name` of `subject`, is the shape or layer."""
+        if told not in self._told:
+            self._told.add(told)
+            self.notes.append(told)
 
     def fitted(self, layer: Layer, size: tuple[float, float] | None) -> Layer:
         """A layer of shapes of pictures of this size (width, height; None: the clip's) as it lies in the clip's.
@@ -244,8 +289,14 @@ class ShapeReader:
         if size is None or tuple(size) == (width, height):
             return layer
         self.note(
-            f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
-            "the shapes were scaled."
+            sentence(
+                "The file speaks of pictures of {width:g} x {height:g} pixels, the clip has {clip_width} x "
+                "{clip_height}: the shapes were scaled.",
+                width=size[0],
+                height=size[1],
+                clip_width=width,
+                clip_height=height,
+            )
         )
         return _scaled(layer, np.array([width / size[0], height / size[1]]))
 
@@ -270,8 +321,16 @@ class ShapeReader:
         if frames and not any(first <= frame <= last for frame in frames):
             shift = self.options.frame_offset + min(frames) - first
             self.note(
-                f"The keys lie on frames {min(frames)} to {max(frames)}, none of them on the clip's {first} to {last}: "
-                f"the shapes stand still there. 'roam import --frame-offset {shift}' would begin with the clip."
+                sentence(
+                    "The keys lie on frames {begins} to {ends}, none of them on the clip's {first} to {last}: "
+                    "the shapes stand still there. 'roam import --frame-offset {shift}' would begin with the "
+                    "clip.",
+                    begins=min(frames),
+                    ends=max(frames),
+                    first=first,
+                    last=last,
+                    shift=shift,
+                )
             )
 
 

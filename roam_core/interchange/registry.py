@@ -36,6 +36,7 @@ from roam_core.interchange.silhouette.reading import SilhouetteImporter
 from roam_core.interchange.svg.format import SvgFormat
 from roam_core.interchange.targets import PROJECT
 from roam_core.roto import Clip, Project
+from roam_core.translatable import sentence
 
 
 class Exporters(dict[str, Exporter]):
@@ -45,7 +46,11 @@ class Exporters(dict[str, Exporter]):
         super().__init__((exporter.name, exporter) for exporter in exporters)
 
     def __missing__(self, name: str) -> Exporter:
-        raise RoamError(f"There is no export format {name!r}; there are: {', '.join(sorted(self))}.")
+        raise RoamError(
+            sentence(
+                "There is no export format {name!r}; there are: {known}.", name=name, known=", ".join(sorted(self))
+            )
+        )
 
 
 def exporter_for(name: str) -> Exporter:
@@ -101,14 +106,26 @@ def importer_for(path: Path) -> Importer:
     if (name := format_of(path)) is not None:
         return next(importer for importer in IMPORTERS if importer.name == name)
     if not os.path.lexists(path):
-        raise RoamError(f"{path} does not exist; give a file of shapes, a mask or a folder of masks.")
+        raise RoamError(
+            sentence("{path} does not exist; give a file of shapes, a mask or a folder of masks.", path=path)
+        )
     require_regular(path)
     if suffix == PROJECT or is_project(path):
         raise RoamError(
-            f"{path} is a project; export its shapes (--to json) and import those, or copy them from window to window."
+            sentence(
+                "{path} is a project; export its shapes (--to json) and import those, or copy them from "
+                "window to window.",
+                path=path,
+            )
         )
     known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes if suffix)
-    raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
+    raise RoamError(
+        sentence(
+            "{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.",
+            path=path,
+            known=known,
+        )
+    )
 
 
 def holds_shapes(path: Path) -> bool:

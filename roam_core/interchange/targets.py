@@ -18,6 +18,7 @@ from roam_core.media.decoding import image_extensions
 from roam_core.media.numbering import parse_pattern
 from roam_core.roto import Clip, Project
 from roam_core.roto.backups import rotate
+from roam_core.translatable import N_, sentence
 
 PROJECT = ".roam"
 """What the names of projects end in: by that they are told from plates and other programs' files."""
@@ -89,25 +90,37 @@ class Obstacles:
     def refuse_always(self) -> None:
         """Raise `RoamError` for what is never permitted."""
         if self.too_long:
-            raise RoamError(f"The name {self.too_long[0].name[:SHOWN]}… is too long; choose a shorter one.")
-        for paths, reason in (
-            (self.read, "is read for this and is never written over; name another place"),
-            (self.in_plate, "would lie among the frames of the plate; choose another folder"),
-            (self.odd, "is no plain file and cannot be written over; name another"),
-            (self.twice, "would be written twice; give each result a place of its own"),
+            raise RoamError(
+                sentence("The name {name}… is too long; choose a shorter one.", name=self.too_long[0].name[:SHOWN])
+            )
+        for paths, told in (
+            (self.read, N_("{files} is read for this and is never written over; name another place.")),
+            (self.in_plate, N_("{files} would lie among the frames of the plate; choose another folder.")),
+            (self.odd, N_("{files} is no plain file and cannot be written over; name another.")),
+            (self.twice, N_("{files} would be written twice; give each result a place of its own.")),
         ):
             if paths:
-                raise RoamError(f"{listed(paths)} {reason}.")
+                raise RoamError(sentence(told, files=listed(paths)))
         if self.misnamed:
             name, better = self.misnamed[0].name, self.misnamed[0].with_suffix(PROJECT).name
-            raise RoamError(f"{name} is no name for a project; end it in {PROJECT}, as {better}.")
+            raise RoamError(
+                sentence(
+                    "{name} is no name for a project; end it in {suffix}, as {better}.",
+                    name=name,
+                    suffix=PROJECT,
+                    better=better,
+                )
+            )
 
     def refuse_foreign(self) -> None:
         """Raise `RoamError` for what is permitted only on the user's word."""
         if self.foreign:
             raise RoamError(
-                f"{listed(self.foreign)} is there already and is no file of this kind that ROAM made; name another "
-                "place, or say --overwrite."
+                sentence(
+                    "{files} is there already and is no file of this kind that ROAM made; name another place, or "
+                    "say --overwrite.",
+                    files=listed(self.foreign),
+                )
             )
 
 
@@ -154,7 +167,11 @@ def require_free(
 def listed(paths: Sequence[Path]) -> str:
     """The first path, and how many others."""
     others = len(paths) - 1
-    return f"{paths[0]} (and {others} other file{'s' * (others > 1)})" if others else str(paths[0])
+    if not others:
+        return str(paths[0])
+    if others == 1:
+        return sentence("{path} (and {count} other file)", path=paths[0], count=others)
+    return sentence("{path} (and {count} other files)", path=paths[0], count=others)
 
 
 def kept_aside(path: Path) -> Path | None:

@@ -22,25 +22,6 @@ MOST_NAMES = 6
 """Of shapes or layers that a sentence is true of besides the first; more are counted."""
 
 
-class Note(str):
-    """A sentence on one shape or layer of a file, in English alone.
-
-    Attributes
-    ----------
-    subject : the name of the shape or layer, as it stands in the sentence.
-    """
-
-    __slots__ = ("subject",)
-    subject: str
-
-    @classmethod
-    def of(cls, text: str, subject: str) -> Note:
-        """The sentence `text`, in which the name stands as `subject`."""
-        note = cls(text)
-        note.subject = subject
-        return note
-
-
 @dataclass
 class _Kind:
     """The first note of a kind, its subject, and the subjects of the others."""
@@ -70,11 +51,13 @@ def gathered(notes: Iterable[str]) -> tuple[str, ...]:
 
 
 def _told_apart(note: str) -> tuple[Hashable, str]:
-    """What a note says, and of whom; a note on none in particular is of a kind of its own."""
-    if isinstance(note, Note):
-        return note.replace(note.subject, "\0", 1), note.subject
-    if not isinstance(note, Sentence) or "name" not in note.values:
+    """What a note says, and of whom: its `name`, or that in its `subject`; one on none is of a kind of its own."""
+    if not isinstance(note, Sentence):
         return note, ""
-    name = note.values["name"]
-    rest = tuple((key, str(value)) for key, value in note.values.items() if key != "name")
-    return (note.template, rest), repr(name) if "{name!r}" in note.template else str(name)
+    holder = note.values.get("subject")
+    said = note if "name" in note.values or not isinstance(holder, Sentence) else holder
+    if "name" not in said.values:
+        return note, ""
+    name = said.values["name"]
+    rest = tuple((key, str(value)) for key, value in note.values.items() if key not in ("name", "subject"))
+    return (note.template, said.template, rest), repr(name) if "{name!r}" in said.template else str(name)

@@ -11,6 +11,7 @@ from defusedxml.ElementTree import DefusedXMLParser
 
 from roam_core.errors import RoamError
 from roam_core.interchange.reading import MAX_PARTS, ShapeReader
+from roam_core.translatable import said_by, sentence
 
 CHUNK = 1 << 20
 """Bytes that are parsed at once."""
@@ -40,16 +41,27 @@ def parsed(
     try:
         content = reader.content() if content is None else content
         if content.count(b"=") > MAX_PARTS:  # attributes, of which one element may have as many as the file is long
-            raise RoamError(f"{reader.path} holds more than {MAX_PARTS} attributes; split it into several files.")
+            raise RoamError(
+                sentence(
+                    "{path} holds more than {most} attributes; split it into several files.",
+                    path=reader.called,
+                    most=MAX_PARTS,
+                )
+            )
         for start in range(0, len(content), CHUNK):  # in pieces: what is too much is found before all of it is built
             parser.feed(content[start : start + CHUNK])
         root = parser.close()
     except DefusedXmlException:
         raise RoamError(
-            f"{reader.path} declares a document type or an entity, which files of shapes do not need; it was not read."
+            sentence(
+                "{path} declares a document type or an entity, which files of shapes do not need; it was not read.",
+                path=reader.called,
+            )
         ) from None
     except (ParseError, ValueError, LookupError) as error:  # LookupError: an encoding that does not exist
-        raise RoamError(f"{reader.path} is no valid XML ({error}).") from None
+        raise RoamError(
+            sentence("{path} is no valid XML ({reason}).", path=reader.called, reason=said_by(error))
+        ) from None
     assert isinstance(root, Element)
     return root
 

@@ -22,6 +22,7 @@ from roam_core.media.decoding import read_channels
 from roam_core.params import UNTYING, enlargement_for
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
+from roam_core.translatable import sentence
 
 LABELS = 16
 """Integers up to this are labels, not shades; so are wider integers of no more tones than these."""
@@ -101,9 +102,16 @@ def compound_of(mask: NDArray[Any], frame: int) -> str:
 def require_image(mask: NDArray[Any]) -> None:
     """Refuse what is no image, in a sentence."""
     if mask.ndim not in (2, 3) or 0 in mask.shape:
-        raise RoamError(f"A mask of shape {mask.shape} is no image; give one of (height, width) pixels.")
+        raise RoamError(
+            sentence("A mask of shape {shape} is no image; give one of (height, width) pixels.", shape=str(mask.shape))
+        )
     if mask.ndim == 3 and mask.shape[0] <= CHANNELS < mask.shape[2]:
-        raise RoamError(f"A mask of shape {mask.shape} has its channels first; give one of them, such as mask[0].")
+        raise RoamError(
+            sentence(
+                "A mask of shape {shape} has its channels first; give one of them, such as mask[0].",
+                shape=str(mask.shape),
+            )
+        )
 
 
 def tolerance_for(size: tuple[int, int]) -> float:
@@ -288,11 +296,20 @@ def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[
     path = path_of(path)
     mask = read_channels(path)
     if mask is None:
-        raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")
+        raise RoamError(
+            sentence("{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.", path=path)
+        )
     size = None if size is None else size_of(size)
     if size is not None and mask.shape[:2] != size:
         raise RoamError(
-            f"The mask {path} is {mask.shape[1]}x{mask.shape[0]}, the clip is {size[1]}x{size[0]}; "
-            "give a mask of the start frame in the clip's size."
+            sentence(
+                "The mask {path} is {width}x{height}, the clip is {clip_width}x{clip_height}; "
+                "give a mask of the start frame in the clip's size.",
+                path=path,
+                width=mask.shape[1],
+                height=mask.shape[0],
+                clip_width=size[1],
+                clip_height=size[0],
+            )
         )
     return mask

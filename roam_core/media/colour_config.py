@@ -26,6 +26,7 @@ from roam_core.media.curves import (
     SRGB,
     WHITE_CODE,
 )
+from roam_core.translatable import sentence
 
 _ERRORS = (ocio.Exception, ocio.ExceptionMissingFile)
 
@@ -172,8 +173,12 @@ def _opened(path: str) -> Any:
         return ocio.Config.CreateFromFile(path) if path else ocio.Config.CreateFromBuiltinConfig(BUILT_IN)
     except _ERRORS as error:
         raise RoamError(
-            f"The OpenColorIO configuration {path or BUILT_IN} cannot be read: {_reason(error)}. "
-            f"Correct ${VARIABLE}, or unset it."
+            sentence(
+                "The OpenColorIO configuration {path} cannot be read: {reason}. Correct ${variable}, or unset it.",
+                path=path or BUILT_IN,
+                reason=_reason(error),
+                variable=VARIABLE,
+            )
         ) from None
 
 
@@ -234,7 +239,14 @@ def _view_transform(version: str, view: View) -> Any:
     try:
         exact = config.getProcessor(shown)
     except _ERRORS as error:
-        raise RoamError(f"OpenColorIO cannot show the view {view.view} on {view.display}: {_reason(error)}.") from None
+        raise RoamError(
+            sentence(
+                "OpenColorIO cannot show the view {view} on {display}: {reason}.",
+                view=view.view,
+                display=view.display,
+                reason=_reason(error),
+            )
+        ) from None
     steps = exact.createGroupTransform()
     if any(isinstance(step, ocio.FixedFunctionTransform) for step in steps):
         return _baked(exact.getDefaultCPUProcessor())
@@ -257,8 +269,13 @@ def _linear_transform(version: str, space: str) -> Any:
     config = _opened(version)
     if config.getColorSpace(space) is None:
         raise RoamError(
-            f"The colour space {space!r} is not known to the OpenColorIO configuration "
-            f"{version or BUILT_IN}; choose another, or set ${VARIABLE} to the one that has it."
+            sentence(
+                "The colour space {space!r} is not known to the OpenColorIO configuration {path}; "
+                "choose another, or set ${variable} to the one that has it.",
+                space=space,
+                path=version or BUILT_IN,
+                variable=VARIABLE,
+            )
         )
     return _between(ocio.Config.GetProcessorToBuiltinColorSpace, config, space, WORKING)
 
@@ -267,7 +284,9 @@ def _between(make: Any, *spaces: Any) -> Any:
     try:
         return make(*spaces).createGroupTransform()
     except _ERRORS as error:
-        raise RoamError(f"OpenColorIO cannot convert {spaces}: {_reason(error)}.") from None
+        raise RoamError(
+            sentence("OpenColorIO cannot convert {spaces}: {reason}.", spaces=str(spaces), reason=_reason(error))
+        ) from None
 
 
 def _cineon() -> Any:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.media.curves import COLOUR_SPACES
+from roam_core.translatable import said_by, sentence
 
 # OpenColorIO is a large library: it is loaded for plates that need more than ROAM's own spaces.
 
@@ -28,8 +29,13 @@ def known_space(name: str) -> str:
         found = next((space for space in COLOUR_SPACES if space.casefold() == name.casefold()), None)
     if found is None:
         raise RoamError(
-            f"The colour space {name!r} is not known; choose one of {', '.join(COLOUR_SPACES)}, "
-            f"or of the OpenColorIO configuration: {', '.join(colour_config.space_names())}."
+            sentence(
+                "The colour space {name!r} is not known; choose one of {spaces}, "
+                "or of the OpenColorIO configuration: {others}.",
+                name=name,
+                spaces=", ".join(COLOUR_SPACES),
+                others=", ".join(colour_config.space_names()),
+            )
         )
     return found
 
@@ -88,7 +94,7 @@ def config_trouble() -> str:
     try:
         offered_views()
     except RoamError as error:
-        return str(error)
+        return said_by(error)
     return ""
 
 

@@ -23,6 +23,7 @@ from roam_core.media.measure import plain_name, require_size
 from roam_core.media.movie import LONGEST_STEP, Movie
 from roam_core.media.movie_plate import MoviePlate
 from roam_core.media.source import likely_speed
+from roam_core.translatable import sentence
 
 LIBRARY = "av"
 USUAL_DEPTH = 8
@@ -98,7 +99,9 @@ class DeepMovie(MoviePlate):
                 raise interlaced(self.path)
             pictures.append((_rgb(frame) >> 8).astype(np.uint8))
         if not pictures:
-            raise RoamError(f"{self.path} holds no picture that can be decoded; convert it to images.")
+            raise RoamError(
+                sentence("{path} holds no picture that can be decoded; convert it to images.", path=self.path)
+            )
         if is_combed([thinned(picture) for picture in pictures if picture.shape == pictures[0].shape]):
             raise interlaced(self.path)
         height, width = pictures[0].shape[:2]
@@ -149,10 +152,16 @@ def _opened(path: Path) -> tuple[Any, Any]:
         with plain_name(path) as name:
             container = import_module(LIBRARY).open(name)
     except _errors() as error:
-        raise RoamError(f"{path} is no movie that can be decoded ({error}); convert it to images.") from None
+        raise RoamError(
+            sentence(
+                "{path} is no movie that can be decoded ({reason}); convert it to images.",
+                path=path,
+                reason=str(error),
+            )
+        ) from None
     if not container.streams.video:
         container.close()
-        raise RoamError(f"{path} holds no picture that can be decoded; convert it to images.")
+        raise RoamError(sentence("{path} holds no picture that can be decoded; convert it to images.", path=path))
     stream = container.streams.video[0]
     stream.thread_type = "AUTO"
     require_size(path, stream.codec_context.width, stream.codec_context.height)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,7 @@ from roam_core.media.curves import LINEAR, LOG, SRGB
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of, listed, mask_channels
 from roam_core.media.measure import plain_name, require_size, require_told_size
 from roam_core.media.source import SPEEDS, USUAL_SPEED, ImageHeader
+from roam_core.translatable import sentence
 
 if TYPE_CHECKING:
     from roam_core.media.scanlines import ScanlineReader
@@ -128,7 +130,8 @@ def read_channels(file: Path) -> Image | None:
     """
     source = opened_image(file)
     if source is not None and _bytes_told(source.spec()) > MOST_BYTES:
-        raise RoamError(f"{file} holds more than {MOST_BYTES >> 20} MiB of pixels; give a mask of one channel.")
+        told_of = {"file": file, "most": MOST_BYTES >> 20}
+        raise RoamError(sentence("{file} holds more than {most} MiB of pixels; give a mask of one channel.", **told_of))
     told = mask_channels(_parts(source)) if source is not None and _is_exr(source) else None
     part = 0 if told is None else told.part
     is_there = source is not None and source.seek_subimage(part, 0)
@@ -191,11 +194,16 @@ def _open(file: Path) -> tuple[Any, tuple[ImageLayer, ...]]:
     as_stored.attribute("oiio:UnassociatedAlpha", 1)
     source = opened_image(file, as_stored)
     if source is None:
-        reason = _reason(oiio)
-        raise RoamError(f"{file} is no image that can be read ({reason}); replace it or take it out of the plate.")
+        raise RoamError(
+            sentence(
+                "{file} is no image that can be read ({reason}); replace it or take it out of the plate.",
+                file=file,
+                reason=_reason(oiio),
+            )
+        )
     layers = layers_of(_parts(source))
     if not layers:
-        raise RoamError(f"{file} holds deep pixels and no picture; flatten it to one.")
+        raise RoamError(sentence("{file} holds deep pixels and no picture; flatten it to one.", file=file))
     return source, layers
 
 
@@ -225,7 +233,8 @@ def _seek(file: Path, source: Any, layers: Sequence[ImageLayer], name: str) -> I
     """Go to the part of the layer of a name, or of the picture itself; the layer."""
     named = {layer.name: layer for layer in layers}
     if name and name not in named:
-        raise RoamError(f"{file} has no layer {name!r}; it has {listed(layers)}.")
+        told = {"file": file, "name": name, "layers": listed(layers)}
+        raise RoamError(sentence("{file} has no layer {name!r}; it has {layers}.", **told))
     chosen = named[name] if name else colour_layer(layers)
     if not source.seek_subimage(chosen.part, 0):
         raise _damaged(file, source)
@@ -288,7 +297,13 @@ def _all_of(spec: Any) -> Area:
 
 
 def _damaged(file: Path, source: Any) -> RoamError:
-    return RoamError(f"{file} cannot be read; it is damaged or cut short ({_reason(source)}). Render it again.")
+    return RoamError(
+        sentence(
+            "{file} cannot be read; it is damaged or cut short ({reason}). Render it again.",
+            file=file,
+            reason=_reason(source),
+        )
+    )
 
 
 def _kind(source: Any) -> str:
@@ -428,7 +443,7 @@ def _said_space(spec: Any) -> str | None:
 
 def _reason(speaker: Any) -> str:
     """What OpenImageIO, or one of its readers, says of the last failure, in one line."""
-    try:
-        return " ".join(speaker.geterror().split()) or "no reason given"
-    except UnicodeDecodeError:  # the message quotes bytes of the damaged file
-        return "no reason given"
+    told = ""
+    with suppress(UnicodeDecodeError):  # the message quotes bytes of the damaged file
+        told = " ".join(speaker.geterror().split())
+    return told or sentence("no reason given")

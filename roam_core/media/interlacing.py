@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from roam_core.arrays import Bools, Image
 from roam_core.errors import RoamError
 from roam_core.media.measure import plain_name
+from roam_core.translatable import sentence
 
 PROBED = 9
 """Pictures from the beginning of a movie that are looked at."""
@@ -80,8 +81,11 @@ def require_progressive(path: Path, pictures: Sequence[Image]) -> None:
 def interlaced(path: Path) -> RoamError:
     """What is told of a movie that is interlaced."""
     return RoamError(
-        f"{path} is interlaced: each of its frames shows two moments, in every other row. "
-        "Deinterlace it in another program, as images or as a progressive movie, and open that."
+        sentence(
+            "{path} is interlaced: each of its frames shows two moments, in every other row. "
+            "Deinterlace it in another program, as images or as a progressive movie, and open that.",
+            path=path,
+        )
     )
 
 

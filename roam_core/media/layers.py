@@ -6,6 +6,8 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from roam_core.translatable import enumerated
+
 PLAIN = "rgb"
 """The name of red, green and blue that belong to no layer of a name."""
 ALPHA = "alpha"
@@ -105,8 +107,7 @@ def mask_channels(parts: Sequence[Part]) -> MaskChannels | None:
 
 def listed(layers: Sequence[ImageLayer]) -> str:
     """The layers by their names, the first `MOST_LISTED`, as a message says them."""
-    more = len(layers) - MOST_LISTED
-    return ", ".join(layer.name for layer in layers[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
+    return enumerated([layer.name for layer in layers], MOST_LISTED)
 
 
 _RGB, _GREY, _OTHER = range(3)

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from roam_core.errors import RoamError
+from roam_core.translatable import sentence
 
 MAX_PIXELS = 8192 * 6144
 """Larger pictures are refused: as float RGB one takes 576 MiB. Cameras of today reach 8640 x 5760."""
@@ -28,8 +29,14 @@ def require_size(file: Path, width: int, height: int) -> None:
     """
     if width * height > MAX_PIXELS:
         raise RoamError(
-            f"{file} claims to be {width} x {height} pixels, more than the {MAX_PIXELS // 10**6} million that ROAM "
-            "works with; it is damaged or too large, scale it down."
+            sentence(
+                "{file} claims to be {width} x {height} pixels, more than the {most} million that ROAM works with; "
+                "it is damaged or too large, scale it down.",
+                file=file,
+                width=width,
+                height=height,
+                most=MAX_PIXELS // 10**6,
+            )
         )
 
 

@@ -18,6 +18,7 @@ from roam_core.media.interlacing import PROBED, require_progressive, thinned
 from roam_core.media.measure import plain_name, require_size
 from roam_core.media.movie_plate import MoviePlate
 from roam_core.media.source import likely_speed
+from roam_core.translatable import sentence
 
 LONGEST_STEP = 24
 """Frames that are decoded one by one rather than sought: about the distance between key frames."""
@@ -129,7 +130,11 @@ class Movie(MoviePlate):
         with plain_name(self.path) as name:
             capture = cv2.VideoCapture(name, cv2.CAP_FFMPEG)
         if not capture.isOpened():
-            raise RoamError(f"{self.path} is no movie that can be decoded, or it is damaged; convert it to images.")
+            raise RoamError(
+                sentence(
+                    "{path} is no movie that can be decoded, or it is damaged; convert it to images.", path=self.path
+                )
+            )
         # Before the first frame is decoded: what the header claims is what a decoder would take memory for.
         size = (capture.get(key) for key in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT))
         require_size(self.path, *(int(side) if math.isfinite(side) else 0 for side in size))
@@ -139,7 +144,9 @@ class Movie(MoviePlate):
         """(width, height) of the first picture; the header's may be before the camera's rotation is applied."""
         picture = self._retrieved() if self._step_to(0) else None
         if picture is None:
-            raise RoamError(f"{self.path} holds no picture that can be decoded; convert it to images.")
+            raise RoamError(
+                sentence("{path} holds no picture that can be decoded; convert it to images.", path=self.path)
+            )
         return int(picture.shape[1]), int(picture.shape[0])
 
     def _first_pictures(self) -> list[Image]:

@@ -98,7 +98,13 @@ class MoviePlate(ABC):
                 )
             )
         if (picture.shape[1], picture.shape[0]) != self.size:
-            raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
+            raise DamagedFrame(
+                sentence(
+                    "Frame {frame} of {path} differs in size from the first; a plate needs one size.",
+                    frame=frame,
+                    path=self.path,
+                )
+            )
         return picture
 
     def areas(self, frame: int) -> None:

@@ -85,9 +85,11 @@ class FileSequence:
     def label(self) -> str:
         """The sequence in a few words, for messages."""
         if self.pattern is None:
-            return f"{self.path.name} (one image)"
-        frames = f"{len(self.names)} frames" if len(self.names) > 1 else "one frame"
-        return f"{self.path.name} ({frames}, {min(self.names)} to {max(self.names)})"
+            return sentence("{name} (one image)", name=self.path.name)
+        held = {"name": self.path.name, "first": min(self.names), "last": max(self.names)}
+        if len(self.names) == 1:
+            return sentence("{name} (one frame, {first} to {last})", **held)
+        return sentence("{name} ({count} frames, {first} to {last})", count=len(self.names), **held)
 
     def holds(self, name: str) -> bool:
         """Whether the file `name` belongs to this sequence."""
@@ -98,14 +100,24 @@ class FileSequence:
         if self.clash:
             one, other = self.clash
             raise RoamError(
-                f"{one} and {other} in {self.folder} bear the same frame number; "
-                "remove one, or give a pattern with the number of digits, such as name.%04d.png."
+                sentence(
+                    "{one} and {other} in {folder} bear the same frame number; "
+                    "remove one, or give a pattern with the number of digits, such as name.%04d.png.",
+                    one=one,
+                    other=other,
+                    folder=self.folder,
+                )
             )
         first, last = min(self.names), max(self.names)
         if last - first > WIDEST_RANGE:
             raise RoamError(
-                f"The numbers of {self.path} run from {first} to {last}; that is no sequence of frames. "
-                "Rename the files so that they count the frames."
+                sentence(
+                    "The numbers of {path} run from {first} to {last}; that is no sequence of frames. "
+                    "Rename the files so that they count the frames.",
+                    path=self.path,
+                    first=first,
+                    last=last,
+                )
             )
         return self
 

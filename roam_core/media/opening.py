@@ -19,6 +19,8 @@ from roam_core.media.numbering import (
     varying_pattern,
 )
 from roam_core.media.source import PlateSource
+from roam_core.system_errors import reason_of
+from roam_core.translatable import enumerated, sentence
 
 if TYPE_CHECKING:
     from roam_core.media.movie_plate import MoviePlate
@@ -71,12 +73,14 @@ def open_clip(path: str | Path, layer: str = "", content: str = "") -> PlateSour
     """
     given = path_of(path)
     if not str(path).strip():
-        raise RoamError("No plate was named; give a folder of images, a pattern, an image or a movie.")
+        raise RoamError(sentence("No plate was named; give a folder of images, a pattern, an image or a movie."))
     try:
         place = given.expanduser().absolute()
         is_folder, is_file, is_there = place.is_dir(), place.is_file(), place.exists()
     except (OSError, RuntimeError, ValueError) as error:
-        raise RoamError(f"{str(path)!r} is no path that can be opened: {error}.") from error
+        raise RoamError(
+            sentence("{path!r} is no path that can be opened: {reason}.", path=str(path), reason=reason_of(error))
+        ) from error
     if is_folder:
         return _open_folder(place, layer, content)
     if is_file:
@@ -122,15 +126,31 @@ def _chosen(folder: Path, found: list[FileSequence], content: str) -> FileSequen
     advised = _advised(found)
     if not content and advised == found[0].path.name and all(sequence.pattern is None for sequence in found):
         raise RoamError(
-            f"{folder} holds {len(found)} images whose names do not count frames: {_listed(found)}. "
-            "Number them, with nine digits at most, such as shot.0001.png, or give one of them."
+            sentence(
+                "{folder} holds {count} images whose names do not count frames: {names}. "
+                "Number them, with nine digits at most, such as shot.0001.png, or give one of them.",
+                folder=folder,
+                count=len(found),
+                names=_listed(found),
+            )
+        )
+    if content:
+        raise RoamError(
+            sentence(
+                "{folder} holds several sequences, none longer than the others, and none begins as the project's "
+                "plate: {names}. Leave the plate alone in its folder, or relink the clip.",
+                folder=folder,
+                names=_listed(found),
+            )
         )
     raise RoamError(
-        f"{folder} holds several sequences, none longer than the others, and none begins as the project's plate: "
-        f"{_listed(found)}. Leave the plate alone in its folder, or relink the clip."
-        if content
-        else f"{folder} holds several sequences, none longer than the others: {_listed(found)}. "
-        f"Give a pattern, such as {advised}."
+        sentence(
+            "{folder} holds several sequences, none longer than the others: {names}. "
+            "Give a pattern, such as {advised}.",
+            folder=folder,
+            names=_listed(found),
+            advised=advised,
+        )
     )
 
 
@@ -149,10 +169,16 @@ def _holds(sequence: FileSequence, content: str) -> bool:
 def _open_movie_in(folder: Path, layer: str) -> PlateSource:
     movies = [folder / name for name in file_names(folder) if Path(name).suffix.lower() in MOVIE_EXTENSIONS]
     if not movies:
-        raise RoamError(f"{folder} holds no image and no movie; choose the folder that holds the plate's frames.")
+        raise RoamError(
+            sentence(
+                "{folder} holds no image and no movie; choose the folder that holds the plate's frames.", folder=folder
+            )
+        )
     if len(movies) > 1:
         names = ", ".join(movie.name for movie in movies[:MOST_LISTED])
-        raise RoamError(f"{folder} holds several movies ({names}); name one of them.")
+        raise RoamError(
+            sentence("{folder} holds several movies ({names}); name one of them.", folder=folder, names=names)
+        )
     return _movie(movies[0], layer)
 
 
@@ -171,23 +197,41 @@ def _open_file(file: Path, layer: str) -> PlateSource:
             raise
         if file.suffix.lower() == ".roam":
             raise RoamError(
-                f"{file} is a project, not a plate; name the plate: a folder of images, a pattern, an image or a movie."
+                sentence(
+                    "{file} is a project, not a plate; name the plate: a folder of images, a pattern, an image or a "
+                    "movie.",
+                    file=file,
+                )
             ) from None
         raise RoamError(
-            f"{file} is no ROAM project, no picture and no movie. Open a folder of pictures, a movie, or a project, "
-            "whose name ends with .roam; shapes of other programs are imported into a project."
+            sentence(
+                "{file} is no ROAM project, no picture and no movie. Open a folder of pictures, a movie, or a project, "
+                "whose name ends with .roam; shapes of other programs are imported into a project.",
+                file=file,
+            )
         ) from None
 
 
 def _open_pattern(place: Path, layer: str) -> PlateSource:
     pattern = parse_pattern(place.name)
     if pattern is None:
-        raise RoamError(f"{place} does not exist; give a folder of images, a pattern, an image or a movie.")
+        raise RoamError(
+            sentence("{path} does not exist; give a folder of images, a pattern, an image or a movie.", path=place)
+        )
     sequence = find_pattern(place.parent, pattern)
     if sequence is None:
         others = find_sequences(place.parent, _image_extensions())
-        hint = f"the folder holds {_listed(others)}" if others else "the folder holds no image"
-        raise RoamError(f"No file in {place.parent} follows the pattern {place.name}; {hint}.")
+        hint = sentence("the folder holds no image")
+        if others:
+            hint = sentence("the folder holds {names}", names=_listed(others))
+        raise RoamError(
+            sentence(
+                "No file in {folder} follows the pattern {name}; {hint}.",
+                folder=place.parent,
+                name=place.name,
+                hint=hint,
+            )
+        )
     return _images(sequence, layer, place)
 
 
@@ -199,8 +243,7 @@ def _is_animation(file: Path) -> bool:
 
 
 def _listed(sequences: list[FileSequence]) -> str:
-    names = ", ".join(sequence.label for sequence in sequences[:MOST_LISTED])
-    return f"{names} and {len(sequences) - MOST_LISTED} more" if len(sequences) > MOST_LISTED else names
+    return enumerated([sequence.label for sequence in sequences], MOST_LISTED)
 
 
 # The decoders are large libraries: they are loaded when a clip is opened.
@@ -217,7 +260,7 @@ def _movie(path: Path, layer: str) -> MoviePlate:
     from roam_core.media.layers import PLAIN
 
     if layer not in ("", PLAIN):
-        raise RoamError(f"{path} is a movie: it has no layer {layer!r}.")
+        raise RoamError(sentence("{path} is a movie: it has no layer {layer!r}.", path=path, layer=layer))
     return open_movie(path)
 
 

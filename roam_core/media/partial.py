@@ -15,6 +15,7 @@ from roam_core.media.area import Area
 from roam_core.media.colour import ROWS_AT_ONCE, to_engine
 from roam_core.media.curves import COLOUR_SPACES
 from roam_core.media.source import Areas, MissingFrame, PlateSource
+from roam_core.translatable import sentence
 
 ReadFrame = Callable[[int], "Image | PartialPicture"]
 """Gives the picture `(h, w, 3)` of a frame by its number, or its parts; raises `MissingFrame` in a gap."""
@@ -202,7 +203,10 @@ def reading(images: Images) -> ReadFrame:
             if error.args != (frame,):
                 raise
             raise RoamError(
-                f"There is no image of frame {frame}; give one, or raise MissingFrame where the plate has none."
+                sentence(
+                    "There is no image of frame {frame}; give one, or raise MissingFrame where the plate has none.",
+                    frame=frame,
+                )
             ) from None
 
     return read

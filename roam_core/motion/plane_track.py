@@ -179,8 +179,11 @@ class PlaneTracker:
         if match is None:
             self.skip()
             raise LostPlane(
-                f"The plane was lost on frame {frame}: too little of it looks as it did; start again there, or leave "
-                "out what covers it."
+                sentence(
+                    "The plane was lost on frame {frame}: too little of it looks as it did; start again there, or "
+                    "leave out what covers it.",
+                    frame=frame,
+                )
             )
         self._refuse_far(match.matrix, frame, picture)
         self._keep(picture, match)
@@ -283,7 +286,9 @@ class PlaneTracker:
         behind = (projective.depth(matrix, points) <= 0.0).any()
         if behind or np.abs(projective.apply(matrix, points)).max() > far:
             self.skip()
-            raise LostPlane(f"The plane was lost on frame {frame}: it would tip over; try a simpler motion.")
+            raise LostPlane(
+                sentence("The plane was lost on frame {frame}: it would tip over; try a simpler motion.", frame=frame)
+            )
 
 
 def _seen_in(picture: PreparedFrame, match: _Match, first: UInt8) -> UInt8:

@@ -195,7 +195,12 @@ class PointTracker:
                 if not confidence[index]:
                     look(index, guess)
         if not confidence.any():
-            raise LostPoints(f"No point was found on frame {frame}; put them anew there, or make their areas larger.")
+            raise LostPoints(
+                sentence(
+                    "No point was found on frame {frame}; put them anew there, or make their areas larger.",
+                    frame=frame,
+                )
+            )
         self._motions, self._found = motions, confidence > 0.0
         self._places = self._at(motions)
         return PointStep(frame, self._places, confidence)

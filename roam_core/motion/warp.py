@@ -13,6 +13,7 @@ from roam_core.kernels.coverage import coverage
 from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import Warp, similarity_warp
 from roam_core.params import RoamParams
+from roam_core.translatable import sentence
 
 
 def warp(before: PreparedFrame, after: PreparedFrame, line: Array, params: RoamParams, scale: float) -> Warp:
@@ -30,7 +31,7 @@ def warp(before: PreparedFrame, after: PreparedFrame, line: Array, params: RoamP
             return similarity_warp(before, after, line, params, scale)
         case "flow":
             return flow_warp(before, after, line, params.motion_travel, scale)
-    raise RoamError(f"There is no pre-warp {params.warp!r}; choose none, klt or flow.")
+    raise RoamError(sentence("There is no pre-warp {name!r}; choose none, klt or flow.", name=params.warp))
 
 
 def flow_warp(before: PreparedFrame, after: PreparedFrame, line: Array, travel: float, scale: float) -> Warp:

@@ -22,6 +22,7 @@ from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import cuts, stacked
 from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape
+from roam_core.translatable import sentence
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,12 +127,20 @@ def _run_of(shown: Callable[[tuple[int, int], str], Collection[int]], stamps: St
     made, shape = Stamp.read(key.inputs), stamps.shapes[k]
     if provenance.known_params(made.config) is None:
         raise RoamError(
-            f"The key of {shape.name!r} on frame {key.frame} does not say which configuration made it; track it again."
+            sentence(
+                "The key of {name!r} on frame {frame} does not say which configuration made it; track it again.",
+                name=shape.name,
+                frame=key.frame,
+            )
         )
     if stamps.is_stale(shape, key):
         raise RoamError(
-            f"The key of {shape.name!r} on frame {key.frame} is out of date: the artist's key, the clip or the "
-            "parameters have changed since. Track it again first."
+            sentence(
+                "The key of {name!r} on frame {frame} is out of date: the artist's key, the clip or the parameters "
+                "have changed since. Track it again first.",
+                name=shape.name,
+                frame=key.frame,
+            )
         )
     assert made.begun is not None
     if made.gap is None:

@@ -13,6 +13,7 @@ import OpenImageIO as oiio  # noqa: N813
 from roam_core.arrays import Float32, UInt8
 from roam_core.errors import RoamError
 from roam_core.review.fonts import Run, has, runs
+from roam_core.translatable import sentence
 
 UNKNOWN = "?"
 """Stands for a character that no font has."""
@@ -145,4 +146,6 @@ def require_font(font: str) -> None:
     is_there = oiio.ImageBufAlgo.text_size("0", 16, font).defined
     oiio.geterror()
     if not is_there:
-        raise RoamError(f"There is no font {font!r}; name the file of one." if font else "There is no font for text.")
+        if not font:
+            raise RoamError(sentence("There is no font for text."))
+        raise RoamError(sentence("There is no font {font!r}; name the file of one.", font=font))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from roam_core.errors import RoamError
+from roam_core.translatable import sentence
 
 SCALES = (0.05, 4.0)
 """How much smaller or larger than the plate a picture may be."""
@@ -55,7 +56,14 @@ class ReviewLook:
 
     def __post_init__(self) -> None:
         if not SCALES[0] <= self.scale <= SCALES[1]:
-            raise RoamError(f"Pictures are scaled by {SCALES[0]:g} to {SCALES[1]:g}, not by {self.scale:g}.")
+            raise RoamError(
+                sentence(
+                    "Pictures are scaled by {least:g} to {most:g}, not by {scale:g}.",
+                    least=SCALES[0],
+                    most=SCALES[1],
+                    scale=self.scale,
+                )
+            )
 
     def size(self, plate: tuple[int, int], pixel_aspect: float = 1.0) -> tuple[int, int]:
         """(width, height) of the picture of a plate of (width, height): even numbers, as encoders ask for them."""

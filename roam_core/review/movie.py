@@ -67,7 +67,14 @@ def write_movie(path: Path, pictures: Iterable[UInt8], size: tuple[int, int], fp
             encoder.release()
         found = movie_length(whole)
         if found != count:
-            raise RoamError(f"{path} cannot be encoded: of {count} frames {found} can be read; is the disk full?")
+            raise RoamError(
+                sentence(
+                    "{path} cannot be encoded: of {count} frames {found} can be read; is the disk full?",
+                    path=path,
+                    count=count,
+                    found=found,
+                )
+            )
         write_atomically(path, _signed(whole))
     return count
 

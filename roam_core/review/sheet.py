@@ -17,6 +17,7 @@ from roam_core.review.look import SCALES, ReviewLook
 from roam_core.review.picture import confidence_at, review_picture
 from roam_core.roto import Project
 from roam_core.roto.timing import mark_at
+from roam_core.translatable import N_, sentence
 
 PAPER, INK, WEAK, DOUBT = (38, 38, 38), (216, 216, 216), (154, 154, 154), (255, 140, 26)
 MARGIN, GAP = 24, 16
@@ -40,12 +41,20 @@ class SheetLayout:
 
     def __post_init__(self) -> None:
         for number, (least, most), what in (
-            (self.columns, (1, MOST_ACROSS), "pictures beside each other"),
-            (self.rows, (1, MOST_DOWN), "rows of pictures"),
-            (self.width, WIDTHS, "pixels of width"),
+            (self.columns, (1, MOST_ACROSS), N_("pictures beside each other")),
+            (self.rows, (1, MOST_DOWN), N_("rows of pictures")),
+            (self.width, WIDTHS, N_("pixels of width")),
         ):
             if not least <= number <= most:
-                raise RoamError(f"A contact sheet has {least} to {most} {what}, not {number}.")
+                raise RoamError(
+                    sentence(
+                        "A contact sheet has {least} to {most} {what}, not {number}.",
+                        least=least,
+                        most=most,
+                        what=sentence(what),
+                        number=number,
+                    )
+                )
 
     @property
     def cell(self) -> int:

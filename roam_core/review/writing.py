@@ -89,13 +89,20 @@ def output_of(path: Path, *, is_sheet: bool = False) -> Output:
     """
     if is_sheet:
         if path.suffix.lower() != PNG:
-            raise RoamError(f"A contact sheet is written as PNG; {path.name} does not end in .png.")
+            raise RoamError(sentence("A contact sheet is written as PNG; {name} does not end in .png.", name=path.name))
         return Output.SHEET
     if is_movie(path):
         return Output.MOVIE
     if path.suffix.lower() in OTHER_SUFFIXES | {PNG} and not path.is_dir():
         *known, last = sorted(ENCODERS)
-        raise RoamError(f"{path.name} is neither a folder nor a movie that ends in {', '.join(known)} or {last}.")
+        raise RoamError(
+            sentence(
+                "{name} is neither a folder nor a movie that ends in {known} or {last}.",
+                name=path.name,
+                known=", ".join(known),
+                last=last,
+            )
+        )
     return Output.PICTURES
 
 

@@ -10,6 +10,7 @@ from itertools import pairwise, zip_longest
 from typing import Any
 
 from roam_core.arguments import finite, frame_number
+from roam_core.translatable import sentence
 
 
 class Interpolation(StrEnum):
@@ -65,9 +66,9 @@ class Animated:
         keys = tuple(sorted(self.keys, key=lambda key: key.frame))
         object.__setattr__(self, "keys", keys)
         if not keys:
-            raise ValueError("an animated value has no key")
+            raise ValueError(sentence("an animated value has no key"))
         if len({key.frame for key in keys}) != len(keys):
-            raise ValueError("an animated value has two keys on one frame")
+            raise ValueError(sentence("an animated value has two keys on one frame"))
 
     @property
     def frames(self) -> tuple[int, ...]:

@@ -65,7 +65,9 @@ def rotate(path: Path, count: int, is_ours: Callable[[Path], bool] = lambda _: T
         named = [backup_path(target, number) for number in range(1, count + 1)]
         places = [place for place in named if not os.path.lexists(place) or is_ours(place)]
         if not places:
-            raise RoamError(f"No backup of {path} can be kept: files of others have the names of its backups.")
+            raise RoamError(
+                sentence("No backup of {path} can be kept: files of others have the names of its backups.", path=path)
+            )
         if _is_same(target, places[0]):
             return None
         _keep(target, temporary)

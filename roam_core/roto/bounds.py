@@ -9,7 +9,7 @@ from roam_core.errors import RoamError
 from roam_core.roto.animated import frames_of
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import RotoShape
-from roam_core.translatable import sentence
+from roam_core.translatable import N_, said_by, sentence
 
 MAX_DEPTH = 210
 """Layers in layers: what other programs nest 200 deep comes in, with the layer that it is put in."""
@@ -41,37 +41,38 @@ class Count:
 
     def layer(self, layer: Layer, depth: int) -> None:
         """A layer that lies in `depth` others."""
-        require(depth, MAX_DEPTH, "layers in layers")
+        require(depth, MAX_DEPTH, N_("layers in layers"))
         self._span(frames_of(layer.opacity), layer.name)
         self._item()
 
     def keys(self, number: int) -> None:
         """So many keys more."""
         self._keys += number
-        require(self._keys, MAX_KEYS, "keys")
+        require(self._keys, MAX_KEYS, N_("keys"))
 
     def shape(self, shape: RotoShape) -> None:
         """A shape; its keys are counted apart, before they are made."""
         self._item()
-        require(shape.point_count, MAX_POINTS, f"points in the shape {shape.name[:60]!r}")
+        require(shape.point_count, MAX_POINTS, N_("points in the shape {name!r}"), shape.name)
         for frames in (shape.frames, frames_of(shape.opacity), frames_of(shape.feather)):
             self._span(frames, shape.name)
         if shape.motion_blur is not None:
-            require(shape.motion_blur.samples, MAX_SAMPLES, "samples of motion blur")
+            require(shape.motion_blur.samples, MAX_SAMPLES, N_("samples of motion blur"))
 
     def _span(self, frames: tuple[int, ...], name: str) -> None:
         if frames:
-            require(frames[-1] - frames[0] + 1, MAX_SPAN, f"frames between the keys of {name[:60]!r}")
+            require(frames[-1] - frames[0] + 1, MAX_SPAN, N_("frames between the keys of {name!r}"), name)
 
     def _item(self) -> None:
         self._items += 1
-        require(self._items, MAX_ITEMS, "layers and shapes")
+        require(self._items, MAX_ITEMS, N_("layers and shapes"))
 
 
-def require(count: int, most: int, what: str) -> None:
-    """Refuse a count beyond its bound."""
+def require(count: int, most: int, what: str, name: str = "") -> None:
+    """Refuse a count beyond its bound: of `what`, a template marked by `N_`, of what is called `name`."""
     if count > most:
-        raise ValueError(f"it has more {what} than {most}")
+        counted = sentence(what, name=name[:60])
+        raise ValueError(sentence("it has more {what} than {most}", what=counted, most=most))
 
 
 def is_near(points: Array) -> bool:
@@ -120,4 +121,6 @@ def require_bounds(project: Project) -> None:
                     count.keys(len(child.keys) + len(frames_of(child.opacity)) + len(frames_of(child.feather)))
                     count.shape(child)
     except ValueError as error:
-        raise RoamError(f"The project cannot be saved: {error}; take some away.") from None
+        raise RoamError(
+            sentence("The project cannot be saved: {reason}; take some away.", reason=said_by(error))
+        ) from None

@@ -21,7 +21,7 @@ from roam_core.roto.migrate import VERSION, migrate
 from roam_core.roto.project import Project
 from roam_core.roto.to_json import pieces
 from roam_core.system_errors import reason_of
-from roam_core.translatable import sentence
+from roam_core.translatable import Sentence, said_by, sentence
 
 __all__ = [
     "MAX_BYTES",
@@ -148,7 +148,10 @@ def load_versioned(path: Path) -> tuple[Project, int]:
         project = _read(document, path.parent, str(path))
     except DamagedProject as error:
         backup = backup_path(path, 1)
-        raise DamagedProject(f"{error} Its newest backup is {backup}." if backup.is_file() else str(error)) from None
+        said = said_by(error)
+        if backup.is_file():
+            said = sentence("{error} Its newest backup is {backup}.", error=said, backup=backup)
+        raise DamagedProject(said) from None
     return project, document["version"]
 
 
@@ -183,7 +186,9 @@ def _limited(contents: Iterable[bytes]) -> Iterator[bytes]:
         more_values, more_names = _counts(content)
         values, names = values + more_values, names + more_names
         if length > MAX_BYTES or _is_too_much(length, values, names):
-            raise RoamError("The project is too large for a file that can be opened again; take keys or shapes away.")
+            raise RoamError(
+                sentence("The project is too large for a file that can be opened again; take keys or shapes away.")
+            )
         yield content
 
 
@@ -201,9 +206,9 @@ def _content(path: Path) -> bytes:
     try:
         found = path.stat()
         if stat.S_ISDIR(found.st_mode):
-            raise RoamError(f"{path} is a folder, not a project file.")
+            raise RoamError(sentence("{path} is a folder, not a project file.", path=path))
         if not stat.S_ISREG(found.st_mode):
-            raise RoamError(f"{path} is no regular file, so it is no ROAM project.")
+            raise RoamError(sentence("{path} is no regular file, so it is no ROAM project.", path=path))
         with path.open("rb") as file:
             content = file.read(MAX_BYTES + 1) if found.st_size <= MAX_BYTES else b""
     except FileNotFoundError:
@@ -211,7 +216,9 @@ def _content(path: Path) -> bytes:
     except (OSError, ValueError) as error:  # a name that no file can have
         raise RoamError(sentence("{path} cannot be read: {reason}.", path=path, reason=reason_of(error))) from None
     if max(found.st_size, len(content)) > MAX_BYTES:
-        raise RoamError(f"{path} is larger than {MAX_BYTES >> 20} MiB; that is no ROAM project.")
+        raise RoamError(
+            sentence("{path} is larger than {most} MiB; that is no ROAM project.", path=path, most=MAX_BYTES >> 20)
+        )
     return content
 
 
@@ -220,19 +227,27 @@ def _parsed(content: bytes, name: str) -> Any:
     content = content.removeprefix(codecs.BOM_UTF8)
     values, names = _counts(content)
     if _is_too_much(len(content), values, names):
-        raise RoamError(f"{name} holds more values ({values}) than can be opened; it is damaged, or no ROAM project.")
+        raise RoamError(
+            sentence(
+                "{path} holds more values ({values}) than can be opened; it is damaged, or no ROAM project.",
+                path=name,
+                values=values,
+            )
+        )
     if _EMPTY.fullmatch(content):
-        raise DamagedProject(f"{name} is empty: it was cut short while it was written or copied.")
+        raise DamagedProject(sentence("{path} is empty: it was cut short while it was written or copied.", path=name))
     begins_as_ours = _BEGINNING.match(content) is not None
     try:
         text = content.decode("utf-8", "surrogatepass")
         del content
         return json.loads(text, parse_float=_finite, parse_constant=_finite)
     except (ValueError, RecursionError) as error:
-        reason = "it is no text file" if isinstance(error, UnicodeDecodeError) else "it is not valid JSON"
+        is_text = not isinstance(error, UnicodeDecodeError)
+        reason = sentence("it is not valid JSON") if is_text else sentence("it is no text file")
         if begins_as_ours:
-            raise DamagedProject(f"{name} is damaged or cut short ({reason}).") from None
-        raise RoamError(f"{name} is not a ROAM project ({reason}).") from None
+            told = sentence("{path} is damaged or cut short ({reason}).", path=name, reason=reason)
+            raise DamagedProject(told) from None
+        raise RoamError(sentence("{path} is not a ROAM project ({reason}).", path=name, reason=reason)) from None
 
 
 def _finite(text: str) -> float:
@@ -245,25 +260,32 @@ def _finite(text: str) -> float:
 
 def _read(document: Any, folder: Path, name: str) -> Project:
     if not isinstance(document, dict) or document.get("type") != "roam.Project":
-        raise RoamError(f"{name} is not a ROAM project.")
+        raise RoamError(sentence("{path} is not a ROAM project.", path=name))
     version = document.get("version")
     if type(version) is not int or version < 1:  # `true` is an int to Python
-        raise DamagedProject(f"{name} says no valid version; it may be damaged.")
+        raise DamagedProject(sentence("{path} says no valid version; it may be damaged.", path=name))
     if version > VERSION:
         raise RoamError(
-            f"{name} was written by a newer ROAM (file version {version}, this program reads up to {VERSION}); "
-            "open it with that version."
+            sentence(
+                "{path} was written by a newer ROAM (file version {version}, this program reads up to {newest}); "
+                "open it with that version.",
+                path=name,
+                version=version,
+                newest=VERSION,
+            )
         )
     try:
         return read_project(migrate(document, version), folder)
     except UNREADABLE as error:
-        raise DamagedProject(f"{name} is damaged: {_reason(error)}.") from None
+        raise DamagedProject(sentence("{path} is damaged: {reason}.", path=name, reason=_reason(error))) from None
 
 
 def _reason(error: BaseException) -> str:
     if isinstance(error, KeyError):
-        return f"{error.args[0]!r} is missing or unknown"
+        return sentence("{name!r} is missing or unknown", name=error.args[0])
     if isinstance(error, TypeError | AttributeError):
-        return "a value in it is of another kind than it must be"
+        return sentence("a value in it is of another kind than it must be")
+    if isinstance(said := said_by(error), Sentence):
+        return said
     text = " ".join(str(error).split())
     return text[:200] if text else type(error).__name__

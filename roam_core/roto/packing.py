@@ -18,6 +18,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.shape import Keyframe, Origin
+from roam_core.translatable import N_, sentence
 
 Document = dict[str, Any]
 
@@ -46,7 +47,7 @@ def packed_numbers(values: Array) -> Document:
         when one of them is not finite.
     """
     if not np.isfinite(values).all():
-        raise ValueError("a number of the project is not finite")
+        raise ValueError(sentence("a number of the project is not finite"))
     data = base64.b64encode(np.ascontiguousarray(values, dtype="<f8").tobytes()).decode("ascii")
     return {"type": "Numbers", "shape": list(values.shape), "data": data}
 
@@ -60,16 +61,16 @@ def unpacked_numbers(document: Any) -> Array:
         when it is damaged, or a number in it is not finite.
     """
     if not isinstance(document, dict) or document.keys() != {"type", "shape", "data"} or document["type"] != "Numbers":
-        raise ValueError("a list of packed numbers is damaged")
+        raise ValueError(sentence("a list of packed numbers is damaged"))
     shape, data = document["shape"], document["data"]
     if not isinstance(shape, list) or len(shape) > 4 or not isinstance(data, str):
-        raise ValueError("a list of packed numbers is damaged")
-    lengths = tuple(whole(length, "a length of packed numbers", 0) for length in shape)
+        raise ValueError(sentence("a list of packed numbers is damaged"))
+    lengths = tuple(whole(length, N_("a length of packed numbers"), 0) for length in shape)
     if len(data) != 4 * math.ceil(8 * math.prod(lengths) / 3):
-        raise ValueError("packed numbers are not as many as they say")
+        raise ValueError(sentence("packed numbers are not as many as they say"))
     values = np.frombuffer(base64.b64decode(data, validate=True), dtype="<f8").astype(np.float64, copy=False)
     if not np.isfinite(values).all():
-        raise ValueError("a packed number is not finite")
+        raise ValueError(sentence("a packed number is not finite"))
     values = values.reshape(lengths)
     values.setflags(write=False)
     return values
@@ -84,7 +85,7 @@ def listed_rows(rows: Any, width: int) -> Array:
         when they are of another length, or something in them is no finite number.
     """
     if not isinstance(rows, list) or not all(isinstance(row, list) and len(row) == width for row in rows):
-        raise ValueError(f"what should be rows of {width} numbers is something else")
+        raise ValueError(sentence("what should be rows of {width} numbers is something else", width=width))
     return listed_numbers([value for row in rows for value in row]).reshape(-1, width)
 
 
@@ -97,35 +98,52 @@ def listed_numbers(values: Any) -> Array:
         when something in it is no finite number.
     """
     if not isinstance(values, list) or not set(map(type, values)) <= {int, float}:
-        raise ValueError("a list of numbers holds something else")
+        raise ValueError(sentence("a list of numbers holds something else"))
     found = np.array(values, dtype=np.float64)
     if not np.isfinite(found).all():
-        raise ValueError("a number is not finite")
+        raise ValueError(sentence("a number is not finite"))
     return found
 
 
-def number(value: Any, name: str, low: float = -math.inf, high: float = math.inf) -> float:
-    """A finite number between `low` and `high`."""
+def number(value: Any, name: str, low: float = -math.inf, high: float = math.inf, of: str = "") -> float:
+    """A finite number between `low` and `high`.
+
+    What it is called, and what it is `of` where the name has that place, are marked by `N_`.
+    """
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise ValueError(f"{name} is no number")
+        raise ValueError(sentence("{name} is no number", name=_called(name, of)))
     if not low <= value <= high:
-        raise ValueError(f"{name} is {value:g}, not between {low:g} and {high:g}")
+        raise ValueError(
+            sentence(
+                "{name} is {value:g}, not between {low:g} and {high:g}",
+                name=_called(name, of),
+                value=value,
+                low=low,
+                high=high,
+            )
+        )
     return float(value)
 
 
-def whole(value: Any, name: str, low: int = -LARGEST_FRAME, high: int = LARGEST_FRAME) -> int:
-    """A whole number from `low` to `high`."""
+def whole(value: Any, name: str, low: int = -LARGEST_FRAME, high: int = LARGEST_FRAME, of: str = "") -> int:
+    """A whole number from `low` to `high`, called as `number` is."""
     if isinstance(value, bool) or not isinstance(value, int):
-        raise ValueError(f"{name} is no whole number")
+        raise ValueError(sentence("{name} is no whole number", name=_called(name, of)))
     if not low <= value <= high:
-        raise ValueError(f"{name} lies not between {low} and {high}")
+        raise ValueError(
+            sentence("{name} lies not between {low} and {high}", name=_called(name, of), low=low, high=high)
+        )
     return value
+
+
+def _called(name: str, of: str = "") -> str:
+    return sentence(name, name=sentence(of)) if of else sentence(name)
 
 
 def text(value: Any, name: str) -> str:
     """A text."""
     if not isinstance(value, str):
-        raise ValueError(f"{name} is no text")
+        raise ValueError(sentence("{name} is no text", name=_called(name)))
     return value
 
 
@@ -220,20 +238,20 @@ def unpacked_keys(document: Document) -> list[Keyframe]:
         return [_read_key(document)]
     if document["type"] == "Keyframes":
         return list(_read_run(document))
-    raise ValueError("what stands among the keys is no key")
+    raise ValueError(sentence("what stands among the keys is no key"))
 
 
 def _read_key(document: Document) -> Keyframe:
     feather, vertices, confidence = (document.get(k) for k in ("feather", "vertex_confidence", "confidence"))
     return Keyframe(
-        frame=whole(document["frame"], "the frame of a key"),
+        frame=whole(document["frame"], N_("the frame of a key")),
         origin=Origin(document["origin"]),
         interpolation=Interpolation(document["interpolation"]),
         points=listed_rows(document["points"], 6).reshape(-1, 3, 2),
         feather=None if feather is None else listed_rows(feather, 6).reshape(-1, 3, 2),
-        confidence=None if confidence is None else number(confidence, "the confidence of a key"),
+        confidence=None if confidence is None else number(confidence, N_("the confidence of a key")),
         vertex_confidence=None if vertices is None else listed_numbers(vertices),
-        inputs=text(document.get("inputs", ""), "the inputs of a key"),
+        inputs=text(document.get("inputs", ""), N_("the inputs of a key")),
         set_points=_read_indices(document, len(document["points"])),
         extra=rest(document, "frame", *_FIELDS),
     )
@@ -242,9 +260,9 @@ def _read_key(document: Document) -> Keyframe:
 def _read_indices(document: Document, count: int) -> tuple[int, ...]:
     """The points that the artist set of a key of `count` points."""
     indices = document.get("set_points", [])
-    found = tuple(whole(index, "a point that was set", 0, count - 1) for index in indices)
+    found = tuple(whole(index, N_("a point that was set"), 0, count - 1) for index in indices)
     if list(found) != sorted(set(found)):
-        raise ValueError("the points that were set are not in order")
+        raise ValueError(sentence("the points that were set are not in order"))
     return found
 
 
@@ -256,7 +274,7 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
     confidence = _column(document, "confidence", count, ())
     vertices = None if "vertex_confidence" not in document else unpacked_numbers(document["vertex_confidence"])
     if vertices is not None and (vertices.ndim != 2 or len(vertices) != count):
-        raise ValueError("the packed keys and their vertex_confidence differ in length")
+        raise ValueError(sentence("the packed keys and their {name} differ in length", name="vertex_confidence"))
     origin, interpolation = Origin(document["origin"]), Interpolation(document["interpolation"])
     chosen, extra = _read_indices(document, points.shape[1]), rest(document, "frames", *_FIELDS)
     for k, (frame, stamp) in enumerate(zip(frames, _stamps(document, count), strict=True)):
@@ -276,16 +294,16 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
 
 def _read_frames(frames: Any) -> list[int]:
     if not isinstance(frames, list) or not set(map(type, frames)) <= {int}:
-        raise ValueError("the frames of packed keys are no whole numbers")
+        raise ValueError(sentence("the frames of packed keys are no whole numbers"))
     for frame in (min(frames, default=0), max(frames, default=0)):
-        whole(frame, "the frame of a key")
+        whole(frame, N_("the frame of a key"))
     return frames
 
 
 def _read_points(document: Any, count: int) -> Array:
     points = unpacked_numbers(document)
     if points.ndim != 4 or len(points) != count or points.shape[2:] not in ((1, 2), (3, 2)):
-        raise ValueError("the packed keys and their points differ in length")
+        raise ValueError(sentence("the packed keys and their {name} differ in length", name="points"))
     if points.shape[2] == 1:
         points = np.repeat(points, 3, axis=2)
         points.setflags(write=False)
@@ -298,17 +316,17 @@ def _column(document: Document, name: str, count: int, shape: tuple[int, ...]) -
         return None
     values = unpacked_numbers(document[name])
     if values.shape != (count, *shape):
-        raise ValueError(f"the packed keys and their {name} differ in length")
+        raise ValueError(sentence("the packed keys and their {name} differ in length", name=name))
     return values
 
 
 def _stamps(document: Document, count: int) -> Iterator[str]:
     """The inputs of each key, from pairs (how many, inputs)."""
     pairs = document.get("inputs", [[count, ""]])
-    lengths = [whole(length, "a length of inputs", 0) for length, _ in pairs]
+    lengths = [whole(length, N_("a length of inputs"), 0) for length, _ in pairs]
     if sum(lengths) != count:
-        raise ValueError("the packed keys and their inputs differ in length")
-    stamps = [text(stamp, "the inputs of a key") for _, stamp in pairs]
+        raise ValueError(sentence("the packed keys and their {name} differ in length", name="inputs"))
+    stamps = [text(stamp, N_("the inputs of a key")) for _, stamp in pairs]
     return chain.from_iterable(map(repeat, stamps, lengths))
 
 

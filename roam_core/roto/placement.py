@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from roam_core.arrays import Array
 from roam_core.geometry import projective
+from roam_core.translatable import sentence
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,15 +46,15 @@ class LayerTransform:
     def __post_init__(self) -> None:
         matrices = np.array([projective.normalised(matrix) for matrix in self.matrices]).reshape(-1, 3, 3)
         if not self.frames or len(matrices) != len(self.frames):
-            raise ValueError("a transform needs a frame for each matrix, and at least one")
+            raise ValueError(sentence("a transform needs a frame for each matrix, and at least one"))
         if any(a >= b for a, b in zip(self.frames, self.frames[1:], strict=False)):
-            raise ValueError("the frames of a transform must increase")
+            raise ValueError(sentence("the frames of a transform must increase"))
         matrices.setflags(write=False)
         object.__setattr__(self, "matrices", matrices)
         if self.points and len(self.areas) != 2:
-            raise ValueError("points of a track need the sizes of two areas")
+            raise ValueError(sentence("points of a track need the sizes of two areas"))
         if self.surface and np.array(self.surface).shape != (4, 2):
-            raise ValueError("a surface has four corners")
+            raise ValueError(sentence("a surface has four corners"))
         here = set(self.frames)
         object.__setattr__(self, "confidence", tuple(sorted(pair for pair in self.confidence if pair[0] in here)))
         object.__setattr__(self, "adjusted", tuple(sorted(set(self.adjusted) & here)))

@@ -12,7 +12,7 @@ from roam_core.media.finding import is_there, places_near
 from roam_core.media.opening import files_of, open_clip
 from roam_core.media.source import PlateSource
 from roam_core.roto.project import Clip, Project
-from roam_core.translatable import sentence
+from roam_core.translatable import said_by, sentence
 
 MOST_OPENED = 16
 """Places of which the plate is looked at."""
@@ -73,7 +73,7 @@ def other_content_now(clip: Clip) -> str:
     try:
         sequence = files_of(clip.path, clip.content)
     except RoamError as error:
-        return str(error)
+        return said_by(error)
     return _other_content(clip, clip.path, content_hash(sequence.first_file if sequence else clip.path))
 
 

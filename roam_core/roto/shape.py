@@ -21,6 +21,7 @@ from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, checked, share_at, value_at
 from roam_core.roto.lifetimes import given_lifetime
 from roam_core.roto.placement import Placement, carried, matrix_at
+from roam_core.translatable import sentence
 
 NO_COLOUR = (0.90, 0.60, 0.0)
 """Of a shape to which nobody gave a colour: it takes the next of the palette when it is added to a project."""
@@ -238,11 +239,11 @@ class RotoShape:
             object.__setattr__(self, "blend", BlendMode(self.blend))
             object.__setattr__(self, "spline", Spline(self.spline))
         if not keys:
-            raise ValueError(f"shape {self.name!r} has no key")
+            raise ValueError(sentence("shape {name!r} has no key", name=self.name))
         if len({len(key.points) for key in keys}) != 1:
-            raise ValueError(f"the keys of shape {self.name!r} differ in their number of points")
+            raise ValueError(sentence("the keys of shape {name!r} differ in their number of points", name=self.name))
         if len({key.frame for key in keys}) != len(keys):
-            raise ValueError(f"shape {self.name!r} has two keys on one frame")
+            raise ValueError(sentence("shape {name!r} has two keys on one frame", name=self.name))
         for value in ("opacity", "feather"):
             object.__setattr__(self, value, checked(getattr(self, value), f"the {value} of {self.name!r}"))
         for name in ("colour", "depth"):  # lists would make equal shapes differ

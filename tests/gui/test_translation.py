@@ -38,11 +38,13 @@ from app.widgets.fields import BLENDS
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.interchange import EXPORTERS, ExportOptions
+from roam_core.interchange import EXPORTERS, ExportOptions, read_shapes
+from roam_core.interchange.clipboard import read_text
 from roam_core.interchange.nuke.names import Names
 from roam_core.interchange.protocol import LossyExport
+from roam_core.media import open_clip
 from roam_core.proposal.assist.cut_out import cut_box
-from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, edit
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, edit, file
 from roam_core.system_errors import reason_of
 from roam_core.translatable import listed, sentence
 from tests.gui.windows import dialogs_of, opened_window, write_clip
@@ -134,6 +136,44 @@ def test_the_modes_of_what_an_export_loses_are_called_as_in_the_window(german: N
     words = {mode: tr(title) for mode, title in BLENDS.items()}
     lost = (BlendMode.SUBTRACT, BlendMode.INTERSECT, BlendMode.DIFFERENCE)
     assert [mode for mode in lost if f"'{words[mode]}'" not in told] == []
+
+
+def test_what_is_wrong_with_a_file_is_told_in_german_with_its_reason(german: None, tmp_path: Path) -> None:
+    """It came in English, and so did the reason within a German sentence."""
+    damaged, setting, cut = tmp_path / "a.roam", tmp_path / "a.setting", tmp_path / "cut.png"
+    damaged.write_text(
+        file.dumps(Project(Clip(Path("plate"), 1, 9, (64, 48))), tmp_path).replace('"first": 1', '"first": 1.5')
+    )
+    setting.write_text("{ Tools = ordered() {")
+    cut.write_bytes(b"no picture")
+    clip = Clip(tmp_path, 1, 9, (64, 48))
+    told = []
+    for open_it in (
+        lambda: open_clip(tmp_path / "gone.####.png"),
+        lambda: open_clip(cut),
+        lambda: file.load(damaged),
+        lambda: read_shapes(setting, clip),
+        lambda: read_text("no shapes", clip),
+    ):
+        with pytest.raises(RoamError) as refused:
+            open_it()
+        told.append(sentence_of(refused.value))
+    assert told[0].startswith(f"Keine Datei in {tmp_path} passt zum Muster gone.####.png; im Ordner liegen cut.png")
+    assert told[1].startswith(f"{cut} ist kein lesbares Bild (")
+    assert told[2] == f"{damaged} ist beschädigt: der erste Frame des Clips ist keine ganze Zahl."
+    assert told[3].startswith(f"{setting} ist kein Setting von Fusion oder ist abgeschnitten")
+    assert told[4] == "Die Zwischenablage enthält keine Formen einer Art, die ROAM liest."
+
+
+def test_notes_of_an_import_are_german_and_gathered(german: None) -> None:
+    drawing = "".join(f'<path id="p{k}" filter="url(#f)" d="M0 0L9 0L9 9Z"/>' for k in range(3))
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" width="20" height="10">{drawing}<text>a</text></svg>'
+    notes = read_text(text, Clip(Path("plate"), 1, 9, (40, 20))).notes
+    assert [translated(note) for note in notes] == [
+        "Die Datei spricht von Bildern mit 20 x 10 Pixeln, der Clip hat 40 x 20: Die Formen wurden skaliert.",
+        "Der Filter von 'p0' entfällt. Ebenso: 'p1', 'p2'.",
+        "Elemente der Art 'text' entfallen: ROAM liest nur Umrisse.",
+    ]
 
 
 def test_english_again(german: None) -> None:

@@ -37,13 +37,12 @@ NAMES = {
     "PySide6-Essentials", "License-Expression",
 }  # fmt: skip
 """Names, the same in all languages: programs, libraries, what stands in files under a name."""
-
-
-TOLD_BY_THE_ENGINE = (
-    "proposal/assist/cut_out.py", "motion/plane_track.py", "motion/point_track.py", "propagate/run.py",
-    "propagate/group.py",
-)  # fmt: skip
-"""Modules of the engine that tell the artist what is wrong with a box, a click, a shape or a frame."""
+ON_THE_COMMAND_LINE = {"cli", "studio", "params", "installation"}
+"""Rooms of the engine whose refusals and notes no window shows."""
+SAID_ELSEWHERE = {"LossyExport"}
+"""Errors whose parts are shown, each a sentence, and not their own text."""
+NOTED_THERE = {"interchange/nuke/landmarks.py"}
+"""Modules of other rooms whose notes are the command line's."""
 
 
 @cache
@@ -182,10 +181,93 @@ def test_what_the_engine_tells_of_its_progress_can_be_translated() -> None:
     assert not plain, "write these by roam_core.translatable.sentence"
 
 
-@pytest.mark.parametrize("module", TOLD_BY_THE_ENGINE)
-def test_what_the_engine_refuses_of_a_gesture_can_be_said_in_other_languages(module: str) -> None:
-    """Only what is wrong with a file stays English."""
-    tree = ast.parse((ROOT / "roam_core" / module).read_text(encoding="utf-8"))
-    errors = [node for node in ast.walk(tree) if name_of(node) == "RoamError" and isinstance(node, ast.Call)]
-    assert errors
-    assert [error.lineno for error in errors if not (error.args and name_of(error.args[0]) == "sentence")] == []
+@cache
+def engine() -> dict[str, ast.Module]:
+    """The syntax trees of the engine."""
+    root = ROOT / "roam_core"
+    return {str(path.relative_to(root)): ast.parse(path.read_text("utf-8")) for path in sorted(root.rglob("*.py"))}
+
+
+def engine_for_the_window() -> Iterator[tuple[str, ast.Module]]:
+    """The modules of the engine whose sentences a window may show, and their trees."""
+    for name, tree in engine().items():
+        if name.split("/")[0].removesuffix(".py") not in ON_THE_COMMAND_LINE:
+            yield name, tree
+
+
+def kinds_of_refusals() -> set[str]:
+    """The names of `RoamError` and of all that derive from it, in the engine."""
+    kinds = {"RoamError"}
+    bases = {
+        node.name: {ast.unparse(base) for base in node.bases}
+        for tree in engine().values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ClassDef)
+    }
+    while more := {name for name, of in bases.items() if of & kinds} - kinds:
+        kinds |= more
+    return kinds
+
+
+def is_plain(node: ast.expr) -> bool:
+    """True for a text that is put together of pieces, or stands as it is: no window can say it otherwise."""
+    if isinstance(node, ast.IfExp):
+        return is_plain(node.body) or is_plain(node.orelse)
+    if isinstance(node, ast.BinOp):
+        return is_plain(node.left) or is_plain(node.right)
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, str)
+    return isinstance(node, ast.JoinedStr) or name_of(node) in {"str", "format", "join"}
+
+
+def plain_refusals(tree: ast.Module, kinds: set[str]) -> Iterator[int]:
+    """The lines on which an error of one of these kinds is made of a plain text."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and name_of(node) in kinds and node.args and is_plain(node.args[0]):
+            yield node.lineno
+
+
+def test_what_the_engine_refuses_can_be_said_in_other_languages() -> None:
+    """A dialog told in English what is wrong with a file, in the midst of German."""
+    kinds = kinds_of_refusals() - SAID_ELSEWHERE
+    assert {"DamagedProject", "DamagedFrame", "LostPlane", "NoRoom"} < kinds
+    plain = [
+        f"roam_core/{name}:{line}" for name, tree in engine_for_the_window() for line in plain_refusals(tree, kinds)
+    ]
+    assert plain == [], "write these by roam_core.translatable.sentence"
+
+
+NOTES = {"note", "_tell", "_refusal", "FormError"}
+"""What readers and writers say of a file, and why something of it is left out."""
+LISTS_OF_NOTES = {"notes", "losses"}
+
+
+def plain_notes(tree: ast.Module) -> Iterator[int]:
+    """The lines on which a note, or a reason within one, is a plain text."""
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        of = getattr(node.func, "value", None)
+        is_listed = name_of(node) == "append" and getattr(of, "attr", getattr(of, "id", "")) in LISTS_OF_NOTES
+        if (name_of(node) in NOTES or is_listed) and any(map(is_plain, node.args)):
+            yield node.lineno
+
+
+def test_what_the_engine_notes_can_be_said_in_other_languages() -> None:
+    plain = [
+        f"roam_core/{name}:{line}"
+        for name, tree in engine_for_the_window()
+        if name not in NOTED_THERE
+        for line in plain_notes(tree)
+    ]
+    assert plain == [], "write these by roam_core.translatable.sentence"
+
+
+@pytest.mark.parametrize(
+    "line",
+    ['raise RoamError(f"{path} is none.")', 'raise LostPlane("Lost.")', "RoamError(str(error))", 'RoamError("a" + b)'],
+)
+def test_a_refusal_in_plain_english_is_found(line: str) -> None:
+    assert list(plain_refusals(ast.parse(line), {"RoamError", "LostPlane"})) == [1]
+    assert list(plain_refusals(ast.parse('raise RoamError(sentence("{a}.", a=a))'), {"RoamError"})) == []
+    assert list(plain_notes(ast.parse('reader.note(f"{name} was left out.")\nnotes.append("Left out.")'))) == [1, 2]

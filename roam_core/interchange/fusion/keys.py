@@ -15,6 +15,7 @@ from roam_core.interchange.keys.keying import STEP
 from roam_core.interchange.reading import ShapeReader, brief
 from roam_core.roto import Animated, Interpolation, ValueKey
 from roam_core.roto.animated import Animatable, mapped, values_of
+from roam_core.translatable import sentence
 
 Tools = Mapping[str, Table]
 
@@ -53,10 +54,10 @@ def keys_of_path(reader: ShapeReader, title: str, inputs: Table, tools: Tools, i
     else:
         stamps = _stamps(tools, str(source), "Value")
     if not stamps or not all(isinstance(stamp.value, Table) for stamp in stamps):
-        raise ValueError("it has no polyline")
+        raise ValueError(sentence("it has no polyline"))
     count = len(stamps[0].value.table("Points").listed)
     if count < 2:
-        raise ValueError("it has fewer than two points")
+        raise ValueError(sentence("it has fewer than two points"))
     reader.check_points(count * len(stamps), title, len(stamps))
     rows = {id(stamp): _rows(stamp.value, count, is_polygon) for stamp in stamps}
     held = _held(reader, title, stamps, lambda a, b: bool((rows[id(a)] == rows[id(b)]).all()))
@@ -79,16 +80,18 @@ def feather_of(reader: ShapeReader, title: str, inputs: Table, tools: Tools, wid
     edges, borders = values_of(edge), values_of(border)
     if not any(edges):
         if any(borders):
-            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.", brief(title))
+            reader.note(sentence("The border of {name}, which moves its edge, is not read.", name=brief(title)))
         return 0.0
     if len(edges) != len(borders) or any(
         abs(abs(b) * 2.0 - e) > 1e-8 + 1e-6 * e for e, b in zip(edges, borders, strict=True)
     ):
         reader.note(
-            f"The soft edge of {brief(title)} lies on both sides of its outline; it was read as outside.", brief(title)
+            sentence(
+                "The soft edge of {name} lies on both sides of its outline; it was read as outside.", name=brief(title)
+            )
         )
         if any(borders):
-            reader.note(f"The border of {brief(title)}, which moves its edge, is not read.", brief(title))
+            reader.note(sentence("The border of {name}, which moves its edge, is not read.", name=brief(title)))
         return mapped(edge, lambda share: _sane(share * width))
     return mapped(border, lambda share: _sane(share * 2.0 * width))
 
@@ -104,7 +107,14 @@ def _value(reader: ShapeReader, title: str, inputs: Table, tools: Tools, name: s
         return made.number("Value", standard)
     stamps = _stamps(tools, str(source), None)
     if not stamps or not all(isinstance(stamp.value, float) for stamp in stamps):
-        reader.note(f"{name} of {brief(title)} comes from {brief(str(source))}, which is not read.", brief(title))
+        reader.note(
+            sentence(
+                "{field} of {name} comes from {source}, which is not read.",
+                field=name,
+                name=brief(title),
+                source=brief(str(source)),
+            )
+        )
         return standard
     reader.check_points(0, title, len(stamps))
     held = _held(reader, title, stamps, lambda a, b: bool(a.value == b.value))
@@ -119,7 +129,7 @@ def _stamps(tools: Tools, name: str, field: str | None) -> list[_Stamp]:
     stamps = []
     for time, key in spline.table("KeyFrames").named.items():
         if not isinstance(time, float) or not isinstance(key, Table):
-            raise ValueError(f"its spline {brief(name)} has a key that is none")
+            raise ValueError(sentence("its spline {name} has a key that is none", name=brief(name)))
         flags = key.table("Flags").named
         number = key.listed[0] if key.listed else None
         value = key.named.get(field) if field else number
@@ -141,12 +151,14 @@ def _held(reader: ShapeReader, title: str, stamps: list[_Stamp], same: Any) -> l
         is_step = stamp.step_out or (following is not None and following.step_in)
         frame = reader.frame(stamp.time)
         if not math.isclose(stamp.time, round(stamp.time), abs_tol=1e-6):
-            reader.note(f"{brief(title)} has keys between frames; they were moved to the nearest ones.", brief(title))
+            reader.note(
+                sentence("{name} has keys between frames; they were moved to the nearest ones.", name=brief(title))
+            )
         if result and result[-1][0] == frame:
             result.pop()
         result.append((frame, stamp, Interpolation.HOLD if is_step else Interpolation.LINEAR))
         if stamp.eased:
-            reader.note(f"{brief(title)} has eased keys; they were read as straight ones.", brief(title))
+            reader.note(sentence("{name} has eased keys; they were read as straight ones.", name=brief(title)))
     return result
 
 
@@ -154,7 +166,7 @@ def _rows(path: Table, count: int, is_polygon: bool) -> Array:
     """Positions (P, 3, 2) of anchors and handles, or (P, 1, 2) of control points."""
     points = path.table("Points").listed
     if len(points) != count or not all(isinstance(point, Table) for point in points):
-        raise ValueError("its keys differ in their number of points")
+        raise ValueError(sentence("its keys differ in their number of points"))
     names = PARTS if is_polygon else PARTS[:2]
     rows = np.array([[point.number(name, 0.0) for name in names] for point in points]).reshape(count, -1, 2)
     rows[:, 1:] += rows[:, :1]

@@ -23,7 +23,7 @@ from roam_core.interchange.fusion.text import Table, parsed
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, MotionBlur, RotoShape, Spline
 from roam_core.roto.shape import NO_COLOUR
-from roam_core.translatable import N_
+from roam_core.translatable import N_, said_by, sentence
 
 LARGEST = 24 << 20
 """Bytes of a setting."""
@@ -56,7 +56,7 @@ def read_setting(reader: ShapeReader, text: str) -> Imported:
     table = parsed(reader, text)
     tools = dict(_tools(table))
     if not isinstance(table.named.get("Tools"), Table):
-        raise RoamError(f"{reader.path} holds no tools of Fusion's.")
+        raise RoamError(sentence("{path} holds no tools of Fusion's.", path=reader.called))
     flow = _Flow(reader, tools, frozenset(_passed(table)))
     return reader.finished(tuple(flow.items()), flow.size)
 
@@ -108,7 +108,7 @@ class _Flow:
         ends = [name for name in masks if name not in used]
         for tool in self.tools.values():
             if tool.kind in OTHERS:
-                self.reader.note(f"Masks of the kind {tool.kind} are not read.")
+                self.reader.note(sentence("Masks of the kind {kind} are not read.", kind=tool.kind))
         chains = [(name, self._chain(name)) for name in ends]
         long = [name for name, chain in chains if len(chain) > 1]
         listed: list[tuple[int, Layer | RotoShape]] = []
@@ -146,7 +146,13 @@ class _Flow:
         following: str | None = name
         while following is not None and following in self.tools:
             if following in self.above:
-                raise RoamError(f"{self.reader.path} joins the mask {brief(following)} with itself.")
+                raise RoamError(
+                    sentence(
+                        "{path} joins the mask {following} with itself.",
+                        path=self.reader.called,
+                        following=brief(following),
+                    )
+                )
             self.above.add(following)
             entered.append(following)
             item, below = self._item(following)
@@ -174,12 +180,16 @@ class _Flow:
         if tool.kind == "BitmapMask":
             return self._bitmap(name, tool, below)
         if tool.kind not in POLYGONS:
-            self.reader.note(f"The tool {brief(name)} is no polygon mask and was left out of its chain.", brief(name))
+            self.reader.note(
+                sentence("The tool {name} is no polygon mask and was left out of its chain.", name=brief(name))
+            )
             return None, below
         try:
             return self._shape(name, tool), below
         except (ValueError, KeyError, OverflowError, TypeError) as error:
-            self.reader.note(f"The mask {brief(name)} was left out: {error}.", brief(name))
+            self.reader.note(
+                sentence("The mask {name} was left out: {reason}.", name=brief(name), reason=said_by(error))
+            )
             return None, below
 
     def _bitmap(self, name: str, tool: Table, below: str | None) -> tuple[Layer | None, str | None]:
@@ -192,7 +202,7 @@ class _Flow:
             source, is_inverted = self._pictured(inputs) or "", _flag(inputs, "Invert")
         if source not in self.tools:
             self.reader.note(
-                f"The bitmap mask {brief(name)} was left out: its picture is not made of masks.", brief(name)
+                sentence("The bitmap mask {name} was left out: its picture is not made of masks.", name=brief(name))
             )
             return None, below
         self.depth += 1
@@ -243,7 +253,7 @@ class _Flow:
             shift = np.array(centre.listed[:2], dtype=np.float64) - 0.5
         closed = {key.closed for key in keys}
         if len(closed) > 1:
-            raise ValueError("it is closed on some keys only")
+            raise ValueError(sentence("it is closed on some keys only"))
         scale = np.array([self.size[0], -self.size[1]])
         made = tuple(
             Keyframe(
@@ -254,10 +264,12 @@ class _Flow:
             for key in keys
         )
         if not sensible(made):
-            raise ValueError("it has a point that lies nowhere near the picture")
+            raise ValueError(sentence("it has a point that lies nowhere near the picture"))
         is_line = closed == {True} and inputs.table("Solid").named.get("Value", 1.0) in (0, False)
         if is_line:
-            self.reader.note(f"{brief(title)} is a line, whose width is not read: it came in hidden.", brief(title))
+            self.reader.note(
+                sentence("{name} is a line, whose width is not read: it came in hidden.", name=brief(title))
+            )
         return RotoShape(
             self.reader.fresh_id("shape"),
             title,
@@ -288,7 +300,9 @@ class _Flow:
             inputs.table("MaskHeight").number("Value", height) if own else height,
         )
         if not all(0 < length < 1e6 for length in size):
-            raise ValueError(f"it speaks of pictures of {size[0]:g} x {size[1]:g} pixels")
+            raise ValueError(
+                sentence("it speaks of pictures of {width:g} x {height:g} pixels", width=size[0], height=size[1])
+            )
         return size
 
     def _title(self, name: str, inputs: Table) -> str:
@@ -299,7 +313,11 @@ class _Flow:
         mode = _mode(inputs)
         if mode not in MODES:
             self.reader.note(
-                f"The paint mode {brief(mode)} of {brief(name)} is not read; the mask is added.", brief(name)
+                sentence(
+                    "The paint mode {mode} of {name} is not read; the mask is added.",
+                    mode=brief(mode),
+                    name=brief(name),
+                )
             )
         return MODES.get(mode, BlendMode.ADD)
 
@@ -317,15 +335,21 @@ class _Flow:
         for key, made in inputs.named.items():
             if isinstance(made, Table) and "Expression" in made.named:
                 self.reader.note(
-                    f"{brief(str(key))} of {brief(title)} has an expression, which is not evaluated.", brief(title)
+                    sentence(
+                        "{key} of {name} has an expression, which is not evaluated.",
+                        key=brief(str(key)),
+                        name=brief(title),
+                    )
                 )
         for key, still in STILL.items():
             made = inputs.table(key)
             if "SourceOp" in made.named or made.named.get("Value", still) != still:
-                self.reader.note(f"{key} of {brief(title)} is not read: it stays where its points are.", brief(title))
+                self.reader.note(
+                    sentence("{key} of {name} is not read: it stays where its points are.", key=key, name=brief(title))
+                )
         if "SourceOp" in inputs.table("Center").named:
             self.reader.note(
-                f"The moving centre of {brief(title)} is not read: it stays where its points are.", brief(title)
+                sentence("The moving centre of {name} is not read: it stays where its points are.", name=brief(title))
             )
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from roam_core.errors import RoamError
 from roam_core.interchange.reading import MAX_NUMBER, ShapeReader, brief
+from roam_core.translatable import sentence
 
 VALUE, TABLE, POINT = 2, 5, 3
 """What a value, a table and a point, which is taken in one go, count of the parts that a file may hold: about as their
@@ -47,7 +48,7 @@ class Table:
         """The number of that name, or `standard`; a `ValueError` for what is none."""
         value = self.named.get(name, standard)
         if isinstance(value, bool) or not isinstance(value, float | int):
-            raise ValueError(f"its {name} is no number")
+            raise ValueError(sentence("its {name} is no number", name=name))
         return float(value)
 
 
@@ -181,13 +182,23 @@ class _Parser:
         except ValueError:
             raise self._trouble() from None
         if not abs(value) <= MAX_NUMBER:
-            raise RoamError(f"{self.reader.path} holds the number {brief(word)}; no picture is that large.")
+            raise RoamError(
+                sentence(
+                    "{path} holds the number {word}; no picture is that large.",
+                    path=self.reader.called,
+                    word=brief(word),
+                )
+            )
         return value
 
     def _trouble(self) -> RoamError:
+        path = self.reader.called
+        if not getattr(self, "word", ""):
+            return RoamError(sentence("{path} is no setting of Fusion's, or it is cut off.", path=path))
         return RoamError(
-            f"{self.reader.path} is no setting of Fusion's, or it is cut off"
-            + (f" (at {brief(self.word)})." if getattr(self, "word", "") else ".")
+            sentence(
+                "{path} is no setting of Fusion's, or it is cut off (at {word}).", path=path, word=brief(self.word)
+            )
         )
 
 

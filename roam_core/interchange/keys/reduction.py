@@ -98,7 +98,12 @@ def reduced(
     from roam_core.kernels.key_spans import PARTS, outline_distances  # numba: a command's help must not wait for it
 
     if not 0.0 < tolerance < np.inf:
-        raise RoamError(f"The tolerance of reduced keys must be a positive number of pixels, not {tolerance:g}.")
+        raise RoamError(
+            sentence(
+                "The tolerance of reduced keys must be a positive number of pixels, not {tolerance:g}.",
+                tolerance=tolerance,
+            )
+        )
     first, last = shape.frames[0], shape.frames[-1]
     stacked = _stacked(shape)
     samples = places(stacked, shape.closed)

@@ -67,7 +67,9 @@ def smoothed(shape: RotoShape, reach: float, token: CancelToken | None = None) -
     Raises `RoamError` when the reach is no positive number.
     """
     if not 0.0 < reach < np.inf:
-        raise RoamError(f"The reach of smoothing must be a positive number of pixels, not {reach:g}.")
+        raise RoamError(
+            sentence("The reach of smoothing must be a positive number of pixels, not {reach:g}.", reach=reach)
+        )
     movable = np.array([key.origin is Origin.ENGINE for key in shape.keys])
     bends = _accelerations(shape)
     if not movable.any() or not len(bends):

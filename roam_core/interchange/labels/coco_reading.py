@@ -16,7 +16,7 @@ from roam_core.interchange.labels.polygons import mask_of, polygon_key, runs_of_
 from roam_core.interchange.reading import Imported, ShapeReader, are_numbers, brief, sensible
 from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.roto import Layer, RotoShape
-from roam_core.translatable import sentence
+from roam_core.translatable import said_by, sentence
 
 MAX_RUNS, MAX_RUNS_OF_ONE = 40_000, 12_000
 """Of all masks of a file, and of one: noise has more, and shapes are not fitted to it in any time."""
@@ -55,7 +55,7 @@ class CocoReader(ShapeReader):
         tracks: dict[tuple[Any, ...], dict[int, Any]] = {}
         for row in document["annotations"]:
             if not isinstance(row, dict) or row.get("image_id") not in frames:
-                self.note("Annotations without an image of the file were left out.")
+                self.note(sentence("Annotations without an image of the file were left out."))
                 continue
             frame, name = frames[row["image_id"]], names.get(row.get("category_id"), "Object")
             key = self._track(row, name)
@@ -68,7 +68,7 @@ class CocoReader(ShapeReader):
         self._follows = dict(pairwise(self._frames_told))
         items = [item for key, rows in tracks.items() for item in self._object(key[0], rows)]
         if not items:
-            self.note("There are no instances with an outline in the file.")
+            self.note(sentence("There are no instances with an outline in the file."))
         return self.finished(tuple(items), size)
 
     def _track(self, row: dict[str, Any], name: str) -> tuple[Any, ...]:
@@ -80,12 +80,18 @@ class CocoReader(ShapeReader):
     def _size(self, images: list[dict[str, Any]]) -> tuple[float, float] | None:
         sizes = {(image.get("width"), image.get("height")) for image in images if are_numbers(_sides(image))}
         if len(sizes) > 1:
-            raise RoamError(f"{self.path} speaks of pictures of several sizes, which cannot be frames of one clip.")
+            raise RoamError(
+                sentence(
+                    "{path} speaks of pictures of several sizes, which cannot be frames of one clip.", path=self.called
+                )
+            )
         if not sizes:
             return None
         width, height = sizes.pop()
         if not (1 <= float(width or 0) < 1e6 and 1 <= float(height or 0) < 1e6):
-            raise RoamError(f"{self.path} cannot be read: width and height of its images must be positive.")
+            raise RoamError(
+                sentence("{path} cannot be read: width and height of its images must be positive.", path=self.called)
+            )
         return float(width or 0), float(height or 0)
 
     def _frames(self, images: list[dict[str, Any]]) -> dict[Any, int]:
@@ -101,14 +107,18 @@ class CocoReader(ShapeReader):
                 found = numbers
             else:
                 found = [self.clip.first + k for k in range(len(images))]
-                self.note("The images' names do not number the clip's frames: they were taken in their order.")
+                self.note(
+                    sentence("The images' names do not number the clip's frames: they were taken in their order.")
+                )
         return {key: frame for key, frame in zip(ids, found, strict=True) if key is not None}
 
     def _framed(self, number: Any) -> int:
         try:
             return self.frame(float(number))
         except (ValueError, OverflowError) as error:
-            raise RoamError(f"{self.path} cannot be read: {error}.") from None
+            raise RoamError(
+                sentence("{path} cannot be read: {reason}.", path=self.called, reason=said_by(error))
+            ) from None
 
     # ---- objects -----------------------------------------------------------------------------------------------------
 
@@ -131,7 +141,7 @@ class CocoReader(ShapeReader):
 
     def _places(self, polygon: Any, name: str) -> Array | None:
         if not isinstance(polygon, list) or len(polygon) < 6 or len(polygon) % 2 or not are_numbers(polygon):
-            self.note(f"A polygon of {brief(name)} is damaged and was left out.", brief(name))
+            self.note(sentence("A polygon of {name} is damaged and was left out.", name=brief(name)))
             return None
         return np.array(polygon, dtype=np.float64).reshape(-1, 2)
 
@@ -152,10 +162,13 @@ class CocoReader(ShapeReader):
                 lifetime = None if len(run) == len(self._frames_told) else (run[0], follows.get(run[-1], run[-1] + 1))
                 made.append(RotoShape(self.fresh_id("shape"), name, keys, lifetime=lifetime))
             else:
-                self.note(f"{brief(name)} was left out: it lies nowhere near the image.", brief(name))
+                self.note(sentence("{name} was left out: it lies nowhere near the image.", name=brief(name)))
         if len(made) > 1:
             self.note(
-                f"{brief(name)} comes and goes, or changes its number of points: it became several shapes.", brief(name)
+                sentence(
+                    "{name} comes and goes, or changes its number of points: it became several shapes.",
+                    name=brief(name),
+                )
             )
         return made
 
@@ -178,7 +191,13 @@ class CocoReader(ShapeReader):
             try:
                 mask = self._mask(masks[frame])
             except (ValueError, TypeError, OverflowError) as error:
-                self.note(f"A mask of {brief(name)} is damaged and was left out ({error}).", brief(name))
+                self.note(
+                    sentence(
+                        "A mask of {name} is damaged and was left out ({reason}).",
+                        name=brief(name),
+                        reason=said_by(error),
+                    )
+                )
                 continue
             if not mask.any():
                 continue
@@ -205,29 +224,36 @@ class CocoReader(ShapeReader):
     def _mask(self, values: dict[str, Any]) -> Bools:
         size, runs = values.get("size"), values.get("counts")
         if not isinstance(size, list) or len(size) != 2 or not all(type(n) is int and 0 < n < 1 << 16 for n in size):
-            raise ValueError("its size must be a height and a width")
+            raise ValueError(sentence("its size must be a height and a width"))
         self.check_parts(size[0] * size[1] * 1_000_000 // MAX_PIXELS // 2 + 1)
         if isinstance(runs, str):
             self.check_parts(len(runs) // 8)
             runs = runs_of_text(runs)
         if not isinstance(runs, list) or not all(type(run) is int for run in runs):
-            raise ValueError("its counts must be whole numbers")
+            raise ValueError(sentence("its counts must be whole numbers"))
         self._edges += len(runs)
         if self._edges > MAX_RUNS:
             raise RoamError(
-                f"{self.path} holds masks of more than {MAX_RUNS} runs; bring them in as pictures of masks."
+                sentence(
+                    "{path} holds masks of more than {most} runs; bring them in as pictures of masks.",
+                    path=self.called,
+                    most=MAX_RUNS,
+                )
             )
         if len(runs) > MAX_RUNS_OF_ONE:
-            raise ValueError(f"it has more than {MAX_RUNS_OF_ONE} runs")
+            raise ValueError(sentence("it has more than {most} runs", most=MAX_RUNS_OF_ONE))
         mask = mask_of(runs, size[0], size[1])
         outlines = cv2.findContours(mask.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)[0]
         if len(outlines) > MAX_OUTLINES_OF_ONE:
-            raise ValueError(f"it falls into more than {MAX_OUTLINES_OF_ONE} parts and holes")
+            raise ValueError(sentence("it falls into more than {most} parts and holes", most=MAX_OUTLINES_OF_ONE))
         self._outlines += len(outlines)
         if self._outlines > MAX_OUTLINES:
             raise RoamError(
-                f"{self.path} holds masks of more than {MAX_OUTLINES} parts and holes; bring them in as pictures of "
-                "masks."
+                sentence(
+                    "{path} holds masks of more than {most} parts and holes; bring them in as pictures of masks.",
+                    path=self.called,
+                    most=MAX_OUTLINES,
+                )
             )
         return mask
 

@@ -20,7 +20,7 @@ from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeR
 from roam_core.interchange.svg.path import Spline, ellipse
 from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, RotoShape
-from roam_core.translatable import N_
+from roam_core.translatable import N_, sentence
 
 MAX_XML = 24 << 20
 """Bytes of a file that is read."""
@@ -65,7 +65,13 @@ class _Reader(ShapeReader):
         """All outlines in layers of their labels, where a label has other names than its own."""
         root = parsed(self, content=self.content(MAX_XML))
         if local_name(root) != "annotations":
-            raise RoamError(f"{self.path} is no file of CVAT's (its root element is {brief(local_name(root))}).")
+            raise RoamError(
+                sentence(
+                    "{path} is no file of CVAT's (its root element is {element}).",
+                    path=self.called,
+                    element=brief(local_name(root)),
+                )
+            )
         stop = self._stop(root)
         for element in root:
             if local_name(element) == "track":
@@ -73,7 +79,7 @@ class _Reader(ShapeReader):
             elif local_name(element) == "image":
                 self._image(element)
         if not self._made:
-            self.note("There are no outlines in the file.")
+            self.note(sentence("There are no outlines in the file."))
         self._made.sort(key=lambda made: made[0])
         layers: dict[str, list[RotoShape]] = {}
         for _, label, shape in self._made:
@@ -125,7 +131,7 @@ class _Reader(ShapeReader):
         for element in track:
             kind = local_name(element)
             if kind not in OUTLINES:
-                self.note(f"CVAT's {brief(kind)} was left out: ROAM reads outlines only.")
+                self.note(sentence("CVAT's {kind} was left out: ROAM reads outlines only.", kind=brief(kind)))
                 continue
             name = self._name(element, name)
             if element.get("keyframe", "1") == "1" and (moment := self._moment(element, kind, label)) is not None:
@@ -147,7 +153,7 @@ class _Reader(ShapeReader):
             self.check_points(sum(len(moment.points) for moment in run), name, len(run))
             keys = tuple({moment.frame: Keyframe(moment.frame, moment.points) for moment in run}.values())
             if not sensible(keys):
-                self.note(f"{brief(name)} was left out: it lies nowhere near the image.", brief(name))
+                self.note(sentence("{name} was left out: it lies nowhere near the image.", name=brief(name)))
                 continue
             begins = run[0].frame
             is_always = begins <= self.clip.first and end is None
@@ -156,18 +162,21 @@ class _Reader(ShapeReader):
             self._made.append((run[0].z_order, label, shape))
         if len(runs) > 1:
             self.note(
-                f"{brief(name)} comes and goes, or changes its number of points: it became several shapes.", brief(name)
+                sentence(
+                    "{name} comes and goes, or changes its number of points: it became several shapes.",
+                    name=brief(name),
+                )
             )
 
     def _image(self, image: Element) -> None:
         try:
             frame = self.frame(float(image.get("id", ""))) + self.clip.first
         except (ValueError, OverflowError):
-            raise RoamError(f"{self.path} cannot be read: an image has no number.") from None
+            raise RoamError(sentence("{path} cannot be read: an image has no number.", path=self.called)) from None
         for element in image:
             kind, label = local_name(element), element.get("label") or "Object"
             if kind not in OUTLINES:
-                self.note(f"CVAT's {brief(kind)} was left out: ROAM reads outlines only.")
+                self.note(sentence("CVAT's {kind} was left out: ROAM reads outlines only.", kind=brief(kind)))
                 continue
             found = self._outline(element, kind, label)
             if found is None:
@@ -191,7 +200,7 @@ class _Reader(ShapeReader):
         try:
             frame = self.frame(float(element.get("frame", ""))) + self.clip.first
         except (ValueError, OverflowError):
-            self.note(f"A keyframe of {brief(label)} has no frame number: it was left out.", brief(label))
+            self.note(sentence("A keyframe of {name} has no frame number: it was left out.", name=brief(label)))
             return None
         if points is None:
             return None
@@ -213,7 +222,7 @@ class _Reader(ShapeReader):
                 raise ValueError
             return polygon_key(0, places.reshape(-1, 2)).points
         except ValueError:
-            self.note(f"An outline of {brief(label)} is damaged and was left out.", brief(label))
+            self.note(sentence("An outline of {name} is damaged and was left out.", name=brief(label)))
             return None
 
     def _box(self, element: Element) -> Array:

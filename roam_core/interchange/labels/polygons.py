@@ -106,7 +106,7 @@ def mask_of(runs: list[int], height: int, width: int) -> Bools:
     """The mask `(h, w)` of COCO's run lengths; a `ValueError` where they do not fill it."""
     counts = np.array(runs, dtype=np.int64)
     if (counts < 0).any() or int(counts.sum()) != height * width:
-        raise ValueError("the runs of a mask do not fill its picture")
+        raise ValueError(sentence("the runs of a mask do not fill its picture"))
     return np.repeat(np.arange(len(counts)) % 2 == 1, counts).reshape(width, height).T
 
 
@@ -117,7 +117,7 @@ def runs_of_text(text: str) -> list[int]:
     for letter in text:
         part = ord(letter) - 48
         if not 0 <= part < 64 or shift > 60:
-            raise ValueError("the text of a mask is damaged")
+            raise ValueError(sentence("the text of a mask is damaged"))
         value |= (part & 0x1F) << shift
         shift += 5
         if part & 0x20:

@@ -22,7 +22,7 @@ from roam_core.media.source import DamagedFrame, PlateSource
 from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import scale_for
 from roam_core.roto import Clip, RotoShape
-from roam_core.translatable import N_, sentence
+from roam_core.translatable import N_, said_by, sentence
 
 if TYPE_CHECKING:
     from roam_core.interchange.masks.sequence import Fitted, Wanted
@@ -60,18 +60,30 @@ class MaskImporter:
         source = open_clip(path)
         reader = ShapeReader(path, clip, _placed(options, source, clip))
         if reader.options is not options:
-            reader.note(f"The mask bears no number of the clip's frames: its key stands on the first, {clip.first}.")
+            reader.note(
+                sentence(
+                    "The mask bears no number of the clip's frames: its key stands on the first, {first}.",
+                    first=clip.first,
+                )
+            )
         if isinstance(source, ImageSequence) and (pages := unseen_of_mask(source.file_of(source.frames[0]))):
             reader.note(pages)
         wanted = _wanted(options.masks, source)
         _require_masks(source, reader)
         tracker = _followed(source, reader, wanted)
         if not tracker.tracks:
-            raise RoamError(f"Nothing is white in the masks {path}; paint the object white and the rest black.")
+            raise RoamError(
+                sentence("Nothing is white in the masks {path}; paint the object white and the rest black.", path=path)
+            )
         kept = _without_specks(tracker, reader, _speck(options.masks, source))
         shapes, parts = _fitted_shapes(kept, source, reader, wanted)
         if source.missing:
-            reader.note(f"{len(source.missing)} masks are missing between the first and the last; no keys stand there.")
+            reader.note(
+                sentence(
+                    "{count} masks are missing between the first and the last; no keys stand there.",
+                    count=len(source.missing),
+                )
+            )
         return reader.finished(tuple(shapes), source.size), parts
 
 
@@ -86,11 +98,18 @@ def _wanted(asked: MaskOptions, source: PlateSource) -> Wanted:
     from roam_core.interchange.masks.sequence import Wanted  # numba: a command's help must not wait for it
 
     if not 0.0 < asked.tolerance < np.inf:
-        raise RoamError(f"The tolerance of masks must be a positive number of pixels, not {asked.tolerance:g}.")
+        raise RoamError(
+            sentence(
+                "The tolerance of masks must be a positive number of pixels, not {tolerance:g}.",
+                tolerance=asked.tolerance,
+            )
+        )
     if asked.keys is KeyChoice.ARTIST:
-        raise RoamError("Masks have no keys of an artist's; ask for every key or for reduced ones.")
+        raise RoamError(sentence("Masks have no keys of an artist's; ask for every key or for reduced ones."))
     if asked.speckle is not None and not 0.0 <= asked.speckle < np.inf:
-        raise RoamError(f"The area of specks must be a number of square pixels, not {asked.speckle:g}.")
+        raise RoamError(
+            sentence("The area of specks must be a number of square pixels, not {speckle:g}.", speckle=asked.speckle)
+        )
     scale = scale_for(source.size[::-1])
     return Wanted(asked.tolerance, _speck(asked, source) / 2.0, scale, asked.keys is KeyChoice.EVERY)
 
@@ -107,8 +126,11 @@ def _require_masks(source: PlateSource, reader: ShapeReader) -> None:
     with suppress(DamagedFrame):  # it is told where it is read in its turn
         if all(is_in_colour(_stored(source, number)) for number in probed):
             raise RoamError(
-                f"{reader.path} holds pictures in colour, no masks; give the masks of them, white inside and black "
-                "elsewhere."
+                sentence(
+                    "{path} holds pictures in colour, no masks; give the masks of them, white inside and black "
+                    "elsewhere.",
+                    path=reader.called,
+                )
             )
 
 
@@ -123,14 +145,20 @@ def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Track
         try:
             field = _coverage(source, number)
         except DamagedFrame as damage:
-            reader.note(f"{damage} The shapes pass over frame {number}.")
+            reader.note(
+                sentence("{damage} The shapes pass over frame {number}.", damage=said_by(damage), number=number)
+            )
             continue
         grey += may_be_picture(field)
         tracker.take(field, reader.frame(number) + reader.options.frame_offset)
     if grey:
         reader.note(
-            f"{grey} of the {len(frames)} masks are grey for the most part, neither black nor white; if they are "
-            "pictures, give the masks of them, white inside."
+            sentence(
+                "{grey} of the {count} masks are grey for the most part, neither black nor white; if they "
+                "are pictures, give the masks of them, white inside.",
+                grey=grey,
+                count=len(frames),
+            )
         )
     return tracker
 
@@ -160,8 +188,13 @@ def _without_specks(tracker: Tracker, reader: ShapeReader, speck: float) -> list
     left = tracker.scraps + sum(len(track.frames) for track in tracker.tracks) - sum(len(t.frames) for t in kept)
     if left:
         reader.note(
-            f"{left} specks and pinholes on {len(tracker.taken)} masks were left out, each below {speck:.0f} square "
-            "pixels; the smallest area that is followed can be chosen (--speckle)."
+            sentence(
+                "{left} specks and pinholes on {count} masks were left out, each below {speck:.0f} square "
+                "pixels; the smallest area that is followed can be chosen (--speckle).",
+                left=left,
+                count=len(tracker.taken),
+                speck=speck,
+            )
         )
     return in_order(kept)
 
@@ -216,8 +249,17 @@ def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: tuple[Fitted, ...
     if rest:
         keys, frames = sum(len(part.keys) for part in rest), sum(len(part.frames) for part in rest)
         reader.note(
-            f"{len(rest)} more shapes: {keys} keys for {frames} frames; at least "
-            f"{100.0 * min(part.within for part in rest):.0f} % of the outline within {rest[0].tolerance:g} px, "
-            f"{max(part.greatest for part in rest):.1f} px at the farthest, IoU at least "
-            f"{min(part.overlap for part in rest):.3f}; not held on {sum(len(part.beyond) for part in rest)} frames."
+            sentence(
+                "{count} more shapes: {keys} keys for {frames} frames; at least {share:.0f} % of the outline within "
+                "{tolerance:g} px, {greatest:.1f} px at the farthest, IoU at least {overlap:.3f}; not held on {missed} "
+                "frames.",
+                count=len(rest),
+                keys=keys,
+                frames=frames,
+                share=100.0 * min(part.within for part in rest),
+                tolerance=rest[0].tolerance,
+                greatest=max(part.greatest for part in rest),
+                overlap=min(part.overlap for part in rest),
+                missed=sum(len(part.beyond) for part in rest),
+            )
         )

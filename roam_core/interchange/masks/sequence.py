@@ -18,6 +18,7 @@ from roam_core.kernels.coverage import coverage
 from roam_core.kernels.mask_fit import distances
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.lifetimes import lifetime_of
+from roam_core.translatable import enumerated, sentence
 
 TREMBLES = 0.01
 """A part is drawn frame by frame when so much of its outline, over all frames, lies farther than the tolerance from
@@ -70,14 +71,25 @@ class Fitted:
     def report(self, name: str, offset: int = 0) -> str:
         """What was achieved, in one sentence; `offset` is taken off frames."""
         points = len(self.keys[0][1])
-        kept = f"{len(self.keys)} keys for {len(self.frames)} frames" if len(self.frames) > 1 else "1 key"
-        frames = ", ".join(str(frame - offset) for frame in self.beyond[:NAMED])
-        more = f" and {len(self.beyond) - NAMED} more" if len(self.beyond) > NAMED else ""
-        missed = f"; not held on frame {frames}{more}" if self.beyond else ""
-        return (
-            f"{name!r}: {points} points, {kept}; at least {100.0 * self.within:.0f} % of the outline within "
-            f"{self.tolerance:g} px on every frame ({self.mean:.2f} px on average, {self.greatest:.1f} px at the "
-            f"farthest), IoU at least {self.overlap:.3f}{missed}."
+        kept = sentence("1 key")
+        if len(self.frames) > 1:
+            kept = sentence("{keys} keys for {frames} frames", keys=len(self.keys), frames=len(self.frames))
+        missed = ""
+        if self.beyond:
+            beyond = enumerated([str(frame - offset) for frame in self.beyond], NAMED)
+            missed = sentence("; not held on frame {frames}", frames=beyond)
+        return sentence(
+            "{name!r}: {points} points, {kept}; at least {share:.0f} % of the outline within {tolerance:g} px on every "
+            "frame ({mean:.2f} px on average, {greatest:.1f} px at the farthest), IoU at least {overlap:.3f}{missed}.",
+            name=name,
+            points=points,
+            kept=kept,
+            share=100.0 * self.within,
+            tolerance=self.tolerance,
+            mean=self.mean,
+            greatest=self.greatest,
+            overlap=self.overlap,
+            missed=missed,
         )
 
 

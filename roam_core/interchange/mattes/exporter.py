@@ -83,7 +83,9 @@ class MatteExporter:
         """The folder, the names by frame, and the style that the suffix of `path` asks for."""
         style = options.mattes
         if path.suffix.lower() in OTHER_SUFFIXES and not path.is_dir():
-            raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {path.name} would be none of these.")
+            raise RoamError(
+                sentence("Mattes are written as PNG, EXR or TIFF; {name} would be none of these.", name=path.name)
+            )
         if is_numbered(path.name) and path.suffix.lower() not in SUFFIXES and not path.is_dir():
             path = path.with_name(f"{path.name}{style.suffix}")
         if path.suffix.lower() in SUFFIXES:
@@ -104,11 +106,22 @@ def require_places(pattern: str, style: MatteStyle) -> None:
     """
     for place in _PLACE.findall(pattern):
         if place != NAME:
-            raise RoamError(f"{pattern}: nothing is put in place of {place}; {NAME} stands for a layer or shape.")
+            raise RoamError(
+                sentence(
+                    "{pattern}: nothing is put in place of {place}; {name} stands for a layer or shape.",
+                    pattern=pattern,
+                    place=place,
+                    name=NAME,
+                )
+            )
         if _is_single(style):
             raise RoamError(
-                f"{pattern}: {NAME} stands for a layer or shape, but there is one matte of all; "
-                "ask for one per layer or per shape, or take it out."
+                sentence(
+                    "{pattern}: {name} stands for a layer or shape, but there is one matte of all; ask for one "
+                    "per layer or per shape, or take it out.",
+                    pattern=pattern,
+                    name=NAME,
+                )
             )
 
 
@@ -129,7 +142,14 @@ def style_for(path: Path, style: MatteStyle) -> MatteStyle:
     if kind is style.file:
         return style
     if style.file is not MatteFile.PNG:
-        raise RoamError(f"{path.name} is the name of {kind.upper()} files, but {style.file.upper()} is asked for.")
+        raise RoamError(
+            sentence(
+                "{name} is the name of {kind} files, but {asked} is asked for.",
+                name=path.name,
+                kind=kind.upper(),
+                asked=style.file.upper(),
+            )
+        )
     return replace(style, file=kind)
 
 
@@ -352,7 +372,9 @@ def _plan(
     for frame in frames:
         name = name_for(frame)
         if name in ("", ".", "..") or name != Path(name).name or "\0" in name:
-            raise RoamError(f"{name!r} is no file name for the matte of frame {frame}.")
+            raise RoamError(
+                sentence("{name!r} is no file name for the matte of frame {frame}.", name=name, frame=frame)
+            )
         if is_single:
             paths = [folder / name]
         elif NAME in str(folder / name):
@@ -361,7 +383,14 @@ def _plan(
             paths = [folder / part.word / name for part in parts]
         for path in paths:
             if taken.setdefault(path, frame) != frame:
-                raise RoamError(f"The mattes of frames {taken[path]} and {frame} would both be named {path.name!r}.")
+                raise RoamError(
+                    sentence(
+                        "The mattes of frames {other} and {frame} would both be named {name!r}.",
+                        other=taken[path],
+                        frame=frame,
+                        name=path.name,
+                    )
+                )
         plan[frame] = paths
     return plan
 

@@ -21,6 +21,7 @@ from roam_core.interchange.matte_style import DataWindow, Depth, MatteFile, Matt
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.matte import Matte, Patch
 from roam_core.temporary import working_folder
+from roam_core.translatable import sentence
 
 LEVELS: dict[int, type[np.unsignedinteger[Any]]] = {8: np.uint8, 16: np.uint16}
 KINDS = {Depth.BITS_8: oiio.UINT8, Depth.BITS_16: oiio.UINT16, Depth.HALF: oiio.HALF, Depth.FLOAT: oiio.FLOAT}
@@ -63,10 +64,16 @@ def write_picture(
 def encode_png(matte: Matte, bits: int = 8) -> bytes:
     """A matte `(h, w)` in [0, 1] as a grey PNG, rounded to the nearest of its 256 or 65536 levels, with our mark."""
     if bits not in LEVELS:
-        raise RoamError(f"Mattes have 8 or 16 bits, not {bits}.")
+        raise RoamError(sentence("Mattes have 8 or 16 bits, not {bits}.", bits=bits))
     written, buffer = cv2.imencode(".png", quantised(matte, bits))
     if not written:
-        raise RoamError(f"A matte of {matte.shape[1]} x {matte.shape[0]} pixels cannot be encoded as PNG.")
+        raise RoamError(
+            sentence(
+                "A matte of {width} x {height} pixels cannot be encoded as PNG.",
+                width=matte.shape[1],
+                height=matte.shape[0],
+            )
+        )
     return signed_png(buffer.tobytes())
 
 
@@ -160,5 +167,9 @@ def encoded(path: Path, spec: Any, style: MatteStyle, write: Callable[[Any], boo
             is_written = output.close() and is_written
             trouble = "" if is_written else output.geterror()
         if trouble or not whole.exists():
-            raise RoamError(f"{path} cannot be encoded: {' '.join(trouble.split()) or os.strerror(5)}.")
+            raise RoamError(
+                sentence(
+                    "{path} cannot be encoded: {reason}.", path=path, reason=" ".join(trouble.split()) or os.strerror(5)
+                )
+            )
         return whole.read_bytes()

@@ -14,6 +14,7 @@ from roam_core.interchange.matte_style import Parts
 from roam_core.interchange.mattes.murmur import murmur3
 from roam_core.interchange.naming import distinct
 from roam_core.roto import Layer, RotoShape
+from roam_core.translatable import sentence
 
 BY_SHAPE, BY_LAYER = "roam_shape", "roam_layer"
 """Names of the two Cryptomattes: what other programs list, and how their channels begin."""
@@ -108,7 +109,12 @@ def _manifest(name: str, items: Iterable[Layer | RotoShape], seen: set[str]) -> 
         other = numbers.setdefault(id_bits(word), word)
         if other != word:
             raise RoamError(
-                f"Cryptomatte cannot tell {other!r} from {word!r}: it knows both by {id_bits(word):08x}. "
-                "Give one of them another name."
+                sentence(
+                    "Cryptomatte cannot tell {other!r} from {word!r}: it knows both by {bits:08x}. "
+                    "Give one of them another name.",
+                    other=other,
+                    word=word,
+                    bits=id_bits(word),
+                )
             )
     return Manifest(name, words)

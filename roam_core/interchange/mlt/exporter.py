@@ -65,7 +65,9 @@ class MltExporter:
         """The files that `export` writes: one for each closed shape. Raises `RoamError` where there is none."""
         names = [shape.name for shape in project.shapes if shape.closed]
         if not names:
-            raise RoamError("The project holds no closed shape, and MLT's splines are closed; nothing was written.")
+            raise RoamError(
+                sentence("The project holds no closed shape, and MLT's splines are closed; nothing was written.")
+            )
         if len(names) == 1:
             return (path,)
         name, suffix = path.name, self.suffix

@@ -11,6 +11,7 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.roto import Keyframe, RotoShape
+from roam_core.translatable import said_by, sentence
 
 
 class MltReader(ShapeReader):
@@ -26,21 +27,30 @@ class MltReader(ShapeReader):
                 frame = self.frame(float(word)) + self.clip.first
                 points = self._points(spline)
             except ValueError as error:
-                raise RoamError(f"{self.path} cannot be read: at {brief(str(word))}, {error}.") from None
+                raise RoamError(
+                    sentence(
+                        "{path} cannot be read: at {word}, {reason}.",
+                        path=self.called,
+                        word=brief(str(word)),
+                        reason=said_by(error),
+                    )
+                ) from None
             if keys and len(points) != len(next(iter(keys.values())).points):
                 self.note(
-                    "Splines of other numbers of points than the first were left out: no point moves between them."
+                    sentence(
+                        "Splines of other numbers of points than the first were left out: no point moves between them."
+                    )
                 )
                 continue
             keys[frame] = Keyframe(frame, points)
         shape = RotoShape(self.fresh_id("shape"), self.path.stem, tuple(keys.values()))
         if not sensible(shape.keys):
-            raise RoamError(f"{self.path} cannot be read: a point lies nowhere near the image.")
+            raise RoamError(sentence("{path} cannot be read: a point lies nowhere near the image.", path=self.called))
         return self.finished((shape,))
 
     def _points(self, spline: Any) -> Array:
         if not isinstance(spline, list) or not spline:
-            raise ValueError("a spline must be a list of points")
+            raise ValueError(sentence("a spline must be a list of points"))
         self.check_points(len(spline), self.path.stem)
         flat = [
             number
@@ -52,6 +62,6 @@ class MltReader(ShapeReader):
             if isinstance(number, int | float) and not isinstance(number, bool) and math.isfinite(number)
         ]
         if len(flat) != 6 * len(spline):
-            raise ValueError("each point must be a handle, a point and a handle of two numbers")
+            raise ValueError(sentence("each point must be a handle, a point and a handle of two numbers"))
         rows: Array = np.array(flat, dtype=np.float64).reshape(-1, 3, 2)[:, [1, 0, 2]]
         return rows * np.array(self.clip.size, dtype=np.float64)

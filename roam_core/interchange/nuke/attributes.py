@@ -18,6 +18,7 @@ from roam_core.roto import Animated, BlendMode, Clip, Interpolation, MotionBlur,
 from roam_core.roto.animated import Animatable, product
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.roto.value_curves import opacity_as_seen
+from roam_core.translatable import N_, sentence
 
 BLEND_MODES = {
     BlendMode.ADD: 0,
@@ -39,8 +40,8 @@ STANDARD_SAMPLES = 16
 """Our motion-blur samples that correspond to Nuke's quality 1."""
 
 UNKNOWN = {
-    "the colour of its paint": {"r": 1.0, "g": 1.0, "b": 1.0, "a": 1.0},
-    "the fall-off of its feather": {"ff": 1.0, "ft": 0.0},
+    N_("the colour of its paint"): {"r": 1.0, "g": 1.0, "b": 1.0, "a": 1.0},
+    N_("the fall-off of its feather"): {"ff": 1.0, "ft": 0.0},
 }
 """Attributes, and their defaults, that change what is rendered and that ROAM has no word for."""
 
@@ -89,7 +90,7 @@ class Attributes:
         """A value, or its first one where it is animated; the default where the file says nothing sensible."""
         values = self._curve(name, default)
         if not values.is_constant:
-            self._tell(f"its {name!r} is animated; it has the first value")
+            self._tell(sentence("its {name!r} is animated; it has the first value", name=name))
         return float(values.values[0])
 
     def animatable(self, names: Sequence[str], default: float, reader: ShapeReader) -> Animatable:
@@ -113,11 +114,13 @@ class Attributes:
             return constant(default)
         try:
             if isinstance(item, list) and item and isinstance(item[0], str) and item[0].lstrip('"').startswith("="):
-                self._tell(f"its {name!r} follows an expression, which is not run; it has its last value")
+                self._tell(
+                    sentence("its {name!r} follows an expression, which is not run; it has its last value", name=name)
+                )
                 return constant(decoded(item[-1]) if isinstance(item[-1], str) else default)
             return curve(item, None)
         except (FollowsExpressionError, ValueError, IndexError):
-            self._tell(f"its {name!r} cannot be read")
+            self._tell(sentence("its {name!r} cannot be read", name=name))
             return constant(default)
 
     def seen(self, reader: ShapeReader) -> tuple[bool, Animatable]:
@@ -130,7 +133,7 @@ class Attributes:
         is_on = keyed.values != 0.0
         if is_on.all() or not is_on.any():
             return bool(is_on[0]), opacity
-        self._tell("its visibility is switched by keys; its opacity has them")
+        self._tell(sentence("its visibility is switched by keys; its opacity has them"))
         on = {
             reader.frame(math.ceil(time)): float(shown)
             for time, shown in zip(keyed.times.tolist(), is_on.tolist(), strict=True)
@@ -160,7 +163,7 @@ class Attributes:
             given = {name: self._items[name] for name in defaults if name in self._items}
             silent = Attributes(["a", *(part for item in given.items() for part in item)], lambda _: None)
             if any(silent.number(name, np.nan) != defaults[name] for name in given):
-                self._tell(f"{meaning} was left out")
+                self._tell(sentence("{meaning} was left out", meaning=sentence(meaning)))
 
     def blend(self) -> BlendMode:
         """How a shape or layer joins what lies under it; told where it is in none of our modes."""
@@ -168,7 +171,7 @@ class Attributes:
         for mode, number in BLEND_MODES.items():
             if number == value:
                 return mode
-        self._tell(f"its blend mode {value:g} is none of ROAM's; it adds")
+        self._tell(sentence("its blend mode {value:g} is none of ROAM's; it adds", value=value))
         return BlendMode.ADD
 
     def _colour(self) -> tuple[float, float, float]:
@@ -181,7 +184,7 @@ class Attributes:
         across, down = (self.animatable((name,), 0.0, reader) for name in ("fx", "fy"))
         if across == down:
             return across
-        self._tell("its feather differs in x and y; it has the mean")
+        self._tell(sentence("its feather differs in x and y; it has the mean"))
         return self.animatable(("fx", "fy"), 0.0, reader)
 
     def _blur(self) -> MotionBlur | None:

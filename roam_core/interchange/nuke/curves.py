@@ -12,6 +12,7 @@ from roam_core.arrays import Array, Indices
 from roam_core.geometry import projective
 from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import MAX_NUMBER
+from roam_core.translatable import N_, sentence
 
 STEP, STRAIGHT, CUBIC = range(3)
 """Interpolation numbers of a key; all that are not the first two are cubics."""
@@ -126,13 +127,13 @@ def curve(item: str | Nested, times: list[float] | None) -> Curve:
     if table is None:
         keys = [_key(key, times is None) for key in _repeated(item, None if times is None else len(times))]
         if not keys:
-            raise FormError("a list of keys is empty")
+            raise FormError(sentence("a list of keys is empty"))
         table = np.array(keys)
     if times is not None and len(table) not in (1, len(times)):
-        raise FormError(f"{len(table)} keys stand for {len(times)} times")
+        raise FormError(sentence("{count} keys stand for {times} times", count=len(table), times=len(times)))
     stamps = table[:, 0] if times is None else np.array(times[: len(table)])
     if (np.diff(stamps) <= 0.0).any():
-        raise FormError("keys are not in the order of time")
+        raise FormError(sentence("keys are not in the order of time"))
     return Curve(stamps, table[:, 1], table[:, 2:4], table[:, 4:6], table[:, 6].astype(np.intp))
 
 
@@ -170,7 +171,7 @@ def shared_times(item: str | Nested) -> list[float]:
     """The times of a `px` or `tx` list: one, or a list of several."""
     times = [decoded(item)] if isinstance(item, str) else [decoded(_word(word)) for word in item]
     if not times or (np.diff(times) <= 0.0).any():
-        raise FormError("times are missing or not in order")
+        raise FormError(sentence("times are missing or not in order"))
     return times
 
 
@@ -185,17 +186,17 @@ def _repeated(items: Nested, limit: int | None) -> Iterator[Nested]:
     count = 0
     for item in items:
         if isinstance(item, str):
-            raise FormError("a word stands where a key belongs")
+            raise FormError(sentence("a word stands where a key belongs"))
         copies = 1
         if item[:1] == ["x"]:
             _, number, repeated = item
             copies = int(decoded(_word(number)))
             if limit is None or isinstance(repeated, str) or copies < 1:
-                raise FormError("a run of keys has none of the known forms")
+                raise FormError(sentence("a run of keys has none of the known forms"))
             item = repeated
         count += copies
         if limit is not None and count > limit:
-            raise FormError(f"more than {limit} keys stand for {limit} times")
+            raise FormError(sentence("more than {limit} keys stand for {limit} times", limit=limit))
         yield from [item] * copies
 
 
@@ -205,7 +206,7 @@ def _key(item: Nested, is_timed: bool) -> tuple[float, ...]:
     head = 2 if is_timed else 1
     tail = words[head:]
     if len(words) < head or len(tail) > 5:
-        raise FormError(f"a key has {len(words)} parts")
+        raise FormError(sentence("a key has {found} parts", found=len(words)))
     kind = CUBIC
     if tail and tail[-1] != "-" and (len(tail) in (1, 3, 5) or tail[0] == "-"):
         kind = int(decoded(tail.pop())) & 255
@@ -219,7 +220,7 @@ def _key(item: Nested, is_timed: bool) -> tuple[float, ...]:
 
 def _word(item: str | Nested) -> str:
     if not isinstance(item, str):
-        raise FormError("a list stands where a number belongs")
+        raise FormError(sentence("a list stands where a number belongs"))
     return item
 
 
@@ -253,7 +254,7 @@ class Transform:
     @property
     def unknown(self) -> list[str]:
         """Parts that are set and that this reader leaves out."""
-        ranges = {"rotation in depth": (ROTATE, ROTATE + 2), "skew": (SKEW, EXTRA)}
+        ranges = {N_("rotation in depth"): (ROTATE, ROTATE + 2), N_("skew"): (SKEW, EXTRA)}
         return [name for name, (start, stop) in ranges.items() if any(i in self.parts for i in range(start, stop))]
 
     def matrices(self, moments: Array) -> Array:
@@ -301,7 +302,7 @@ def transform(items: Nested) -> Transform:
     if form == "tx":
         times, rest = shared_times(rest[0]), rest[1:]
     elif form != "t":
-        raise FormError("a transform has none of the known forms")
+        raise FormError(sentence("a transform has none of the known forms"))
     curves = {index: curve(item, times) for index, item in enumerate(rest[:LENGTH])}
     return Transform({index: part for index, part in curves.items() if not _is_default(index, part)})
 

@@ -20,6 +20,7 @@ from roam_core.interchange.reading import ShapeReader
 from roam_core.interchange.sums import Item
 from roam_core.roto import BlendMode, Layer
 from roam_core.roto.animated import Animatable, mapped
+from roam_core.translatable import sentence
 
 Knobs = dict[str, Word]
 
@@ -98,7 +99,7 @@ _KEY = re.compile(r" x(-?[\d.]+(?:e[-+]?\d+)?) (-?[\d.]+(?:e[-+]?\d+)?)(?=[ }])"
 def _curve(keys: list[tuple[float, float]], reader: ShapeReader) -> Animatable:
     times, values = np.array(keys).T
     if (np.diff(times) <= 0.0).any():
-        raise ValueError("the keys are not in order")
+        raise ValueError(sentence("the keys are not in order"))
     return animated_of(
         lambda moments: np.interp(moments, times, values), times.tolist(), reader.frame, reader.check_keys
     )

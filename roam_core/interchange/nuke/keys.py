@@ -15,6 +15,7 @@ from roam_core.interchange.keys.reduction import Slopes
 from roam_core.interchange.timing import right_before
 from roam_core.roto import Animated, Interpolation, Keyframe, RotoShape
 from roam_core.roto.animated import cubic_slopes
+from roam_core.translatable import sentence
 
 UP = np.array([1.0, -1.0])
 """Turns a difference of our positions, y down, into one of Nuke's."""
@@ -81,7 +82,13 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
             times.append(last)
             spans.append(True)
     if max(abs(time) for time in times) > LAST_EXACT_FRAME:
-        raise RoamError(f"The shape {shape.name!r} has keys on frames beyond {LAST_EXACT_FRAME}, which Nuke rounds.")
+        raise RoamError(
+            sentence(
+                "The shape {name!r} has keys on frames beyond {most}, which Nuke rounds.",
+                name=shape.name,
+                most=LAST_EXACT_FRAME,
+            )
+        )
     return TimedKeys(times, keys, spans)
 
 
@@ -118,7 +125,11 @@ def _counted(frame: int) -> float:
     """A frame of an animated value as Nuke counts; a `RoamError` where single precision would round it."""
     if abs(frame) > LAST_EXACT_FRAME:
         raise RoamError(
-            f"An opacity or feather has a key on frame {frame}; Nuke rounds those beyond {LAST_EXACT_FRAME}."
+            sentence(
+                "An opacity or feather has a key on frame {frame}; Nuke rounds those beyond {most}.",
+                frame=frame,
+                most=LAST_EXACT_FRAME,
+            )
         )
     return float(frame)
 

@@ -16,6 +16,7 @@ from roam_core.interchange.nuke.text import HEAD
 from roam_core.interchange.nuke.tracks import Track, tracker_node
 from roam_core.propagate.frame.result import FrameResult, Landmarks
 from roam_core.roto import Clip
+from roam_core.translatable import sentence
 
 LEAST_FRAMES = 5
 """Frames on which a landmark must be found to become a track; all of them in a shorter run.
@@ -151,6 +152,10 @@ def write_landmarks(paths: LandmarkPaths, clip: Clip, path: Path, frame_offset: 
             nodes.append(tracker_node(tracks, clip, shape.frames[0], frame_offset, shape.frames, label))
     if not nodes:
         least = max((shape.least for shape in paths.shapes), default=1)
-        raise RoamError(f"No landmark was found on {least} frame(s) or more; {path} was not written.")
+        raise RoamError(
+            sentence(
+                "No landmark was found on {least} frame(s) or more; {path} was not written.", least=least, path=path
+            )
+        )
     write_atomically(path, (HEAD + "".join(nodes)).encode("utf-8"))
     return tuple(note for shape in paths.shapes for note in shape.notes())

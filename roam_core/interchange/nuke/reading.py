@@ -22,11 +22,10 @@ from roam_core.interchange.nuke.curves import (
     refuse_expression,
     shared_times,
     transform,
-    values_at,
 )
 from roam_core.interchange.nuke.joined import is_joined, joined
-from roam_core.interchange.nuke.keys import UP
 from roam_core.interchange.nuke.names import KNOB, true_names
+from roam_core.interchange.nuke.outlines import OutlineMotion, Points
 from roam_core.interchange.nuke.script import Nested, Script, Word
 from roam_core.interchange.nuke.text import LOCKED, OPEN, RELATIVE_TANGENTS, RENDERABLE
 from roam_core.interchange.reading import (
@@ -40,7 +39,7 @@ from roam_core.interchange.reading import (
     sensible,
 )
 from roam_core.roto import Clip, Keyframe, Layer, LayerTransform, RotoShape
-from roam_core.translatable import N_
+from roam_core.translatable import N_, said_by, sentence
 
 PER_CURVE = 2
 """Parts that the curve of one coordinate counts for."""
@@ -70,7 +69,7 @@ class NukeImporter:
         every = [(species, _switched(knobs, groups)) for species, knobs, groups in script.nodes()]
         nodes = [each for each in every if "curves" in each[1] and each[0] not in ("Root", "Viewer")]
         if not nodes:
-            raise RoamError(f"{path} holds no Roto or RotoPaint node.")
+            raise RoamError(sentence("{path} holds no Roto or RotoPaint node.", path=reader.called))
         scripts = [_size(knobs["format"]) for species, knobs in every if species == "Root" and "format" in knobs]
         script_size = scripts[-1] if scripts else None
 
@@ -97,8 +96,11 @@ def _shown(layer: Layer, species: str, reader: ShapeReader) -> Layer:
     if not species.startswith(WARPS):
         return layer
     reader.note(
-        f"{species} {brief(layer.name)} warps by its curves, which make no matte: they came in hidden.",
-        brief(layer.name),
+        sentence(
+            "{species} {name} warps by its curves, which make no matte: they came in hidden.",
+            species=species,
+            name=brief(layer.name),
+        ),
     )
     return replace(layer, visible=False)
 
@@ -189,12 +191,16 @@ class _NodeReader:
         root = _root(curves)
         if root is None:
             raise RoamError(
-                f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and "
-                "later; save the script with such a version."
+                sentence(
+                    "{path}: the curves of the node {node} are not in the form of Nuke 7 and later; save the "
+                    "script with such a version.",
+                    path=self.reader.called,
+                    node=brief(self.node),
+                )
             )
         if not curves.is_whole:
             self.reader.note(
-                f"The file ends within the node {brief(self.node)}: what is whole was read.", brief(self.node)
+                sentence("The file ends within the node {name}: what is whole was read.", name=brief(self.node))
             )
         layer = self._layer(root, [], is_root=True)
         return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))
@@ -204,7 +210,7 @@ class _NodeReader:
         switch = "false" if disabled is None else _switch(disabled)
         if switch not in _SWITCHES:
             self.reader.note(
-                f"Whether the node {brief(self.node)} is disabled varies: it was read as on.", brief(self.node)
+                sentence("Whether the node {name} is disabled varies: it was read as on.", name=brief(self.node))
             )
         return _SWITCHES.get(switch) == 0
 
@@ -264,8 +270,16 @@ class _NodeReader:
             return
         (width, height), (own_width, own_height) = np.rint(2.0 * middle), self.reader.clip.size
         self.reader.note(
-            f"The node {brief(self.node)} names no format, and was read as of the clip's, {own_width} x {own_height} "
-            f"pixels; its middle is that of {width:g} x {height:g}. If its shapes lie askew, set its format in Nuke."
+            sentence(
+                "The node {node} names no format, and was read as of the clip's, {own_width} x {own_height} "
+                "pixels; its middle is that of {width:g} x {height:g}. If its shapes lie askew, set its "
+                "format in Nuke.",
+                node=brief(self.node),
+                own_width=own_width,
+                own_height=own_height,
+                width=width,
+                height=height,
+            )
         )
 
     def _shape(self, word: Word, parts: list[Word], outer: Sequence[Transform]) -> Iterator[RotoShape]:
@@ -273,21 +287,30 @@ class _NodeReader:
         name = self._true(parts[1].value) if len(parts) > 1 else "?"
         try:
             if not word.is_whole:
-                raise FormError("it is cut off")
+                raise FormError(sentence("it is cut off"))
             yield self._whole_shape(name, parts, outer)
         except FollowsExpressionError as expression:
             self.reader.note(
-                f"The shape {brief(name)} follows the expression {brief(str(expression))}, which is not run: "
-                "it was left out.",
-                brief(name),
+                sentence(
+                    "The shape {name} follows the expression {expression}, which is not run: it was left out.",
+                    name=brief(name),
+                    expression=brief(str(expression)),
+                ),
             )
         except (ValueError, IndexError, OverflowError) as error:
-            self.reader.note(f"The shape {brief(name)} was left out: {error}.", brief(name))
+            self.reader.note(
+                sentence("The shape {name} was left out: {reason}.", name=brief(name), reason=said_by(error))
+            )
 
     def _whole_shape(self, name: str, parts: list[Word], outer: Sequence[Transform]) -> RotoShape:
         flags, species = _flags(parts[2:]), parts[3].raw
         if species != "bezier":
-            raise FormError(f"it is a {species} {'stroke' if parts[0].raw == 'cubiccurve' else 'shape'}")
+            is_stroke = parts[0].raw == "cubiccurve"
+            raise FormError(
+                sentence("it is a {species} stroke", species=species)
+                if is_stroke
+                else sentence("it is a {species} shape", species=species)
+            )
         form, attributes = Transform({}), Attributes([], self._teller("shape", name))
         for item in parts[5:]:
             head = item.nested()
@@ -299,21 +322,21 @@ class _NodeReader:
             outline, feather = parts[4].words()
         else:
             outline, feather = parts[4], parts[4]
-            self.reader.note(f"The stroke {brief(name)} came as an open shape, without its brush.", brief(name))
+            self.reader.note(sentence("The stroke {name} came as an open shape, without its brush.", name=brief(name)))
         curve_flags, points = self._points(outline, name)
         own = None if outline is feather or not feather.is_braced else self._points(feather, name)[1]
         if own is not None and len(own.curves) != len(points.curves):
-            raise FormError("its feather has not as many points as its outline")
-        motion = _Motion(points, own, [form, *outer], self.size[1], bool(curve_flags & RELATIVE_TANGENTS))
+            raise FormError(sentence("its feather has not as many points as its outline"))
+        motion = OutlineMotion(points, own, [form, *outer], self.size[1], bool(curve_flags & RELATIVE_TANGENTS))
         keys = self._keys(motion, name)
         if not sensible(keys):
-            raise FormError("a point of it lies nowhere near the image")
+            raise FormError(sentence("a point of it lies nowhere near the image"))
         shape_id = self.reader.fresh_id("shape")
         fields = attributes.shape_fields(self.reader)
         fields["visible"] = fields["visible"] and bool(flags & RENDERABLE)
         return RotoShape(shape_id, name, keys, closed=not curve_flags & OPEN, locked=bool(flags & LOCKED), **fields)
 
-    def _points(self, word: Word, name: str) -> tuple[int, _Points]:
+    def _points(self, word: Word, name: str) -> tuple[int, Points]:
         """Flags and points of a `cc` list."""
         flags, form = 0, None
         for item in word.words()[1:]:
@@ -322,32 +345,34 @@ class _NodeReader:
             elif item.is_braced:
                 form = item.nested()
         if not form or form[0] not in ("p", "px"):
-            raise FormError("its points have none of the known forms")
+            raise FormError(sentence("its points have none of the known forms"))
         times = shared_times(form[1]) if form[0] == "px" else None
         entries = form[2:] if form[0] == "px" else form[1:]
         if not entries or len(entries) % 3:
-            raise FormError(f"it has {len(entries)} entries of points, not three for each point")
+            raise FormError(sentence("it has {count} entries of points, not three for each point", count=len(entries)))
         self.reader.check_points(len(entries) // 3, name)
         self.reader.check_parts(PER_CURVE * 2 * len(entries))
         curves: list[Curve] = []
         for entry in entries:
             x, y = self._pair(entry, name)
             curves += [curve(x, times), curve(y, times)]
-        return flags, _Points(times or [], curves)
+        return flags, Points(times or [], curves)
 
     def _pair(self, entry: str | Nested, name: str) -> Nested:
         """The two coordinates of an entry: `{}` is zero, attributes before and pressure after them are passed over."""
         if isinstance(entry, str):
-            raise FormError("a word stands where a point belongs")
+            raise FormError(sentence("a word stands where a point belongs"))
         if entry and isinstance(entry[0], list) and entry[0][:1] == ["a"]:
-            self.reader.note(f"The width and feather of single points of {brief(name)} were left out.", brief(name))
+            self.reader.note(
+                sentence("The width and feather of single points of {name} were left out.", name=brief(name))
+            )
             entry = entry[1:]
         if not entry:
             return ["0", "0"]
         refuse_expression(entry)
         return entry[:2]
 
-    def _keys(self, motion: _Motion, name: str) -> tuple[Keyframe, ...]:
+    def _keys(self, motion: OutlineMotion, name: str) -> tuple[Keyframe, ...]:
         count = len(motion.points.curves) // 6
         times = motion.times or {float(self.reader.clip.first + self.reader.options.frame_offset)}
         raw: list[Key] = keys_of(motion.at, times, lambda keys: self.reader.check_points(keys * count, name, keys))
@@ -367,68 +392,24 @@ class _NodeReader:
         try:
             form = transform(word.nested())
         except FollowsExpressionError as expression:
-            self._teller(kind, name)(f"its transform follows the expression {brief(str(expression))} and was left out")
+            self._teller(kind, name)(
+                sentence(
+                    "its transform follows the expression {expression} and was left out",
+                    expression=brief(str(expression)),
+                )
+            )
             return Transform({})
         except (ValueError, IndexError) as error:
-            self._teller(kind, name)(f"its transform was left out, {error}")
+            self._teller(kind, name)(sentence("its transform was left out, {reason}", reason=said_by(error)))
             return Transform({})
         for part in form.unknown:
-            self._teller(kind, name)(f"the {part} of its transform was left out")
+            self._teller(kind, name)(sentence("the {part} of its transform was left out", part=sentence(part)))
         return form
 
     def _true(self, name: str) -> str:
         return self.true_names.get(name, name)
 
     def _teller(self, kind: str, name: str) -> Callable[[str], None]:
-        return lambda sentence: self.reader.note(f"The {kind} {brief(name)}: {sentence}.", brief(name))
-
-
-@dataclass(frozen=True)
-class _Points:
-    """The curves of all coordinates, x and y of each entry in turn, and the times that they share, if any."""
-
-    shared: list[float]
-    curves: list[Curve]
-
-    @property
-    def times(self) -> set[float]:
-        """Of all keys; nothing where the points have none."""
-        own = {time for part in self.curves if len(part.times) > 1 for time in part.times.tolist()}
-        return own | set(self.shared)
-
-    def triples(self, moments: Array) -> Array:
-        """`(T, P, 3, 2)` in the order of the file."""
-        return values_at(self.curves, moments).reshape(len(moments), -1, 3, 2)
-
-
-@dataclass(frozen=True)
-class _Motion:
-    """Outline and feather curve of a shape at any moment, in our coordinates."""
-
-    points: _Points
-    feather: _Points | None
-    transforms: list[Transform]
-    height: float
-    is_relative: bool
-
-    @property
-    def times(self) -> set[float]:
-        """Of all keys; nothing where nothing is keyed."""
-        times = self.points.times | (set() if self.feather is None else self.feather.times)
-        return times.union(*(form.times for form in self.transforms))
-
-    def at(self, moments: Array) -> Array:
-        """Points `(T, 1 | 2, P, 3, 2)` of outline and feather curve: anchor, in- and out-handle, y down."""
-        triples = self.points.triples(moments)
-        centre = triples[:, :, 1]
-        sides = triples[:, :, [0, 2]] + (centre[:, :, None] if self.is_relative else 0.0)
-        curves = [np.concatenate([centre[:, :, None], sides], axis=2)]
-        if self.feather is not None:
-            offsets = self.feather.triples(moments)
-            soft = (centre + offsets[:, :, 1])[:, :, None]
-            curves.append(np.concatenate([soft, soft + offsets[:, :, [0, 2]]], axis=2))
-        absolute = np.stack(curves, axis=1)
-        for form in self.transforms:
-            if form.moves:
-                absolute = form.apply(absolute, moments)
-        return np.asarray(absolute * UP + [0.0, self.height])
+        called = brief(name)
+        subject = sentence("layer {name}", name=called) if kind == "layer" else sentence("shape {name}", name=called)
+        return lambda told: self.reader.note(sentence("The {subject}: {told}.", subject=subject, told=told))

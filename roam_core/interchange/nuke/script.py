@@ -10,6 +10,7 @@ from typing import Union
 
 from roam_core.errors import RoamError
 from roam_core.interchange.reading import MAX_NUMBER, ShapeReader
+from roam_core.translatable import sentence
 
 MAX_SCRIPT, MAX_LISTS = 24 << 20, 3_000_000
 """Bytes and lists of a script that is read; each about four seconds of work."""
@@ -84,7 +85,13 @@ class Script:
     def __init__(self, reader: ShapeReader) -> None:
         self.text = reader.text(MAX_SCRIPT)
         if self.text.count("{") > MAX_LISTS:
-            raise RoamError(f"{reader.path} holds more than {MAX_LISTS} lists; split it into several files.")
+            raise RoamError(
+                sentence(
+                    "{path} holds more than {most} lists; split it into several files.",
+                    path=reader.called,
+                    most=MAX_LISTS,
+                )
+            )
         self._reader = reader
         self._closing: dict[int, int] = {}
 
@@ -171,12 +178,12 @@ def decoded(word: str) -> float:
     if word.startswith("x"):
         digits = bytes.fromhex(word[1:])
         if len(digits) != 4:
-            raise ValueError(f"{word[:20]!r} is no number")
+            raise ValueError(sentence("{text!r} is no number", text=word[:20]))
         number: float = struct.unpack(">f", digits)[0]
     else:
         number = float(word)
     if not abs(number) <= MAX_NUMBER:
-        raise ValueError(f"{word[:20]!r} is no sensible number")
+        raise ValueError(sentence("{text!r} is no sensible number", text=word[:20]))
     return number
 
 

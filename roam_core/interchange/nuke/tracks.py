@@ -61,7 +61,9 @@ class Track:
         if (np.diff(self.frames) <= 0).any():
             raise ValueError(f"the frames of track {self.name!r} do not rise")
         if max(abs(frame) for frame in self.frames) > LAST_EXACT_FRAME or not is_near(self.positions):
-            raise RoamError(f"The track {self.name!r} goes where no image is; it cannot be exported.")
+            raise RoamError(
+                sentence("The track {name!r} goes where no image is; it cannot be exported.", name=self.name)
+            )
 
 
 class NukeTracksExporter:
@@ -182,7 +184,7 @@ def tracker_node(
     label : of the node; any text.
     """
     if not tracks:
-        raise RoamError("There is no track to export.")
+        raise RoamError(sentence("There is no track to export."))
     columns = "\n".join(f"{{ {kind} {name} {heading} 1 }}" for kind, name, heading in COLUMNS)
     known = sorted({frame for track in tracks for frame in track.frames}.union(frames))
     rows = "\n".join(_row(track, known, clip.size[1], frame_offset) for track in tracks)

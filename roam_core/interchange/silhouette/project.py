@@ -14,6 +14,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.reading import MAX_BYTES, ShapeReader
 from roam_core.interchange.silhouette.values import words_of
 from roam_core.interchange.xml import local_name
+from roam_core.translatable import sentence
 
 
 def unpacked(reader: ShapeReader) -> bytes:
@@ -27,9 +28,15 @@ def unpacked(reader: ShapeReader) -> bytes:
     try:
         whole = zlib.decompressobj().decompress(content[4:], MAX_BYTES + 1)
     except zlib.error:
-        raise RoamError(f"{reader.path} is packed, but damaged; save it again.") from None
+        raise RoamError(sentence("{path} is packed, but damaged; save it again.", path=reader.called)) from None
     if len(whole) > MAX_BYTES:
-        raise RoamError(f"{reader.path} unpacks to more than {MAX_BYTES >> 20} MiB; split it into several files.")
+        raise RoamError(
+            sentence(
+                "{path} unpacks to more than {most} MiB; split it into several files.",
+                path=reader.called,
+                most=MAX_BYTES >> 20,
+            )
+        )
     return whole
 
 

@@ -54,17 +54,17 @@ from roam_core.roto import (
 from roam_core.roto import LayerTransform as Motion
 from roam_core.roto.animated import Animatable
 from roam_core.roto.shape import NO_COLOUR
-from roam_core.translatable import N_
+from roam_core.translatable import N_, said_by, sentence
 
 UNKNOWN_PROPERTIES: dict[str, tuple[str, tuple[float, ...]]] = {
-    "transform.pin_ul": ("its corner pin", (0.0, 0.0)),
-    "transform.pin_ur": ("its corner pin", (1.0, 0.0)),
-    "transform.pin_lr": ("its corner pin", (1.0, 1.0)),
-    "transform.pin_ll": ("its corner pin", (0.0, 1.0)),
-    "feather": ("its feather", (0.0,)),
-    "blur": ("its blur", (0.0,)),
-    "adjust": ("its shrinking or growing", (0.0,)),
-    "strokeWidth": ("the width of its stroke", (0.0,)),
+    "transform.pin_ul": (N_("its corner pin"), (0.0, 0.0)),
+    "transform.pin_ur": (N_("its corner pin"), (1.0, 0.0)),
+    "transform.pin_lr": (N_("its corner pin"), (1.0, 1.0)),
+    "transform.pin_ll": (N_("its corner pin"), (0.0, 1.0)),
+    "feather": (N_("its feather"), (0.0,)),
+    "blur": (N_("its blur"), (0.0,)),
+    "adjust": (N_("its shrinking or growing"), (0.0,)),
+    "strokeWidth": (N_("the width of its stroke"), (0.0,)),
 }
 """Properties that change what is rendered and whose meaning in a file is not known, and where they change nothing."""
 
@@ -82,10 +82,18 @@ class SilhouetteImporter:
         reader = ShapeReader(path, clip, options)
         root = parsed(reader, content=unpacked(reader))
         if local_name(root) == "Project":
-            return _SessionReader(reader, _Session.of(project_session(root), clip, path)).read(project_shapes(root))
+            return _SessionReader(reader, _Session.of(project_session(root), clip, reader.called)).read(
+                project_shapes(root)
+            )
         if local_name(root) != "Silhouette":
-            raise RoamError(f"{path} is no Silhouette shape file (it begins with {brief(local_name(root))}).")
-        return _SessionReader(reader, _Session.of(root, clip, path)).read(root)
+            raise RoamError(
+                sentence(
+                    "{path} is no Silhouette shape file (it begins with {element}).",
+                    path=reader.called,
+                    element=brief(local_name(root)),
+                )
+            )
+        return _SessionReader(reader, _Session.of(root, clip, reader.called)).read(root)
 
 
 @dataclass(frozen=True)
@@ -97,15 +105,28 @@ class _Session:
     start: float
 
     @classmethod
-    def of(cls, element: Element, clip: Clip, path: Path) -> _Session:
+    def of(cls, element: Element, clip: Clip, path: str) -> _Session:
         defaults = {"width": clip.size[0], "height": clip.size[1], "pixelAspect": 1.0, "sessionStartFrame": clip.first}
         try:
             values = {name: number(element.get(name, str(default))) for name, default in defaults.items()}
         except ValueError as error:
-            raise RoamError(f"{path} does not say what pictures its shapes belong to: {error}.") from None
+            raise RoamError(
+                sentence(
+                    "{path} does not say what pictures its shapes belong to: {reason}.",
+                    path=path,
+                    reason=said_by(error),
+                )
+            ) from None
         width, height, aspect, start = values.values()
         if not (0 < width < 1e6 and 0 < height < 1e6 and 0 < aspect < 1e3):
-            raise RoamError(f"{path} speaks of pictures of {width:g} x {height:g} pixels; that cannot be.")
+            raise RoamError(
+                sentence(
+                    "{path} speaks of pictures of {width:g} x {height:g} pixels; that cannot be.",
+                    path=path,
+                    width=width,
+                    height=height,
+                )
+            )
         return cls((width, height), aspect, start)
 
     @property
@@ -151,10 +172,13 @@ class _SessionReader:
             try:
                 yield self._shape(element, label, outer)
             except (ValueError, KeyError, OverflowError) as error:
-                self.reader.note(f"The shape {brief(label)} was left out: {error}.", brief(label))
+                self.reader.note(
+                    sentence("The shape {name} was left out: {reason}.", name=brief(label), reason=said_by(error))
+                )
 
     def _layer(self, element: Element, label: str, outer: Sequence[LayerTransform]) -> Layer:
-        properties = self._properties(element, f"layer {brief(label)}")
+        subject = sentence("layer {name}", name=brief(label))
+        properties = self._properties(element, subject)
         parts = {}
         for name, count in {**{name: len(default) for name, default in TRANSFORMS.items()}, MATRIX: 16}.items():
             found = properties.get(f"transform.{name}")
@@ -162,7 +186,14 @@ class _SessionReader:
                 try:
                     parts[name] = track(found, count)
                 except ValueError as error:
-                    self.reader.note(f"The {name} of the layer {brief(label)} was left out: {error}.", brief(label))
+                    self.reader.note(
+                        sentence(
+                            "The {property} of the layer {name} was left out: {reason}.",
+                            property=name,
+                            name=brief(label),
+                            reason=said_by(error),
+                        )
+                    )
         form, motion, inner = LayerTransform(parts), None, outer
         if form.times and not outer:  # the motion stays that of the layer
             motion = self._motion(form)
@@ -175,9 +206,9 @@ class _SessionReader:
             () if objects is None else tuple(self._items(objects, inner)),
             visible=not _truth(element.get("hidden")),
             locked=_truth(element.get("locked")),
-            opacity=self._percent(properties, f"layer {brief(label)}", may_begin=False)[0],
-            invert=_truth(self._constant(properties, "invert", f"layer {brief(label)}")),
-            blend=self._blend(self._constant(properties, "mode", f"layer {brief(label)}"), f"layer {brief(label)}"),
+            opacity=self._percent(properties, subject, may_begin=False)[0],
+            invert=_truth(self._constant(properties, "invert", subject)),
+            blend=self._blend(self._constant(properties, "mode", subject), subject),
             transform=motion,
         )
         return _unveiled(layer)
@@ -194,17 +225,20 @@ class _SessionReader:
         )
 
     def _shape(self, element: Element, label: str, outer: Sequence[LayerTransform]) -> RotoShape:
-        properties = self._properties(element, f"shape {brief(label)}")
+        subject = sentence("shape {name}", name=brief(label))
+        properties = self._properties(element, subject)
         if "path" not in properties:
-            raise ValueError("it has no path")
+            raise ValueError(sentence("it has no path"))
         keys, closed, spline = self._keys(properties["path"], label, outer)
         shape_id = self.reader.fresh_id("shape")
         colour = NO_COLOUR
         if "outlineColor" in properties:
             colour = tuple(np.clip(track(properties["outlineColor"], 3).values[0], 0.0, 1.0).tolist())
-        opacity, lifetime = self._percent(properties, f"shape {brief(label)}")
+        opacity, lifetime = self._percent(properties, subject)
         if _truth(_text(properties, "motionBlur", "")):
-            self.reader.note(f"Silhouette's shutter is the session's: {brief(label)} has ROAM's own.", brief(label))
+            self.reader.note(
+                sentence("Silhouette's shutter is the session's: {name} has ROAM's own.", name=brief(label))
+            )
         return RotoShape(
             shape_id,
             label,
@@ -212,9 +246,9 @@ class _SessionReader:
             closed=closed,
             spline=spline,
             colour=colour,
-            blend=self._blend(self._constant(properties, "mode", f"shape {brief(label)}"), f"shape {brief(label)}"),
+            blend=self._blend(self._constant(properties, "mode", subject), subject),
             opacity=opacity,
-            invert=_truth(self._constant(properties, "invert", f"shape {brief(label)}")),
+            invert=_truth(self._constant(properties, "invert", subject)),
             motion_blur=MotionBlur() if _truth(_text(properties, "motionBlur", "")) else None,
             lifetime=lifetime,
             visible=not _truth(element.get("hidden")),
@@ -231,7 +265,9 @@ class _SessionReader:
         }
         for name, (meaning, default) in UNKNOWN_PROPERTIES.items():
             if name in found and says(found[name], default):
-                self.reader.note(f"The {subject}: {meaning} was left out.", _label_of(subject))
+                self.reader.note(
+                    sentence("The {subject}: {meaning} was left out.", subject=subject, meaning=sentence(meaning))
+                )
         return found
 
     def _constant(self, properties: dict[str, Element], name: str, subject: str) -> str:
@@ -239,8 +275,12 @@ class _SessionReader:
         words = _texts(properties, name)
         if len(set(words)) > 1:
             self.reader.note(
-                f"The {name} of the {subject} varies: it was read as {brief(words[0])}, its first key.",
-                _label_of(subject),
+                sentence(
+                    "The {property} of the {subject} varies: it was read as {value}, its first key.",
+                    property=name,
+                    subject=subject,
+                    value=brief(words[0]),
+                )
             )
         return words[0] if words else ""
 
@@ -249,7 +289,9 @@ class _SessionReader:
         for blend, name in MODES.items():
             if name == mode:
                 return blend
-        self.reader.note(f"The mode {brief(mode)} of the {subject} is none of ROAM's; it adds.", _label_of(subject))
+        self.reader.note(
+            sentence("The mode {mode} of the {subject} is none of ROAM's; it adds.", mode=brief(mode), subject=subject)
+        )
         return BlendMode.ADD
 
     def _percent(
@@ -261,7 +303,9 @@ class _SessionReader:
         try:
             keyed = track(properties["opacity"], 1)
         except ValueError as error:
-            self.reader.note(f"The opacity of the {subject} was left out: {error}.", _label_of(subject))
+            self.reader.note(
+                sentence("The opacity of the {subject} was left out: {reason}.", subject=subject, reason=said_by(error))
+            )
             return 1.0, None
         keyed = replace(keyed, values=np.clip(keyed.values / 100.0, 0.0, 1.0))
         lifetime = None
@@ -285,7 +329,7 @@ class _SessionReader:
         spline = _kind([inner for _, inner in found])
         rows = [self._control_points(inner, label, spline) for _, inner in found]
         if not rows or len({len(row) for row in rows}) != 1:
-            raise ValueError("its keys have no path, or differ in their number of points")
+            raise ValueError(sentence("its keys have no path, or differ in their number of points"))
         outlines = in_order(
             [number(key.get("frame", "0")) for key, _ in found],
             [row.ravel().tolist() for row in rows],
@@ -303,7 +347,7 @@ class _SessionReader:
             for key in raw
         )
         if not sensible(keys):
-            raise ValueError("a point of it lies nowhere near the image")
+            raise ValueError(sentence("a point of it lies nowhere near the image"))
         return keys, closed, spline
 
     def _plain(self, outlines: Track) -> list[Key]:
@@ -334,7 +378,7 @@ class _SessionReader:
         each = 3 if spline is Spline.BEZIER else 1
         rows = np.array([pairs(text, each) for text in texts]).reshape(len(texts), -1, 2)
         if len(rows) < 2:
-            raise ValueError("it has fewer than two points")
+            raise ValueError(sentence("it has fewer than two points"))
         return rows if spline is Spline.BEZIER else rows[:, None, 0].repeat(3, axis=1)
 
     def _frame(self, number: float) -> int:
@@ -364,10 +408,10 @@ def _kind(paths: Sequence[Element]) -> Spline:
     named = {path.get("type", PATH_KINDS[Spline.BEZIER]) for path in paths}
     known = {name.lower(): spline for spline, name in PATH_KINDS.items()}
     if unknown := sorted(name for name in named if name.lower() not in known):
-        raise ValueError(f"it is of the kind {brief(unknown[0])}")
+        raise ValueError(sentence("it is of the kind {kind}", kind=brief(unknown[0])))
     kinds = {known[name.lower()] for name in named}
     if len(kinds) > 1:
-        raise ValueError("its keys are of several kinds")
+        raise ValueError(sentence("its keys are of several kinds"))
     return kinds.pop() if kinds else Spline.BEZIER
 
 
@@ -391,11 +435,6 @@ def _frame_of(entry: Element) -> float:
 def _text(properties: dict[str, Element], name: str, default: str) -> str:
     """The first value of a property as text."""
     return next(iter(_texts(properties, name)), default)
-
-
-def _label_of(subject: str) -> str:
-    """What a shape or layer is called in sentences, of `shape 'Arm'`."""
-    return subject.partition(" ")[2]
 
 
 def _truth(text: str | None) -> bool:

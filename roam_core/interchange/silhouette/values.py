@@ -18,6 +18,7 @@ from roam_core.arrays import Array
 from roam_core.geometry import projective
 from roam_core.interchange.reading import MAX_NUMBER
 from roam_core.interchange.xml import local_name
+from roam_core.translatable import sentence
 
 LINEAR, HOLD, CATMULL_ROM = "linear", "hold", "catmullrom"
 """How values move from a key to the next one; what else a file says is taken for the first."""
@@ -122,7 +123,7 @@ def number(text: str) -> float:
     """A finite number that is not absurdly large, or a `ValueError`."""
     value = float(text)
     if not abs(value) <= MAX_NUMBER:
-        raise ValueError(f"{text[:20]!r} is no sensible number")
+        raise ValueError(sentence("{text!r} is no sensible number", text=text[:20]))
     return value
 
 
@@ -130,7 +131,7 @@ def pairs(text: str, count: int) -> list[float]:
     """The numbers of `count` pairs `(x,y)`; more than these are passed over."""
     found = re.findall(r"\(([^(),]*),([^(),]*)\)", text)[:count]
     if len(found) < count:
-        raise ValueError(f"a point of it has {len(found)} positions, not {count}")
+        raise ValueError(sentence("a point of it has {found} positions, not {count}", found=len(found), count=count))
     return [number(value) for pair in found for value in pair]
 
 
@@ -141,10 +142,17 @@ def track(element: Element, count: int) -> Track:
     for entry in entries:
         words = words_of(entry)
         if len(words) < count:
-            raise ValueError(f"{element.get('id', 'a property')!r} has {len(words)} numbers, not {count}")
+            raise ValueError(
+                sentence(
+                    "{property!r} has {found} numbers, not {count}",
+                    property=element.get("id", "a property"),
+                    found=len(words),
+                    count=count,
+                )
+            )
         rows.append([number(word) for word in words[:count]])
     if not rows:
-        raise ValueError(f"{element.get('id', 'a property')!r} has no value")
+        raise ValueError(sentence("{property!r} has no value", property=element.get("id", "a property")))
     moves = [entry.get("interp", LINEAR) for entry in entries]
     return in_order([number(entry.get("frame", "0")) for entry in entries], rows, moves)
 
@@ -155,7 +163,7 @@ def in_order(frames: Sequence[float], rows: Sequence[Sequence[float]], moves: Se
     stamps, nearest = np.array(frames)[order], np.rint(frames)[order]
     stamps = np.where(np.abs(stamps - nearest) < ROUNDED, nearest, stamps)
     if (np.diff(stamps) <= 0).any():
-        raise ValueError("it has two keys on one frame")
+        raise ValueError(sentence("it has two keys on one frame"))
     return Track(stamps, np.array(rows)[order], np.array(moves)[order])
 
 

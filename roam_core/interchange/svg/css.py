@@ -13,6 +13,7 @@ from xml.etree.ElementTree import Element
 
 from roam_core.interchange.reading import brief
 from roam_core.interchange.xml import local_name
+from roam_core.translatable import sentence
 
 Count = Callable[[int], None]
 
@@ -125,7 +126,7 @@ class StyleSheet:
 
     def _refuse_at(self, statement: str) -> None:
         if (word := re.search(r"@[\w-]{1,40}", statement)) and word.group() not in ("@charset", "@font-face"):
-            self.note(f"Style rules with {brief(word.group())} were left out.")
+            self.note(sentence("Style rules with {rule} were left out.", rule=brief(word.group())))
 
     def _add_rules(self, heads: str, values: dict[str, str]) -> None:
         self.count(1 + heads.count(","))
@@ -134,7 +135,12 @@ class StyleSheet:
             if not values or not head.strip():
                 continue
             if not compounds:
-                self.note(f"The style rule for {brief(' '.join(head[:200].split()))} was not understood and left out.")
+                self.note(
+                    sentence(
+                        "The style rule for {rule} was not understood and left out.",
+                        rule=brief(" ".join(head[:200].split())),
+                    )
+                )
                 continue
             last, self._number = compounds[-1], self._number + 1
             weight = (

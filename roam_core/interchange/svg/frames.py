@@ -11,11 +11,12 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.interchange.svg.words import length, moved
 from roam_core.roto import Layer, RotoShape
+from roam_core.translatable import N_
 
 Frame = tuple[float, float, float, float]
 """Left, top, width and height in user space."""
 
-UNCUT = "The frame of {name} was left out: what lies beyond it shows, too."
+UNCUT = N_("The frame of {name} was left out: what lies beyond it shows, too.")
 
 CLOSE = 1e-3
 """Share of a frame's size by which an outline may reach beyond it and still count as within."""

@@ -263,7 +263,7 @@ class Painter(ShapeWriter):
 
     def _note_losses(self, shape: RotoShape, outline: Outline) -> None:
         if outline.feather is not None and outline.feather.any():
-            more = ", and joins its even feather roughly" if shape.feather_at(self.frame) else ""
+            more = sentence(", and joins its even feather roughly") if shape.feather_at(self.frame) else ""
             self.notes.append(
                 sentence(
                     "The feather curve of {name!r} is written as outlines between it and the shape{more}: "

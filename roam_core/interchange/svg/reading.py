@@ -19,7 +19,7 @@ from roam_core.interchange.svg.compound import joined
 from roam_core.interchange.svg.crossings import taken_apart
 from roam_core.interchange.svg.css import Line, StyleSheet, computed
 from roam_core.interchange.svg.frames import UNCUT, cuts_off, mask_frame, picture_frame, reach_beyond
-from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size, view_box
+from roam_core.interchange.svg.outlines import DRAWN, fitted, outlines, picture_size, view_box
 from roam_core.interchange.svg.path import Spline
 from roam_core.interchange.svg.properties import (
     blend_of,
@@ -32,6 +32,8 @@ from roam_core.interchange.svg.properties import (
     share_of,
     taken_of_switch,
 )
+from roam_core.interchange.svg.scope import Scope
+from roam_core.interchange.svg.telling import cut_of, size_note
 from roam_core.interchange.svg.words import (
     AID,
     PART,
@@ -50,6 +52,7 @@ from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape, control_points
 from roam_core.roto import Spline as SplineKind
 from roam_core.roto.shape import NO_COLOUR
+from roam_core.translatable import said_by, sentence
 
 Item = Layer | RotoShape
 
@@ -67,30 +70,6 @@ PER_TRANSFORM, PER_ELEMENT, PER_USE = 8, 16, 40
 PER_NUMBER = 40
 """Letters that a number of ours takes at most."""
 
-PHYSICAL = re.compile(r"[\s\d.eE+-]+(?:mm|cm|in|pt|pc|q)\s*", re.IGNORECASE)
-
-
-@dataclass(frozen=True)
-class Scope:
-    """What an element takes from those that it lies in.
-
-    Attributes
-    ----------
-    to_pixels : the map `(2, 3)` of its user space into pixels of the clip.
-    style : the properties of the element around it.
-    box : width and height of the user space that percentages are of.
-    depth : how many elements it lies in.
-    used : ids of the `use`, clip path and mask targets that are being read: one of them again would never end.
-    paints : within a mask: the paint's lightness counts (`luminance`), or the shapes do (`alpha`); "" elsewhere.
-    """
-
-    to_pixels: Array
-    style: Mapping[str, str]
-    box: Box
-    depth: int = 1
-    used: frozenset[str] = frozenset()
-    paints: str = ""
-
 
 @dataclass
 class SvgReader(ShapeReader):
@@ -107,20 +86,32 @@ class SvgReader(ShapeReader):
         """All outlines of the file, bottom first, as shapes with one key on the clip's first frame."""
         root = parsed(self, doctype="ignored", content=written_out(self.content(MAX_DRAWING), MAX_DRAWING))
         if local_name(root) != "svg":
-            raise RoamError(f"{self.path} is no SVG picture (its root element is {brief(local_name(root))}).")
+            raise RoamError(
+                sentence(
+                    "{path} is no SVG picture (its root element is {element}).",
+                    path=self.called,
+                    element=brief(local_name(root)),
+                )
+            )
         self.is_ours = root.get("data-roam-frame") is not None
         self._sheet = StyleSheet(self.check_parts, self.note)
         self._look_up(root)
         size, box = picture_size(root, self.clip.size)
         ratio = np.array(self.clip.size) / np.array(size)
         self.grow = float(np.sqrt(ratio.prod()))
-        self._note_size(root, size, box, ratio)
+        if told := size_note(root, size, box, self.clip.size):
+            self.note(told)
         into = composed(np.column_stack([np.diag(ratio), np.zeros(2)]), fitted(root, *size))
         children = self._inside(root, Scope(into, computed(self._line(root), self._sheet, {}), box))
         if not children:
-            self.note("There are no outlines in the drawing.")
+            self.note(sentence("There are no outlines in the drawing."))
         if self.lines_only:
-            self.note(f"The width of lines was left out; {self.lines_only} of the outlines are drawn as lines only.")
+            self.note(
+                sentence(
+                    "The width of lines was left out; {lines_only} of the outlines are drawn as lines only.",
+                    lines_only=self.lines_only,
+                )
+            )
         return self.finished(children)
 
     def _look_up(self, root: Element) -> None:
@@ -143,24 +134,6 @@ class SvgReader(ShapeReader):
     def _line(self, element: Element) -> Line:
         return self._places.get(element) or Line(element)
 
-    def _note_size(self, root: Element, size: Box, box: Box, ratio: Array) -> None:
-        """A sentence where the drawing is fitted to another size; none where its units are the clip's pixels."""
-        clip, is_even = self.clip.size, abs(ratio[0] / ratio[1] - 1.0) < 1e-3
-        if np.abs(np.subtract(clip, size)).max() < 0.01 or (is_even and np.abs(np.subtract(clip, box)).max() < 0.01):
-            return
-        stretched = "" if is_even else ", each axis by its own ratio"
-        told = [(root.get(word) or "").strip()[:20] for word in ("width", "height")]
-        if all(PHYSICAL.fullmatch(word) for word in told):
-            self.note(
-                f"The drawing measures {told[0]} x {told[1]}: it was fitted to the clip's {clip[0]} x {clip[1]} "
-                f"pixels{stretched}."
-            )
-            return
-        self.note(
-            f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {clip[0]} x {clip[1]}: the "
-            f"shapes were scaled{stretched}."
-        )
-
     # ---- elements ----------------------------------------------------------------------------------------------------
 
     def _inside(self, parent: Element, scope: Scope) -> tuple[Item, ...]:
@@ -179,7 +152,9 @@ class SvgReader(ShapeReader):
             return self._inside(element, replace(scope, depth=scope.depth + 1))
         if kind not in GROUPS | DRAWN | {"use"}:
             if kind and kind not in SILENT:
-                self.note(f"Elements of the kind {brief(kind)} were left out: ROAM reads outlines only.")
+                self.note(
+                    sentence("Elements of the kind {kind} were left out: ROAM reads outlines only.", kind=brief(kind))
+                )
             return ()
         assert self._sheet is not None
         style, default = computed(self._line(element), self._sheet, scope.style), "Group" if kind in GROUPS else kind
@@ -192,7 +167,7 @@ class SvgReader(ShapeReader):
             placed = about(style.get("transform-origin"), transform(written), scope.box)
             into = composed(scope.to_pixels, placed)
         except ValueError as error:
-            self.note(f"{brief(name)} was left out ({error}).", brief(name))
+            self.note(sentence("{name} was left out ({reason}).", name=brief(name), reason=said_by(error)))
             return ()
         inner = replace(scope, to_pixels=into, style=style, depth=scope.depth + 1)
         if kind in DRAWN:
@@ -207,7 +182,7 @@ class SvgReader(ShapeReader):
         inner = self._within(element, scope, element) if kind == "svg" else scope
         children = self._inside(element, inner)
         if kind == "svg" and cuts_off(element, element, children, scope.box, scope.to_pixels):
-            self.note(UNCUT.format(name=brief(name)), brief(name))
+            self.note(sentence(UNCUT, name=brief(name)))
         if scope.paints and share_of(scope.style, "opacity") == 1.0:
             return children
         layer = self._layer(name, children, scope.style, element)
@@ -236,7 +211,7 @@ class SvgReader(ShapeReader):
     def _used(self, element: Element, name: str, scope: Scope) -> tuple[Item, ...]:
         """What a `use` repeats, at its place."""
         self.check_parts(PER_USE)
-        found = self._target(element.get("href") or element.get(xlink_href()) or "", name, scope)
+        found = self._target(element.get("href") or element.get(xlink_href()) or "", brief(name), scope)
         if found is None:
             return ()
         target, used = found
@@ -244,7 +219,7 @@ class SvgReader(ShapeReader):
         if local_name(target) in ("symbol", "svg"):
             made = self._inside(target, self._within(target, scope, element))
             if cuts_off(target, element, made, scope.box, scope.to_pixels):
-                self.note(UNCUT.format(name=brief(name)), brief(name))
+                self.note(sentence(UNCUT, name=brief(name)))
         else:
             x, y = (length(element.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
             moves = composed(scope.to_pixels, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
@@ -260,13 +235,15 @@ class SvgReader(ShapeReader):
         """The element of a `#id`, and the ids in progress with it; None, and a sentence, where it cannot be read."""
         key = address.strip().removeprefix("#")
         if not address.strip().startswith("#"):
-            self.note(f"What {brief(name)} refers to lies in another file, not opened: it was left out.", brief(name))
+            self.note(sentence("What {name} refers to lies in another file, not opened: it was left out.", name=name))
         elif key not in self._by_id:
             self.note(
-                f"What {brief(name)} refers to ({brief(key)}) is not in the drawing: it was left out.", brief(name)
+                sentence(
+                    "What {name} refers to ({key}) is not in the drawing: it was left out.", name=name, key=brief(key)
+                )
             )
         elif key in scope.used:
-            self.note(f"{brief(name)} refers to itself: it was left out.", brief(name))
+            self.note(sentence("{name} refers to itself: it was left out.", name=name))
         else:
             return self._by_id[key], scope.used | {key}
         return None
@@ -279,7 +256,9 @@ class SvgReader(ShapeReader):
         try:
             splines, is_whole = outlines(element, kind, scope.box, self.check_parts)
             if not is_whole:
-                self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.", brief(name))
+                self.note(
+                    sentence("The path of {name} is damaged: what stands before the damage was read.", name=brief(name))
+                )
             rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
             is_filled = self._is_filled(scope)
             for spline in splines:
@@ -289,7 +268,7 @@ class SvgReader(ShapeReader):
                 splines = taken_apart(splines, rule == "evenodd", scope.to_pixels, self.check_parts)
             made = [self._shape(element, spline, name, scope) for spline in splines]
         except (ValueError, OverflowError) as error:
-            self.note(f"{brief(name)} was left out ({error}).", brief(name))
+            self.note(sentence("{name} was left out ({reason}).", name=brief(name), reason=said_by(error)))
             return ()
         if not made:
             return ()
@@ -326,12 +305,14 @@ class SvgReader(ShapeReader):
             return ()
         share = 1.0 if scope.paints == "alpha" else lightness(fill)
         if share is None:
-            self.note(f"The paint of {brief(name)} in a mask is no plain colour: it was read as white.", brief(name))
+            self.note(
+                sentence("The paint of {name} in a mask is no plain colour: it was read as white.", name=brief(name))
+            )
             share = 1.0
         if share <= 0.005:
             return (replace(item, blend=BlendMode.SUBTRACT),)
         if share < 0.995:
-            self.note(f"The grey of {brief(name)} in a mask was read as its opacity.", brief(name))
+            self.note(sentence("The grey of {name} in a mask was read as its opacity.", name=brief(name)))
             assert isinstance(item.opacity, float)
             return (replace(item, opacity=item.opacity * share),)
         return (item,)
@@ -349,7 +330,7 @@ class SvgReader(ShapeReader):
             soft = None if feather is None else feather @ scope.to_pixels[:, :2].T
             key = Keyframe(self.clip.first, moved(points, scope.to_pixels), soft)
         if not sensible((key,)):
-            raise ValueError("it lies nowhere near the picture")
+            raise ValueError(sentence("it lies nowhere near the picture"))
         rgb = numbers(element.get("data-roam-colour", "")[: 3 * PER_NUMBER])
         mine = (rgb[0], rgb[1], rgb[2]) if len(rgb) == 3 and 0.0 <= min(rgb) <= max(rgb) <= 1.0 else None
         opacity = share_of({"opacity": element.get("data-roam-opacity") or style.get("opacity", "")}, "opacity")
@@ -375,7 +356,7 @@ class SvgReader(ShapeReader):
     def _cut(self, made: tuple[Item, ...], name: str, scope: Scope) -> tuple[Item, ...]:
         """The items of an element, cut by its clip path and its mask: a layer with what cuts on top of them."""
         if scope.style.get("filter", "none") != "none":
-            self.note(f"The filter of {brief(name)} was left out.", brief(name))
+            self.note(sentence("The filter of {name} was left out.", name=brief(name)))
         for word, kind in (("clip-path", "clipPath"), ("mask", "mask")):
             address = scope.style.get(word, "none")
             if address == "none" or scope.paints == "clip":
@@ -394,17 +375,27 @@ class SvgReader(ShapeReader):
 
     def _cutter(self, address: str, kind: str, name: str, scope: Scope) -> Item | None:
         """A clip path or mask as a layer or shape that intersects; None where it cuts nothing or cannot be read."""
-        what = "clip path" if kind == "clipPath" else "mask"
+        what = sentence("clip path") if kind == "clipPath" else sentence("mask")
         link = re.match(r"url\(\s*['\"]?(#[^'\")\s]*)", address)
-        found = None if link is None else self._target(link.group(1), f"the {what} of {name}", scope)
+        found = None if link is None else self._target(link.group(1), cut_of(what, name), scope)
         if found is None:
             if link is None:
-                self.note(f"The {what} of {brief(name)} is no outline of the drawing: it was left out.", brief(name))
+                self.note(
+                    sentence(
+                        "The {what} of {name} is no outline of the drawing: it was left out.",
+                        what=what,
+                        name=brief(name),
+                    )
+                )
             return None
         target, used = found
         units = target.get("clipPathUnits" if kind == "clipPath" else "maskContentUnits", "userSpaceOnUse")
         if local_name(target) != kind or units != "userSpaceOnUse":
-            self.note(f"The {what} of {brief(name)} is given in shares of its box: it was left out.", brief(name))
+            self.note(
+                sentence(
+                    "The {what} of {name} is given in shares of its box: it was left out.", what=what, name=brief(name)
+                )
+            )
             return None
         assert self._sheet is not None
         style = computed(self._line(target), self._sheet, {})
@@ -412,24 +403,32 @@ class SvgReader(ShapeReader):
         try:
             into = composed(scope.to_pixels, transform(style.get("transform")))
         except ValueError as error:
-            self.note(f"The {what} of {brief(name)} was left out ({error}).", brief(name))
+            self.note(
+                sentence(
+                    "The {what} of {name} was left out ({reason}).", what=what, name=brief(name), reason=said_by(error)
+                )
+            )
             return None
         inner = replace(scope, to_pixels=into, style=style, used=used, paints=paints, depth=scope.depth + 1)
         parts = self._inside(target, inner)
         frame = mask_frame(target, scope.box) if kind == "mask" else None
         if frame is not None and reach_beyond(parts, frame, into):
             self.note(
-                f"The frame of the {what} of {brief(name)} was left out: what lies beyond it masks, too.", brief(name)
+                sentence(
+                    "The frame of the {what} of {name} was left out: what lies beyond it masks, too.",
+                    what=what,
+                    name=brief(name),
+                )
             )
         if "clip-path" in style or "mask" in style:
-            self.note(f"What cuts the {what} of {brief(name)} itself was left out.", brief(name))
+            self.note(sentence("What cuts the {what} of {name} itself was left out.", what=what, name=brief(name)))
         blend = BlendMode.INTERSECT
         if parts and self._covers(parts[0]):
             if len(parts) == 1:
                 return None
             if all(part.blend is BlendMode.SUBTRACT for part in parts[1:]):
                 blend, parts = BlendMode.SUBTRACT, tuple(replace(part, blend=BlendMode.ADD) for part in parts[1:])
-        own = name_of(target, what)
+        own = name_of(target, str(what))
         if len(parts) == 1 and parts[0].blend is BlendMode.ADD:
             return replace(parts[0], blend=blend, name=own)
         return Layer(self.fresh_id("layer"), own, parts, blend=blend)

@@ -10,6 +10,7 @@ import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.interchange.reading import MAX_NUMBER
+from roam_core.translatable import sentence
 
 SVG = "http://www.w3.org/2000/svg"
 INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
@@ -128,11 +129,11 @@ def transform(text: str | None) -> Array:
     result = IDENTITY
     text, position = (text or "").strip(), 0
     if text.count("(") > MAX_TRANSFORMS:
-        raise ValueError(f"more than {MAX_TRANSFORMS} transforms in one list")
+        raise ValueError(sentence("more than {most} transforms in one list", most=MAX_TRANSFORMS))
     while position < len(text):
         found = _TRANSFORM.match(text, position)
         if found is None:
-            raise ValueError(f"no transform: {text[position : position + 20]!r}")
+            raise ValueError(sentence("no transform: {text!r}", text=text[position : position + 20]))
         result = composed(result, _single(found.group(1), numbers(found.group(2))))
         position = found.end()
     return result
@@ -179,7 +180,7 @@ def _single(name: str, values: list[float]) -> Array:
     if name in ("skewX", "skewY") and count == 1:
         slope = math.tan(math.radians(values[0]))
         return _matrix(1.0, 0.0, slope, 1.0) if name == "skewX" else _matrix(1.0, slope, 0.0, 1.0)
-    raise ValueError(f"no transform: {name!r} of {count} numbers")
+    raise ValueError(sentence("no transform: {name!r} of {count} numbers", name=name, count=count))
 
 
 def _matrix(a: float, b: float, c: float, d: float, e: float = 0.0, f: float = 0.0) -> Array:

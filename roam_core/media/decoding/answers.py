@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 import tempfile
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -21,12 +22,18 @@ from roam_core.arrays import Image
 from roam_core.errors import RoamError
 from roam_core.media.measure import MAX_PIXELS
 from roam_core.system_errors import reason_of
+from roam_core.translatable import Sentence, sentence
 
 MOST_LINE = 1 << 24
 """Bytes of an answer: the names of some hundred thousand layers."""
 MOST_BYTES = 1 << 30
 """Of a picture: the largest that is accepted has 576 MiB."""
 TYPES = frozenset({"bool", "uint8", "uint16", "uint32", "int8", "int16", "int32", "float16", "float32", "float64"})
+
+DEEPEST = 16
+"""How deep sentences may lie in one another."""
+_PLACE = re.compile(r"\{\w+(?:!r)?(?::[.,]?\d{0,2}[a-z]?)?\}")
+"""Of a template: no more than a name and the form of a number."""
 
 
 class NoRoom(RoamError):
@@ -81,7 +88,9 @@ class Answer:
 
 
 def _garbled(name: str) -> RoamError:
-    return RoamError(f"The process that decodes answered without a {name} that makes sense; the file is damaged.")
+    return RoamError(
+        sentence("The process that decodes answered without a {name} that makes sense; the file is damaged.", name=name)
+    )
 
 
 class SharedFile:
@@ -119,7 +128,7 @@ class SharedFile:
         while done < len(into):
             count = self._file.readinto(into[done:])  # type: ignore[attr-defined]  # an unbuffered file has it
             if not count:
-                raise Garbled("fewer pixels than were told")
+                raise Garbled(sentence("fewer pixels than were told"))
             done += count
         return picture
 
@@ -151,11 +160,43 @@ def write_pixels(file: BinaryIO, picture: Image) -> dict[str, Any]:
 
 
 def _no_room(error: OSError) -> NoRoom:
-    place = "in memory" if hasattr(os, "memfd_create") else f"in {tempfile.gettempdir()}"
+    place = sentence("in memory")
+    if not hasattr(os, "memfd_create"):
+        place = sentence("in {folder}", folder=tempfile.gettempdir())
     return NoRoom(
-        f"There is no room for decoded pictures {place} ({reason_of(error)}); make room there, raise the limit "
-        "of a file's size, or set ROAM_DECODER=inside to do without."
+        sentence(
+            "There is no room for decoded pictures {place} ({reason}); make room there, raise the limit of a file's "
+            "size, or set ROAM_DECODER=inside to do without.",
+            place=place,
+            reason=reason_of(error),
+        )
     )
+
+
+def packed(text: str) -> Any:
+    """A text as values of JSON: of a sentence its template and what it is filled with, for the window to translate."""
+    if not isinstance(text, Sentence):
+        return text
+    values = {
+        name: packed(value) if isinstance(value, str) else value if isinstance(value, int | float) else str(value)
+        for name, value in text.values.items()
+    }
+    return [text.template, values]
+
+
+def unpacked(told: Any, depth: int = 0) -> str:
+    """The text that `packed` was given. Raises `Garbled` for what it does not give: a template has plain places."""
+    match told:
+        case str():
+            return told
+        case [str(template), dict(values)] if depth < DEEPEST and not set("{}") & set(_PLACE.sub("", template)):
+            filled = {
+                name: value if isinstance(value, int | float) else unpacked(value, depth + 1)
+                for name, value in values.items()
+            }
+            with suppress(KeyError, ValueError, TypeError, OverflowError):
+                return sentence(template, **filled)
+    raise Garbled(sentence("no sentence"))
 
 
 def taken(line: bytes, shared: SharedFile) -> Answer:
@@ -164,15 +205,15 @@ def taken(line: bytes, shared: SharedFile) -> Answer:
         told = json.loads(line)
         told.get("picture")
     except (ValueError, AttributeError, RecursionError):
-        raise Garbled("no line of JSON") from None
+        raise Garbled(sentence("no line of JSON")) from None
     if (picture := told.pop("picture", None)) is None:
         return Answer(told)
     try:
         shape, kind = tuple(map(int, picture["shape"])), str(picture["type"])
     except (KeyError, TypeError, ValueError):
-        raise Garbled("no picture") from None
+        raise Garbled(sentence("no picture")) from None
     if kind not in TYPES or not _is_possible(shape, np.dtype(kind).itemsize):
-        raise Garbled("an impossible picture")
+        raise Garbled(sentence("an impossible picture"))
     return Answer(told, shared.read(shape, kind))
 
 

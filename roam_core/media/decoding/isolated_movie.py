@@ -15,6 +15,7 @@ from roam_core.media.decoding.pool import Pool, asked_twice, refusal
 from roam_core.media.decoding.process import DecoderProcess, Died, path_text
 from roam_core.media.movie_plate import MoviePlate
 from roam_core.media.source import DamagedFrame
+from roam_core.translatable import sentence
 
 SECONDS = 10.0
 """Of the processor, that each picture may take that a movie passes."""
@@ -62,7 +63,9 @@ class IsolatedMovie(MoviePlate):
         try:
             return self._ask("movie picture", frame=index + 1).picture
         except Died as died:
-            raise DamagedFrame(f"Frame {index + 1} of {refusal(self.path, died)}") from None
+            raise DamagedFrame(
+                sentence("Frame {frame} of {refusal}", frame=index + 1, refusal=refusal(self.path, died))
+            ) from None
 
     def _ask(self, task: str, **words: Any) -> Answer:
         with self._lock:

@@ -12,6 +12,7 @@ from typing import Any
 from roam_core.errors import RoamError
 from roam_core.media.decoding.answers import Answer
 from roam_core.media.decoding.process import DecoderProcess, Died, NotStarted, path_text
+from roam_core.translatable import said_by, sentence
 
 MOST_PROCESSES = 3
 """Two threads read ahead, and one waits for the picture that is wanted now."""
@@ -149,4 +150,8 @@ def asked_twice(
 
 def refusal(file: Path, died: Died) -> str:
     """The sentence on a file that no process survived."""
-    return f"{file} cannot be decoded: {died}. It is damaged; render it again, or take it out of the plate."
+    return sentence(
+        "{file} cannot be decoded: {reason}. It is damaged; render it again, or take it out of the plate.",
+        file=file,
+        reason=said_by(died),
+    )

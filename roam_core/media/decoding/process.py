@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from roam_core.errors import RoamError
-from roam_core.media.decoding.answers import MOST_LINE, Answer, Garbled, NoRoom, SharedFile, taken
+from roam_core.media.decoding.answers import MOST_LINE, Answer, Garbled, NoRoom, SharedFile, taken, unpacked
 from roam_core.media.source import DamagedFrame, MissingFrame
 from roam_core.system_errors import reason_of
+from roam_core.translatable import said_by, sentence
 
 WORKER = "roam_core.media.decoding.worker"
 """The module that a process runs; the program of a bundle runs it as Python does."""
@@ -100,11 +101,11 @@ class DecoderProcess:
         while line := self._line(seconds + PATIENCE):
             try:
                 answer = taken(line, self._shared)
+                if "alive" not in answer.fields:
+                    return _told(answer)
             except Garbled as garbled:
                 self.close()
-                raise Died(f"it answered with {garbled}", is_final=True) from None
-            if "alive" not in answer.fields:
-                return _told(answer)
+                raise Died(sentence("it answered with {what}", what=said_by(garbled)), is_final=True) from None
         raise self._death(seconds)
 
     def close(self) -> None:
@@ -129,7 +130,7 @@ class DecoderProcess:
         """Wait until the process is there."""
         if not self._line(START_SECONDS):
             died = self._death(START_SECONDS)
-            raise _not_started(str(died))
+            raise _not_started(said_by(died))
         self._is_ready = True
 
     def _line(self, seconds: float) -> bytes:
@@ -155,14 +156,15 @@ class DecoderProcess:
         code = self._process.poll()
         self.close()
         if self._is_late or code == -getattr(signal, "SIGPROF", 0):
-            return Died(f"it takes longer than {seconds:.0f} seconds", is_final=True)
-        return Died(f"what decodes it ended unexpectedly ({_name_of(code)})", is_final=False)
+            return Died(sentence("it takes longer than {seconds:.0f} seconds", seconds=seconds), is_final=True)
+        how = sentence("what decodes it ended unexpectedly ({how})", how=_name_of(code))
+        return Died(how, is_final=False)
 
 
 def _told(answer: Answer) -> Answer:
-    """The answer, where it is no refusal; else that is raised here."""
+    """The answer, where it is no refusal; else that is raised here. Raises `Garbled` where it is no sentence."""
     if (refusal := answer.fields.get("refused")) is not None:
-        raise _REFUSALS.get(str(answer.fields.get("kind")), RoamError)(str(refusal))
+        raise _REFUSALS.get(str(answer.fields.get("kind")), RoamError)(unpacked(refusal))
     if (defect := answer.fields.get("defect")) is not None:
         raise RuntimeError(f"in the process that decodes:\n{defect}")
     return answer
@@ -170,19 +172,22 @@ def _told(answer: Answer) -> Answer:
 
 def _not_started(reason: str) -> NotStarted:
     return NotStarted(
-        f"The process that decodes pictures cannot be started ({reason}); install ROAM again, "
-        "or set ROAM_DECODER=inside to do without one."
+        sentence(
+            "The process that decodes pictures cannot be started ({reason}); install ROAM again, "
+            "or set ROAM_DECODER=inside to do without one.",
+            reason=reason,
+        )
     )
 
 
 def _name_of(code: int | None) -> str:
     """How a process ended, in a word."""
     if code is None:
-        return "it does not end"
+        return sentence("it does not end")
     with suppress(ValueError):
         if code < 0:
             return signal.Signals(-code).name
-    return f"exit code {code}"
+    return sentence("exit code {code}", code=code)
 
 
 def _environment() -> dict[str, str]:

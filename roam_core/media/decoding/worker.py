@@ -25,7 +25,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
 from roam_core.media.area import Area
-from roam_core.media.decoding.answers import write_pixels
+from roam_core.media.decoding.answers import packed, write_pixels
 from roam_core.media.image_file import (
     has_several_images,
     read_channels,
@@ -35,6 +35,7 @@ from roam_core.media.image_file import (
     software_of,
 )
 from roam_core.media.scanlines import ScanlineReader
+from roam_core.translatable import said_by, sentence
 
 if TYPE_CHECKING:
     from roam_core.media.movie_plate import MoviePlate
@@ -89,10 +90,10 @@ class Worker:
                 fields["picture"] = write_pixels(self._shared, picture)
             return fields
         except RoamError as error:
-            return {"refused": str(error), "kind": type(error).__name__}
+            return {"refused": packed(said_by(error)), "kind": type(error).__name__}
         except MemoryError:
-            name = words.get("file", "")
-            return {"refused": f"{name} asks for too much memory; it is damaged or too large.", "kind": "RoamError"}
+            text = sentence("{file} asks for too much memory; it is damaged or too large.", file=words.get("file", ""))
+            return {"refused": packed(text), "kind": "RoamError"}
         except Exception:
             return {"defect": traceback.format_exc()}
 

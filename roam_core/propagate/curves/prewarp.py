@@ -14,6 +14,7 @@ from roam_core.motion.klt import Warp, followed_points
 from roam_core.motion.warp import warp
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate.curves.landmarks import LandmarkState, search
+from roam_core.translatable import sentence
 
 BY_LANDMARKS = ("landmarks", "landmarks+klt", "nodes")
 """Pre-warps that need `RoamParams.landmarks`."""
@@ -31,7 +32,11 @@ def expected(
     """
     if params.warp in BY_LANDMARKS:
         if state is None:
-            raise RoamError(f"The pre-warp {params.warp!r} wants landmarks; give the configuration LandmarkParams.")
+            raise RoamError(
+                sentence(
+                    "The pre-warp {name!r} wants landmarks; give the configuration LandmarkParams.", name=params.warp
+                )
+            )
         return _by_landmarks(before, frame, points, state, params)
     moved = warp(before, frame, bezier.flatten(points), params, scale_for(frame.size))
     return moved, similarity.apply(moved.transform, points)

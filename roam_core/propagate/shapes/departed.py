@@ -8,6 +8,7 @@ from roam_core.params import departed
 from roam_core.propagate.shapes.provenance import Stamp, known_params
 from roam_core.roto import Origin, RotoShape
 from roam_core.roto.imported import is_import
+from roam_core.translatable import enumerated, sentence
 
 NAMED = 3
 """Names that a sentence tells one by one."""
@@ -25,15 +26,15 @@ def departed_settings(shapes: Sequence[RotoShape]) -> str:
     )
     unknown = [name for name in names if known_params(name) is None]
     old = [name for name in names if name not in unknown and departed(name)]
-    told = []
-    if old:
-        told.append(f"with {_listed(old)}, which turns a dial that is offered no more: they stay as they are")
-    if unknown:
-        told.append(f"with {_listed(unknown)}, which this program does not know: they count as stale")
-    return f"Keys were tracked {'; and '.join(told)}." if told else ""
+    stays = sentence(
+        "with {names}, which turns a dial that is offered no more: they stay as they are", names=_listed(old)
+    )
+    stale = sentence("with {names}, which this program does not know: they count as stale", names=_listed(unknown))
+    if not (old or unknown):
+        return ""
+    how = sentence("{stays}; and {stale}", stays=stays, stale=stale) if old and unknown else stays if old else stale
+    return sentence("Keys were tracked {how}.", how=how)
 
 
 def _listed(names: Sequence[str]) -> str:
-    more = len(names) - NAMED
-    told = [repr(name if len(name) <= 60 else f"{name[:57]}...") for name in names[:NAMED]]
-    return ", ".join(told) + (f" and {more} more" if more > 0 else "")
+    return enumerated([repr(name if len(name) <= 60 else f"{name[:57]}...") for name in names], NAMED) if names else ""

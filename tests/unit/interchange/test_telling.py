@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from roam_core.interchange import read_shapes
-from roam_core.interchange.telling import MOST_NAMES, Note, gathered
+from roam_core.interchange.telling import MOST_NAMES, gathered
 from roam_core.roto import Clip
 from roam_core.translatable import Sentence, sentence
 
@@ -22,8 +22,16 @@ def test_other_differences_keep_sentences_apart() -> None:
     assert gathered(notes) == tuple(notes)
 
 
+def test_the_name_may_stand_in_the_subject() -> None:
+    subjects = [sentence("layer {name}", name="'A'"), *(sentence("shape {name}", name=name) for name in ("'B'", "'C'"))]
+    told = gathered(sentence("The {subject}: {lost} was left out.", subject=each, lost="its blur") for each in subjects)
+    assert told == (
+        "The layer 'A': its blur was left out.", "The shape 'B': its blur was left out. So it is with 'C'."
+    )  # fmt: skip
+
+
 def test_many_names_are_counted() -> None:
-    (told,) = gathered(Note.of(f"The blur of 'S{k}' was left out.", f"'S{k}'") for k in range(300))
+    (told,) = gathered(sentence("The blur of {name} was left out.", name=f"'S{k}'") for k in range(300))
     assert told.startswith("The blur of 'S0' was left out. So it is with 'S1', ")
     assert told.endswith(f"and {299 - MOST_NAMES} more.")
 

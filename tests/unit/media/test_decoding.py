@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import signal
 import subprocess
@@ -23,8 +24,9 @@ from roam_core.media import DamagedFrame, MissingFrame, decoding, open_clip
 from roam_core.media.area import Area
 from roam_core.media.decoding import pool as pools
 from roam_core.media.decoding import process as processes_of
-from roam_core.media.decoding.answers import NoRoom
+from roam_core.media.decoding.answers import Garbled, NoRoom, packed, unpacked
 from roam_core.media.decoding.pool import Pool
+from roam_core.translatable import Sentence, sentence
 from tests.conftest import ROOT
 from tests.unit.media.conftest import picture, write_image, write_movie, write_parts
 
@@ -107,6 +109,39 @@ def test_refusals_are_word_for_word_the_same(tmp_path: Path, apart: Callable[[],
     apart()
     assert [said(rubbish), said(cut)] == here
     assert here[1][0] is DamagedFrame
+
+
+def test_a_refusal_keeps_its_template_on_its_way(tmp_path: Path, apart: Callable[[], None]) -> None:
+    """It came as English text alone, whatever language the window speaks."""
+    rubbish = tmp_path / "rubbish.png"
+    rubbish.write_bytes(b"no picture")
+    apart()
+    with pytest.raises(RoamError, match="no image that can be read") as refused:
+        open_clip(rubbish).read(1)
+    told = refused.value.args[0]
+    assert isinstance(told, Sentence)
+    assert told.template.startswith("{file} is no image")
+    assert told.values["file"] == str(rubbish)
+
+
+def test_sentences_pass_between_processes_and_what_is_none_is_refused() -> None:
+    told = sentence(
+        "{file} is {width:.1f} px: {why}.", file=Path("a"), width=2.5, why=sentence("too {much!r}", much="s")
+    )
+    again = unpacked(json.loads(json.dumps(packed(told))))
+    assert again == told == "a is 2.5 px: too 's'."
+    assert isinstance(again, Sentence)
+    assert isinstance(again.values["why"], Sentence)
+    assert unpacked("plain") == "plain"
+    deep: object = "x"
+    for _ in range(100):
+        deep = ["{a}", {"a": deep}]
+    for wrong in (
+        7, None, ["{a}"], ["{b}", {"a": "x"}], ["{a.__class__}", {"a": "x"}], ["{a:999999999}", {"a": "x"}],
+        ["{a:d}", {"a": "x"}], ["{", {}], ["{a:c}", {"a": 1 << 80}], ["{a}", {"a": [1]}], deep,
+    ):  # fmt: skip
+        with pytest.raises(Garbled):
+            unpacked(wrong)
 
 
 def test_names_that_are_no_text(tmp_path: Path, apart: Callable[[], None]) -> None:
