@@ -40,14 +40,14 @@ class Words:
         area = QRectF(QPointF(), widget)
         if snapshot.image is not None:
             area = viewport.transform.mapRect(QRectF(QPointF(), snapshot.image))
-        if sentence := self._sentence(snapshot):
+        if sentence := self.sentence(snapshot):
             paint_sentence(painter, area, sentence)
         if label := label_of(snapshot):
             paint_label(painter, widget, label, Qt.AlignmentFlag.AlignTop)
         if is_idle and snapshot.image is not None and snapshot.shows_shapes and not snapshot.project.shapes:
             paint_label(painter, widget, self.hint, Qt.AlignmentFlag.AlignBottom)
 
-    def _sentence(self, snapshot: ViewSnapshot) -> str:
+    def sentence(self, snapshot: ViewSnapshot) -> str:
         if snapshot.image is None:
             return tr(OPENING) if self.is_waiting else tr(NO_PLATE)
         return self._stage.emptiness(self.lacks_plate)

@@ -259,10 +259,10 @@ def test_an_empty_viewer_says_that_the_plate_is_lost_until_it_is_relinked(
     monkeypatch.setattr("app.files.reading.relinked", lambda project, _folder: project)
     (tmp_path / "plate").rename(tmp_path / "elsewhere")
     said_on_opening(qtbot, window, tmp_path / "a.roam")
-    qtbot.waitUntil(lambda: window.canvas._sentence() == LOST, timeout=WAIT)
+    qtbot.waitUntil(lambda: window.canvas.words.sentence(window.canvas._snapshot()) == LOST, timeout=WAIT)
     with qtbot.waitSignal(window.files.finished, timeout=WAIT):
         window.files.open_plate(tmp_path / "elsewhere")
-    qtbot.waitUntil(lambda: window.canvas._sentence() == "", timeout=WAIT)
+    qtbot.waitUntil(lambda: window.canvas.words.sentence(window.canvas._snapshot()) == "", timeout=WAIT)
 
 
 def test_frames_that_came_since_are_told_and_taken_by_a_relink(
