@@ -108,17 +108,25 @@ def first_shapes(shot: Shot) -> list[RotoShape]:
     return shapes_from_mask(shot.mask(shot.first), shot.first)
 
 
-def tracked(read: Callable[[int], Image], masks: Sequence[Bools], config: str) -> list[tuple[float, float]]:
+def tracked(
+    read: Callable[[int], Image], masks: Sequence[Bools], config: str, hidden: Sequence[Bools] | None = None
+) -> list[tuple[float, float]]:
     """What is tracked from the first of true masks, on every further frame: IoU with its mask, and confidence.
 
-    `read(k)` gives the picture that `masks[k]` belongs to. Of several shapes the confidence is their mean.
+    `read(k)` gives the picture that `masks[k]` belongs to, of which what is `hidden[k]` does not count. Of several
+    shapes the confidence is their mean.
     """
     found = []
     for result in track(read, shapes_from_mask(masks[0]), range(len(masks)), config):
         if result.frame > 0:
-            ours = matte([each.shape for each in result.results], result.frame, masks[0].shape)
+            ours, true = (
+                matte([each.shape for each in result.results], result.frame, masks[0].shape),
+                masks[result.frame],
+            )
+            if hidden is not None:
+                ours, true = ours & ~hidden[result.frame], true & ~hidden[result.frame]
             sure = float(np.mean([each.confidence for each in result.results]))
-            found.append((overlap(ours, masks[result.frame]), sure))
+            found.append((overlap(ours, true), sure))
     return found
 
 
