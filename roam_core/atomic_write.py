@@ -227,7 +227,10 @@ def _write(temporary: Path, pieces: Iterable[bytes], flushes: bool) -> None:
 
 
 def _put_as_new(temporary: Path, target: Path) -> None:
-    """Give a file that was written its name in one step, unless something has that name."""
+    """Give a file that was written its name, unless something has that name.
+
+    In one step; on a disk without links in two, and who is killed between them leaves an empty file.
+    """
     try:
         try:
             os.link(temporary, target)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 from PySide6.QtCore import QObject
 
@@ -16,6 +17,18 @@ from .places import Places, places_of
 
 Shift = tuple[float, float]
 """In image pixels."""
+
+
+class Travel(NamedTuple):
+    """How far a view went along, image pixels, since it last began to."""
+
+    leg: int = 0
+    x: float = 0.0
+    y: float = 0.0
+
+
+STANDING = Travel()
+
 
 NOTHING = N_("Select a shape or a layer: from then on the view goes along with it.")
 
@@ -52,8 +65,8 @@ class Stabiliser(QObject):
         self._project: Project | None = None
         self._left: Viewport | None = None
         """As the view was left; None while it does not go along."""
-        self.travelled: Shift = (0.0, 0.0)
-        """How far it went, image pixels: something pinned is as much aside."""
+        self.travelled = Travel()
+        """How far it went: something pinned on the same leg is as much aside."""
         view_state.selection_changed.connect(self._note_selection)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -71,15 +84,15 @@ class Stabiliser(QObject):
         self._wanted = (self._view.selection.shapes, self._view.layers)
         self._start_here()
 
-    def aside(self, travelled: Shift, frame: int) -> Shift:
+    def aside(self, travelled: Travel, frame: int) -> Shift:
         """How far aside something lies that was pinned on a frame when the view had `travelled` so far.
 
         It stays where it is seen, so that what stands still is compared in its place. On its own frame it lies on
-        what is shown now, whatever was followed meanwhile.
+        what is shown now, whatever was followed meanwhile; so it does once the view stood while frames passed.
         """
-        if not self._viewing.is_stabilised or frame == self._frame:
+        if not self._viewing.is_stabilised or frame == self._frame or travelled.leg != self.travelled.leg:
             return 0.0, 0.0
-        return self.travelled[0] - travelled[0], self.travelled[1] - travelled[1]
+        return self.travelled.x - travelled.x, self.travelled.y - travelled.y
 
     def follow(self) -> None:
         """Go along where another frame is shown than before."""
@@ -94,14 +107,14 @@ class Stabiliser(QObject):
         shift = (sum(dx for dx, _ in moved) / len(moved), sum(dy for _, dy in moved) / len(moved)) if moved else (0, 0)
         if any(shift):
             shift = self._move(shift)
-            self.travelled = self.travelled[0] + shift[0], self.travelled[1] + shift[1]
+            self.travelled = Travel(self.travelled.leg, self.travelled.x + shift[0], self.travelled.y + shift[1])
         self._held = there | {i: (x + shift[0], y + shift[1]) for i, (x, y) in self._held.items()}
         self._left = self._look()
         self._frame, self._seen, self._project = self._view.frame, there, project
 
     def _start_here(self) -> None:
         """Know nothing of other frames than this one."""
-        self._frame, self._project = self._view.frame, None
+        self._frame, self._project, self.travelled = self._view.frame, None, Travel(self.travelled.leg + 1)
         self._held, self._seen, self._left = {}, {}, None
 
     def _note_selection(self) -> None:

@@ -89,9 +89,8 @@ class CanvasView(PointedWidget):
         """Gives the kinds of edge of the shapes in hand on the present frame."""
         self.magnifier = Magnifier(self, self.in_hand, self._scene, self._present.paths)
         self._proposal_side = Side.BOTH
-        self._is_pressed = False
+        self._is_pressed, self._key_presses = False, 0
         self._pointer: QPointF | None = None
-        self._key_presses = 0
         self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
         self._patience.timeout.connect(self._show_frame)
         self._listen()
@@ -101,9 +100,9 @@ class CanvasView(PointedWidget):
         self._show_tool()
 
     def _listen(self) -> None:
-        self._document.changed.connect(self._pull)
-        self._document.replaced.connect(self._begin_anew)
-        view = self._view_state
+        view, document = self._view_state, self._document
+        document.changed.connect(self._pull)
+        document.replaced.connect(self._begin_anew)
         view.frame_changed.connect(self._follow_frame)
         view.selection_changed.connect(self.update)
         view.preview_changed.connect(self._follow_preview)
@@ -118,7 +117,8 @@ class CanvasView(PointedWidget):
         self.stage.matte_ready.connect(self.matte_ready)
         self.stage.background.refused.connect(view.say)
         self.destroyed.connect(self.stage.close)
-        for signal in (self.view_changed, self.stage.changed, view.preview_changed, self._document.changed):
+        moving = self.view_changed, self.stage.changed, view.frame_changed, view.preview_changed, document.changed
+        for signal in moving:
             signal.connect(self.magnifier.follow)
 
     # ---- what is shown
@@ -205,6 +205,8 @@ class CanvasView(PointedWidget):
 
     def _follow_frame(self) -> None:
         """Another frame: shapes and picture change together, unless the picture lets the artist wait for it."""
+        if self.stage.frame is None and self.words.is_waiting:  # nothing was seen yet of what is being opened
+            self.stabiliser.forget()
         waits = self.stage.frame is not None and self.stage.frame != self._view_state.frame
         self._prepare()
         self._patience.start() if waits else self._show_frame()

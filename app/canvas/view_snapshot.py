@@ -19,6 +19,7 @@ from .items.confidence import paint_confidence
 from .items.onion import paint_onion
 from .items.shapes import Hover, ShapePainter
 from .plate.backdrop import Backdrop, Below
+from .stabiliser import STANDING, Travel
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class ViewSnapshot:
     shows_shapes: bool
     edges: Mapping[str, Edges] = field(default_factory=dict)
     alone: str = ""
-    travelled: tuple[float, float] = (0.0, 0.0)
+    travelled: Travel = STANDING
 
 
 class SnapshotPainter:

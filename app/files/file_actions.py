@@ -70,7 +70,7 @@ class FileActions(QObject):
         self.folders = LastFolders()
         """Where choosers begin."""
         self._after_saving: Callable[[], object] | None = None
-        self._wants_version = False  # a new version is to follow the save that is under way
+        self._wanted: Callable[[], object] | None = None  # the save that is to follow the one that is under way
         self._export_dialog: ExportDialog | None = None
         self._not_saved: QMessageBox | None = None
         files.saved.connect(self._saved)
@@ -189,7 +189,9 @@ class FileActions(QObject):
 
     def save(self) -> None:
         """Save to the project's file; ask for one if it has none."""
-        if self._document.path is None:
+        if self._files.is_saving and self._files.version.is_begun:
+            self._wait_for_saving(self.save)
+        elif self._document.path is None:
             self.save_as()
         else:
             self._write(self._document.path)
@@ -206,11 +208,10 @@ class FileActions(QObject):
     def save_new_version(self) -> None:
         """Save under the next version number beside the project's file; ask for a name if it has none."""
         if self._files.is_saving:
-            self._wants_version = True
-            self._view.say(tr("The project is being saved …"))
+            self._wait_for_saving(self.save_new_version)
         elif self._document.path is None:
             self.save_as()
-        elif self._files.is_new_version:  # a key that is held, or pressed twice, makes one
+        elif self._files.version.is_unchanged:  # a key that is held, or pressed twice, makes one
             told = tr("{name} is the new version already; nothing changed since it was saved.", name=self.title)
             self._view.say(told)
         else:
@@ -281,12 +282,8 @@ class FileActions(QObject):
 
     def _open_asking(self, path: Path | None) -> None:
         """Open what was chosen; a new clip only after the artist saw what was found."""
-        if (
-            path is None
-            or holds_project(path)
-            or self._files.lacks_plate
-            or not self._personal.preferences.asks_about_clips
-        ):
+        asks = self._personal.preferences.asks_about_clips
+        if path is None or holds_project(path) or self._files.lacks_plate or not asks:
             self._open(path)
         else:
             self._files.look_at(path)
@@ -372,16 +369,21 @@ class FileActions(QObject):
 
     def _saved(self) -> None:
         self._noted(Purpose.PROJECT, self._document.path)
-        if self._wants_version:
-            self._wants_version = False
-            self.save_new_version()
-        elif (then := self._after_saving) is not None:
+        wanted, self._wanted = self._wanted, None
+        if wanted is not None:
+            wanted()
+        if not self._files.is_saving and (then := self._after_saving) is not None:
             self._after_saving = None
             then()
 
+    def _wait_for_saving(self, wanted: Callable[[], object]) -> None:
+        """Save so once what is being saved is: begun now, it would drop that."""
+        self._wanted = wanted
+        self._view.say(tr("The project is being saved …"))
+
     def _disarm(self) -> None:
         """What was to be done after saving is not done."""
-        self._after_saving, self._wants_version = None, False
+        self._after_saving = self._wanted = None
 
     def _tell_not_saved(self, path: Path, sentence: str, again: Callable[[], None]) -> None:
         """Say so where nobody overlooks it, with the ways on; the artist may go on to work first."""

@@ -42,7 +42,7 @@ from .reading import (
     version_of,
     with_numbers,
 )
-from .saving import save_new_version, save_onto
+from .saving import NewVersion, save_new_version, save_onto
 from .watching import Watching, doubt
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ class Files(QObject):
         self.backups = Preferences().backups
         """How many older versions of a project are kept beside it."""
         self._written: Fingerprint | None = None
-        self._version: tuple[Path, int] | None = None  # made last, and in which sitting
+        self.version = NewVersion(document)
         self._last: Project | None = None
         """What was written last; the document may not know yet."""
 
@@ -264,6 +264,7 @@ class Files(QObject):
         document, kept = self._document, self.backups
         project, known = document.project, document.fingerprint if path == document.path else None
         is_modified = document.is_modified
+        self.version.note_saved_onto(is_modified=is_modified)
         self.saving.emit(path)
 
         def work(report: Report) -> str:
@@ -285,21 +286,16 @@ class Files(QObject):
     def save_new_version(self, own: Path) -> None:
         """Write the project under the next version number beside `own`, over nothing; that becomes its file."""
         project, sitting = self._document.project, self._document.sitting
+        self.version.is_begun = True
 
         def work(report: Report) -> str:
             path, sentence = save_new_version(project, own, report)
-            self._version = path, sitting
+            self.version.note_made(path, sitting)
             self._last, self._written = project, Fingerprint.of(path)
             report.partial(self._written)
             return sentence
 
         self._save(work, own, again=lambda: self.save_new_version(own))
-
-    @property
-    def is_new_version(self) -> bool:
-        """Whether the project's file is a new version that was saved since it was opened, and nothing changed."""
-        document = self._document
-        return self._version == (document.path, document.sitting) and not document.is_modified
 
     @property
     def is_saving(self) -> bool:

@@ -11,7 +11,39 @@ from roam_core.roto import Project, backups, file
 from roam_core.roto.version_names import next_version
 
 from ..jobs.runner import Report
+from ..model.document import Document
 from ..translation import sentence_of, tr
+
+
+class NewVersion:
+    """The new version that was made last, and whether one is begun.
+
+    Attributes
+    ----------
+    is_begun : whether the last save is that of a new version: while it goes on the project's file is another one in a
+        moment.
+    """
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._made: tuple[Path, int] | None = None  # the file, and in which sitting
+        self.is_begun = False
+
+    def note_made(self, path: Path, sitting: int) -> None:
+        """A version was written, of the project of a sitting."""
+        self._made = path, sitting
+
+    def note_saved_onto(self, *, is_modified: bool) -> None:
+        """The project is saved plainly: with changes the file is no longer the version as it was made."""
+        self.is_begun = False
+        if is_modified:
+            self._made = None
+
+    @property
+    def is_unchanged(self) -> bool:
+        """Whether the project's file is a version that was made since it was opened, and nothing changed."""
+        document = self._document
+        return self._made == (document.path, document.sitting) and not document.is_modified
 
 
 def save_onto(project: Project, path: Path, backup_count: int) -> str:

@@ -120,9 +120,15 @@ def outdated_by_blend(before: Project, after: Project) -> str:
     if all(old.blend is new.blend for old, new in pairs):
         return ""
     held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    changed = {old.id for old, new in pairs if old.blend is not new.blend}
+    joined = [  # to compare all keys takes long
+        (old, new)
+        for old, new in pairs
+        if not changed.isdisjoint(each.id for each in (*held.together(old), *now.together(new)))
+    ]
     names = [
         old.name
-        for old, new in pairs
+        for old, new in joined
         if _is_tracked(old) and any(now.is_stale(new, key) and not held.is_stale(old, key) for key in old.keys)
     ]
     told = ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")

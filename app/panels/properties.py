@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from roam_core.roto import MotionBlur, RotoShape, edit
+from roam_core.roto import BlendMode, MotionBlur, RotoShape, edit
 from roam_core.roto.animated import Animated, value_at
 from roam_core.roto.edit import MIN_POINTS_CLOSED
 from roam_core.roto.properties import begin_at, end_at, limit_lifetime, set_motion_blur
@@ -26,7 +26,7 @@ from .. import style
 from ..features.belonging import Belonging
 from ..features.navigation import clip_frames
 from ..model.document import Document
-from ..model.reasons import LOCKED_STAYS
+from ..model.reasons import LOCKED_STAYS, outdated_by_blend
 from ..model.view_state import ViewState, selected_shapes
 from ..translation import N_, tr
 from ..widgets.controls import FRAME_LIMIT, dense_form, form_label
@@ -112,7 +112,7 @@ class PropertiesPanel(QWidget):
         self._add_row(
             form_label(tr("Blend")), blend, lambda shapes: blend.show_mode(shared(shape.blend for shape in shapes))
         )
-        blend.picked.connect(lambda mode: self.push(tr("Blend"), blend=mode))
+        blend.picked.connect(self._push_blend)
 
         self.opacity, self.opacity_key = NumberField(0.0, 100.0, suffix=" %"), ValueKeyButton()
         self._add_value("opacity", tr("Opacity"), self.opacity, self.opacity_key, 100.0)
@@ -263,6 +263,12 @@ class PropertiesPanel(QWidget):
         if len(free) < len(selected):
             self._view.say(tr(LOCKED_STAYS))
         self._pull()
+
+    def _push_blend(self, mode: BlendMode) -> None:
+        before = self._document.project
+        self.push(tr("Blend"), blend=mode)
+        if told := outdated_by_blend(before, self._document.project):
+            self._view.say(told)
 
     def _push_name(self, name: str) -> None:
         if name and len(self._selected()) == 1:

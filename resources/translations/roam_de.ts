@@ -418,6 +418,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Ein Keyframe von {name} hat keine Framenummer und entfällt.</translation>
     </message>
     <message>
+        <source>A layer has no colour of its own: copy a shape, and select shapes.</source>
+        <translation>Eine Ebene hat keine eigene Farbe: eine Form kopieren und Formen auswählen.</translation>
+    </message>
+    <message>
         <source>A layer was copied, and its properties go to layers: select one, or copy a shape.</source>
         <translation>Kopiert ist eine Ebene, deren Eigenschaften Ebenen bekommen: eine auswählen, oder eine Form kopieren.</translation>
     </message>
@@ -2155,8 +2159,8 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
         <translation>Wie weit eine Kurve auf einem Frame vom Umriss ihrer Maske abweichen darf, in Pixeln der Masken; bei zitternden Masken darf ein Fünftel des Umrisses weiter abweichen</translation>
     </message>
     <message>
-        <source>How far it reaches, image pixels  (Ctrl+wheel in the viewer)</source>
-        <translation>Wie weit sie reicht, in Bildpixeln  (Strg+Mausrad im Viewer)</translation>
+        <source>How far it reaches, in heights of an image pixel  (Ctrl+wheel in the viewer)</source>
+        <translation>Wie weit es reicht, in Höhen eines Bildpixels  (Strg+Mausrad im Viewer)</translation>
     </message>
     <message>
         <source>How far the outline may go in one frame from where the motion puts it</source>
@@ -2451,7 +2455,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>Keys were tracked {how}.</source>
-        <translation>Keyframes wurden getrackt {how}.</translation>
+        <translation>Getrackte Keyframes: {how}.</translation>
     </message>
     <message>
         <source>Keys, lifetimes, opacity and feather, depth and the motion of layers go along; the clip stays. Earlier is below zero.</source>
@@ -5348,7 +5352,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>The process that decodes answered without a {name} that makes sense; the file is damaged.</source>
-        <translation>Der dekodierende Prozess gab ohne sinnvolles {name} Antwort; die Datei ist beschädigt.</translation>
+        <translation>Die Antwort des dekodierenden Prozesses enthält kein brauchbares {name}; die Datei ist beschädigt.</translation>
     </message>
     <message>
         <source>The process that decodes pictures cannot be started ({reason}); install ROAM again, or set ROAM_DECODER=inside to do without one.</source>
@@ -6251,12 +6255,28 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>ein Frame ({name})</translation>
     </message>
     <message>
+        <source>a key has no points</source>
+        <translation>ein Keyframe hat keine Punkte</translation>
+    </message>
+    <message>
         <source>a key has {found} parts</source>
         <translation>ein Keyframe hat {found} Teile</translation>
     </message>
     <message>
         <source>a key must be an object</source>
         <translation>ein Keyframe muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>a key&apos;s feather has shape {shape}, its points {points}</source>
+        <translation>die weiche Kante eines Keyframes hat die Form {shape}, seine Punkte {points}</translation>
+    </message>
+    <message>
+        <source>a key&apos;s points have shape {shape}, not (P, 3, 2)</source>
+        <translation>die Punkte eines Keyframes haben die Form {shape}, nicht (P, 3, 2)</translation>
+    </message>
+    <message>
+        <source>a key&apos;s vertex_confidence has shape {shape}, its points {points}</source>
+        <translation>die Konfidenz der Punkte eines Keyframes hat die Form {shape}, seine Punkte {points}</translation>
     </message>
     <message>
         <source>a length of inputs</source>
@@ -6948,7 +6968,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>it speaks of pictures of {width:g} x {height:g} pixels</source>
-        <translation>spricht von Bildern mit {width:g} x {height:g} Pixeln</translation>
+        <translation>sie spricht von Bildern mit {width:g} x {height:g} Pixeln</translation>
     </message>
     <message>
         <source>it takes longer than {seconds:.0f} seconds</source>
@@ -8052,11 +8072,11 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>with {names}, which this program does not know: they count as stale</source>
-        <translation>mit {names}, das dieses Programm nicht kennt: Sie gelten als veraltet</translation>
+        <translation>mit {names}: Das kennt dieses Programm nicht, sie gelten als veraltet</translation>
     </message>
     <message>
         <source>with {names}, which turns a dial that is offered no more: they stay as they are</source>
-        <translation>mit {names}, das an einem Regler dreht, den es nicht mehr gibt: Sie bleiben, wie sie sind</translation>
+        <translation>mit {names}: Den Regler gibt es nicht mehr, sie bleiben, wie sie sind</translation>
     </message>
     <message>
         <source>write store keep</source>

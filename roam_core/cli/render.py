@@ -118,7 +118,10 @@ def black_because(project: Project, path: Path, style: MatteStyle) -> str:
     shows_each = style.parts is Parts.SHAPE and style.gathering is not Gathering.CRYPTOMATTE
     if turns or shows_each or not all(shape.blend in TAKING for shape in project.shapes):
         return ""
-    return "Shapes that subtract or intersect show nothing by themselves: the mattes are black. --per shape shows each."
+    return (
+        "Shapes that subtract or intersect show nothing by themselves: the mattes are black. As files or channels "
+        "--per shape shows each."
+    )
 
 
 def left_out(frames: list[int]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field
 
 from roam_core.roto import BlendMode
-from roam_core.translatable import Sentence, sentence
+from roam_core.translatable import Sentence, enumerated, sentence
 
 MODE_WORDS = {
     BlendMode.ADD: sentence("add"),
@@ -33,9 +33,7 @@ class _Kind:
     def told(self) -> str:
         if not self.others:
             return self.note
-        names, more = ", ".join([*self.others][:MOST_NAMES]), len(self.others) - MOST_NAMES
-        if more > 0:
-            names = sentence("{names} and {count} more", names=names, count=more)
+        names = enumerated([*self.others], MOST_NAMES)
         return sentence("{note} So it is with {names}.", note=self.note, names=names)
 
 
@@ -60,4 +58,5 @@ def _told_apart(note: str) -> tuple[Hashable, str]:
         return note, ""
     name = said.values["name"]
     rest = tuple((key, str(value)) for key, value in note.values.items() if key not in ("name", "subject"))
-    return (note.template, said.template, rest), repr(name) if "{name!r}" in said.template else str(name)
+    subject = repr(name) if "{name!r}" in said.template else name if isinstance(name, str) else str(name)
+    return (note.template, said.template, rest), subject

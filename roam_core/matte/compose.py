@@ -121,7 +121,9 @@ def reach(item: Layer | RotoShape, frame: float, size: tuple[int, int], drawn: D
     if not has_area(item, frame):
         return nothing
     patch = drawn(item, frame, size)
-    return patch.place if patch.outside == 0.0 else whole
+    if patch.outside != 0.0:
+        return whole
+    return patch.place if patch.values.size else nothing
 
 
 def _around(ranges: Iterable[slice]) -> slice:

@@ -104,7 +104,7 @@ def _of_layer(
             above, over = _of_layer(item, frame, size, drawn, at)
         else:
             patch = drawn(item, frame, size)
-            over = patch.whole(size) if patch.outside else patch.values
+            over = patch.whole(size) if patch.outside else patch.seen_in(*at).values
             above = [Visible(item, layer, Patch(at[0].start, at[1].start, over.copy()))]
         shares = _laid(above, over, at, item.blend, shares, matte, place)
     if layer.invert:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from roam_core.arguments import path_of, shown
+from roam_core.arguments import MOST_SHOWN, path_of, shown
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto.backups import backup_path
@@ -46,6 +46,8 @@ MAX_NAMES = 2_000_000
 MAX_MEMORY = 3072 << 20
 """Bytes that reading may take: two for each of the file's, and `VALUE_COST` for each value in it."""
 VALUE_COST = 64
+MOST_SAID = 400
+"""Characters of the reason why a project cannot be read: a name in it may have a million."""
 UNREADABLE = (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
 """What reading raises where a field is missing or holds what it may not."""
 _EMPTY = re.compile(rb"[\0\s]*")
@@ -282,10 +284,10 @@ def _read(document: Any, folder: Path, name: str) -> Project:
 
 def _reason(error: BaseException) -> str:
     if isinstance(error, KeyError):
-        return sentence("{name!r} is missing or unknown", name=error.args[0])
+        return sentence("{name!r} is missing or unknown", name=str(error.args[0])[:MOST_SHOWN])
     if isinstance(error, TypeError | AttributeError):
         return sentence("a value in it is of another kind than it must be")
-    if isinstance(said := said_by(error), Sentence):
+    if isinstance(said := said_by(error), Sentence) and len(said) <= MOST_SAID:
         return said
     text = " ".join(str(error).split())
-    return text[:200] if text else type(error).__name__
+    return text[:MOST_SAID] if text else type(error).__name__

@@ -128,9 +128,9 @@ class Keyframe:
     def __post_init__(self) -> None:
         points = frozen_array(self.points)
         if points.ndim != 3 or points.shape[1:] != (3, 2):
-            raise ValueError(f"a key's points have shape {points.shape}, not (P, 3, 2)")
+            raise ValueError(sentence("a key's points have shape {shape}, not (P, 3, 2)", shape=points.shape))
         if len(points) == 0:
-            raise ValueError("a key has no points")
+            raise ValueError(sentence("a key has no points"))
         object.__setattr__(self, "frame", frame_number(self.frame))
         object.__setattr__(self, "set_points", tuple(self.set_points))
         if not (isinstance(self.origin, Origin) and isinstance(self.interpolation, Interpolation)):
@@ -140,12 +140,24 @@ class Keyframe:
         if self.feather is not None:
             feather = frozen_array(self.feather)
             if feather.shape != points.shape:
-                raise ValueError(f"a key's feather has shape {feather.shape}, its points {points.shape}")
+                raise ValueError(
+                    sentence(
+                        "a key's feather has shape {shape}, its points {points}",
+                        shape=feather.shape,
+                        points=points.shape,
+                    )
+                )
             object.__setattr__(self, "feather", feather)
         if self.vertex_confidence is not None:
             trusted = frozen_array(self.vertex_confidence)
             if trusted.shape != points.shape[:1]:
-                raise ValueError(f"a key's vertex_confidence has shape {trusted.shape}, its points {points.shape}")
+                raise ValueError(
+                    sentence(
+                        "a key's vertex_confidence has shape {shape}, its points {points}",
+                        shape=trusted.shape,
+                        points=points.shape,
+                    )
+                )
             object.__setattr__(self, "vertex_confidence", trusted)
 
     def __eq__(self, other: object) -> bool:

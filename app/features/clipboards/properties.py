@@ -56,10 +56,11 @@ class PropertyClipboard:
         if not copied:
             self._view.say(tr("There is no shape whose properties could be pasted; copy one first."))
             return
-        project, chosen = self._document.project, self._chosen(copied)
+        project = self._document.project
+        chosen = [item for item in self._chosen(copied) if any(hasattr(item, name) for name in names)]
         free = [item for item in chosen if not project.is_locked(item.id)]
         if not free:
-            self._view.say(tr(ALL_LOCKED) if chosen else self._why_none())
+            self._view.say(tr(ALL_LOCKED) if chosen else self._why_none(names))
             return
         given = models(_shapes(copied), _shapes(chosen), names) | models(_layers(copied), _layers(chosen), names)
         put = [(item, with_properties(item, given[item.id], names)) for item in free if item.id in given]
@@ -85,7 +86,9 @@ class PropertyClipboard:
         layers = [item for item in project.root.items() if item.id in view.layers]
         return [s for s in shapes if not any(layer.id in view.layers for layer in project.layers_above(s.id))] + layers
 
-    def _why_none(self) -> str:
+    def _why_none(self, names: Sequence[str]) -> str:
+        if self._view.layers and not any(hasattr(self._document.project.root, name) for name in names):
+            return tr("A layer has no colour of its own: copy a shape, and select shapes.")
         if self._view.selection.shapes:
             return tr("A layer was copied, and its properties go to layers: select one, or copy a shape.")
         return tr(NOTHING_SELECTED)

@@ -55,7 +55,7 @@ class ModeBar(QWidget):
             LEAST_RADIUS,
             LARGEST_RADIUS,
             suffix=" px",
-            tip=tr("How far it reaches, image pixels  (Ctrl+wheel in the viewer)"),
+            tip=tr("How far it reaches, in heights of an image pixel  (Ctrl+wheel in the viewer)"),
         )
         self.radius.setAccessibleName(tr("Reach"))
         self.radius.setFixedSize(76, 20)

@@ -123,9 +123,10 @@ def _ranked(parts: Sequence[Numbered], rows: slice, columns: slice) -> tuple[Flo
     for number, patches in parts:
         seen = _in_band(patches, rows, columns)
         coverage, told = seen.values, np.full(seen.values.shape, number, dtype=np.float32)
+        more = np.zeros(coverage.shape, dtype=bool)
         for rank in range(RANKS):
             there = (rank, *seen.place)
-            more = coverage > coverages[there]
+            more |= coverage > coverages[there]  # what gave way goes on one rank below, before its equals
             if not more.any():
                 continue
             for own, theirs in ((coverage, coverages[there]), (told, numbers[there])):

@@ -73,9 +73,9 @@ def manifests_of(root: Layer, parts: Parts) -> tuple[Manifest, ...]:
     layers = [root, *(item for item in root.items() if isinstance(item, Layer))]
     made = []
     if parts is not Parts.LAYER:
-        whites = [item for item, _ in seen if isinstance(item, Layer)]
+        whites = [layer for layer in layers if layer.invert]
         made.append(_manifest(BY_SHAPE, [*root.shapes(), *whites], {item.id for item, _ in seen}))
-    if parts is Parts.LAYER or (parts is Parts.ALL and any(layer is not root for _, layer in seen)):
+    if parts is Parts.LAYER or (parts is Parts.ALL and len(layers) > 1):
         made.append(_manifest(BY_LAYER, layers, {layer.id for _, layer in seen}))
     return tuple(made)
 

@@ -32,7 +32,11 @@ TYPES = frozenset({"bool", "uint8", "uint16", "uint32", "int8", "int16", "int32"
 
 DEEPEST = 16
 """How deep sentences may lie in one another."""
-_PLACE = re.compile(r"\{\w+(?:!r)?(?::[.,]?\d{0,2}[a-z]?)?\}")
+MOST_TEXT = 1 << 20
+"""Characters that a sentence may have, filled in."""
+LONGEST_NUMBER, LONGEST_ESCAPE = 6000, 10
+"""Characters of a number that JSON can hold, and of one character of a text that is quoted."""
+_PLACE = re.compile(r"\{[^\W\d]\w*(?:!r)?(?::[.,]?\d{0,2}[a-z]?)?\}")
 """Of a template: no more than a name and the form of a number."""
 
 
@@ -177,9 +181,10 @@ def packed(text: str) -> Any:
     """A text as values of JSON: of a sentence its template and what it is filled with, for the window to translate."""
     if not isinstance(text, Sentence):
         return text
+    plain = {name: value.item() if isinstance(value, np.generic) else value for name, value in text.values.items()}
     values = {
         name: packed(value) if isinstance(value, str) else value if isinstance(value, int | float) else str(value)
-        for name, value in text.values.items()
+        for name, value in plain.items()
     }
     return [text.template, values]
 
@@ -194,9 +199,16 @@ def unpacked(told: Any, depth: int = 0) -> str:
                 name: value if isinstance(value, int | float) else unpacked(value, depth + 1)
                 for name, value in values.items()
             }
-            with suppress(KeyError, ValueError, TypeError, OverflowError):
-                return sentence(template, **filled)
+            widest = max((_widest(value) for value in filled.values()), default=0)
+            if len(template) + len(_PLACE.findall(template)) * widest <= MOST_TEXT:
+                with suppress(LookupError, ValueError, TypeError, OverflowError):
+                    return sentence(template, **filled)
     raise Garbled(sentence("no sentence"))
+
+
+def _widest(value: object) -> int:
+    """Characters that a value fills a place with, at most."""
+    return LONGEST_ESCAPE * len(value) if isinstance(value, str) else LONGEST_NUMBER
 
 
 def taken(line: bytes, shared: SharedFile) -> Answer:
@@ -210,7 +222,7 @@ def taken(line: bytes, shared: SharedFile) -> Answer:
         return Answer(told)
     try:
         shape, kind = tuple(map(int, picture["shape"])), str(picture["type"])
-    except (KeyError, TypeError, ValueError):
+    except (KeyError, TypeError, ValueError, OverflowError):
         raise Garbled(sentence("no picture")) from None
     if kind not in TYPES or not _is_possible(shape, np.dtype(kind).itemsize):
         raise Garbled(sentence("an impossible picture"))

@@ -289,6 +289,34 @@ def test_a_pinned_state_stays_where_it_is_seen(
     assert shapes.grab().toImage().pixelColor(12, 100) != pinned.pixelColor(12, 100)
 
 
+def test_a_pinned_state_lies_where_the_plate_does_once_the_view_stood_while_frames_passed(
+    shapes: CanvasView, view_state: ViewState
+) -> None:
+    pinned_at = shapes.stabiliser.travelled, view_state.frame
+    go(shapes, view_state, 4)
+    shapes.stabiliser.toggle()
+    go(shapes, view_state, 9)
+    shapes.stabiliser.toggle()
+    for frame in (9, 11):
+        go(shapes, view_state, frame)
+        assert shapes.stabiliser.aside(*pinned_at) == (0.0, 0.0)
+
+
+def test_what_is_being_opened_is_shown_whole_on_the_frame_that_it_was_left_on(
+    shapes: CanvasView, document: Document, view_state: ViewState
+) -> None:
+    """Its only shape is selected and the frame comes back before any picture is there."""
+    project = document.project
+    shapes.set_waiting(True, False)
+    document.open(Project(clip=Clip(project.clip.path, 1, 20, (200, 150)), root=project.root), None)  # type: ignore[union-attr]
+    view_state.select(frozenset({FIRST}))
+    go(shapes, view_state, 9)
+    assert shapes._viewport == Viewport(2.0, 24.0, 24.0)
+    shapes.set_waiting(False, False)
+    go(shapes, view_state, 11)
+    assert shapes._viewport != Viewport(2.0, 24.0, 24.0)
+
+
 def test_another_project_is_shown_whole_and_nothing_of_the_last_one_is_followed(
     shapes: CanvasView, document: Document, view_state: ViewState
 ) -> None:

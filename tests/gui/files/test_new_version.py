@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PySide6.QtWidgets import QMessageBox
@@ -51,17 +52,17 @@ def next_version(qtbot: QtBot, window: MainWindow) -> None:
 
 
 class SlowSaving:
-    """Holds up what is saved onto a file until it goes on."""
+    """Holds up what is saved onto a file, or as a new version, until it goes on."""
 
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.reached, self.goes_on, write = threading.Event(), threading.Event(), files.save_onto
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, what: str = "save_onto") -> None:
+        self.reached, self.goes_on, write = threading.Event(), threading.Event(), getattr(files, what)
 
-        def slow(project: Project, path: Path, backup_count: int) -> str:
+        def slow(*words: Any) -> Any:
             self.reached.set()
             assert self.goes_on.wait(WAIT / 1000)
-            return write(project, path, backup_count)
+            return write(*words)
 
-        monkeypatch.setattr(files, "save_onto", slow)
+        monkeypatch.setattr(files, what, slow)
 
 
 def test_the_window_goes_on_with_the_next_version(qtbot: QtBot, window: MainWindow, third: Path) -> None:
@@ -195,6 +196,60 @@ def test_a_folder_that_cannot_be_written_to_is_told_and_tried_again(
     expected = elsewhere if way == "Save as…" else third.with_name("shot010 für Ü_v004.roam")
     assert window.document.path == expected
     assert file.load(expected) == window.document.project
+
+
+def test_after_a_plain_save_of_it_the_next_version_is_made(qtbot: QtBot, window: MainWindow, third: Path) -> None:
+    """The file was no longer the version as it was made, and none could be made any more."""
+    draw(window)
+    settled(qtbot, window, lambda: window.files.save(third))
+    next_version(qtbot, window)
+    later = draw(window)
+    settled(qtbot, window, window.file_actions.save)
+    next_version(qtbot, window)
+    assert file.load(third.with_name("shot010 für Ü_v005.roam")) == later
+
+
+def test_a_save_while_a_version_is_made_goes_to_that(
+    qtbot: QtBot, window: MainWindow, third: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It went to the file before, which was written over, and the version stood there alone."""
+    first = draw(window)
+    settled(qtbot, window, lambda: window.files.save(third))
+    slow = SlowSaving(monkeypatch, "save_new_version")
+    second = draw(window)
+    window.file_actions.save_new_version()
+    assert slow.reached.wait(WAIT / 1000)
+    last = draw(window)
+    window.file_actions.save()
+    slow.goes_on.set()
+    fourth = third.with_name("shot010 für Ü_v004.roam")
+    qtbot.waitUntil(
+        lambda: window.document.path == fourth and not window.document.is_modified and window.saver.is_idle,
+        timeout=WAIT,
+    )
+    assert (file.load(third), file.load(fourth), file.load(fourth.with_name(fourth.name + ".1"))) == (
+        first,
+        last,
+        second,
+    )
+
+
+def test_who_asks_twice_for_a_version_and_leaves_is_let_go(
+    qtbot: QtBot, window: MainWindow, third: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second one is none, as nothing changed; the window stayed, and closed at the next save."""
+    draw(window)
+    settled(qtbot, window, lambda: window.files.save(third))
+    slow = SlowSaving(monkeypatch, "save_new_version")
+    left = list[Path | None]()
+    draw(window)
+    for _ in range(2):
+        window.file_actions.save_new_version()
+    assert slow.reached.wait(WAIT / 1000)
+    window.file_actions.leave_project(lambda: left.append(window.document.path))
+    slow.goes_on.set()
+    qtbot.waitUntil(lambda: left != [], timeout=WAIT)
+    assert left == [third.with_name("shot010 für Ü_v004.roam")]
 
 
 @pytest.mark.parametrize("asked", [1, 3])

@@ -70,6 +70,8 @@ def test_shapes_become_a_cryptomatte(roam: Roam, project: Path, tmp_path: Path, 
     assert (rate(told), time_code(told)) == ((24, 1), "00:00:00:08")
     again = roam(command, project, *words, "--cryptomatte", "--resume", "--json")
     assert again.status == 0
+    told = json.loads(again.out)
+    assert (told["files"], len(told["kept"])) == ([], 3) if command == "render" else told
 
 
 def test_a_cryptomatte_of_holes_alone_is_told_to_be_black(roam: Roam, project: Path, tmp_path: Path) -> None:

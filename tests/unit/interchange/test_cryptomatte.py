@@ -219,6 +219,24 @@ def test_equal_names_get_numbers_and_hiding_one_renames_none() -> None:
     assert names([replace(first, visible=False), second, third]) == ["hand 2", "hand 3"]
 
 
+def test_inverted_layers_keep_their_names_and_the_layers_their_channels_when_one_is_hidden() -> None:
+    layers = [Layer(f"layer-{k}", "hole", (named("S", k, 5.0, 15.0),), invert=True) for k in range(2)]
+    hidden = [replace(layers[0], visible=False), layers[1]]
+    for children, left in ((layers, ["hole", "hole 2"]), (hidden, ["hole 2"])):
+        by_shape, by_layer = manifests_of(root(*children), Parts.ALL)
+        assert (list(by_shape.words.values()), list(by_layer.words.values())) == (left, left)
+    names_by_layer = [manifest.name for manifest in manifests_of(root(hidden[0]), Parts.ALL)]
+    assert names_by_layer == ["roam_shape", "roam_layer"]
+
+
+def test_of_equal_coverages_the_lower_one_comes_first(tmp_path: Path) -> None:
+    shares = [named(f"s{k}", k, 5.0, 40.0, opacity=opacity) for k, opacity in enumerate((1.0, 0.5, 0.5))]
+    found = Decoded(written(root(*shares), tmp_path).made[0])
+    numbers = [int(ranked[0].view(np.uint32)[20, 20]) for ranked in found.ranks("roam_shape")[:3]]
+    assert [ranked[1][20, 20] for ranked in found.ranks("roam_shape")[:3]] == [0.5, 0.25, 0.25]
+    assert numbers == [int(found.manifest("roam_shape")[name], 16) for name in ("s2", "s0", "s1")]
+
+
 def test_a_name_that_is_no_text_is_written_all_the_same(tmp_path: Path) -> None:
     odd = named("half \ud83d of a sign, \n\t\\ and ✂", 1, 5.0, 15.0)
     found = Decoded(written(root(odd), tmp_path).made[0])

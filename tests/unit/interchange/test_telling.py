@@ -30,6 +30,14 @@ def test_the_name_may_stand_in_the_subject() -> None:
     )  # fmt: skip
 
 
+def test_names_that_are_sentences_stay_those() -> None:
+    names = [sentence("mask {k}", k=k) for k in range(3)]
+    (told,) = gathered(sentence("{name} is lost.", name=name) for name in names)
+    assert told == "mask 0 is lost. So it is with mask 1, mask 2."
+    assert isinstance(told, Sentence)
+    assert isinstance(told.values["names"], Sentence)
+
+
 def test_many_names_are_counted() -> None:
     (told,) = gathered(sentence("The blur of {name} was left out.", name=f"'S{k}'") for k in range(300))
     assert told.startswith("The blur of 'S0' was left out. So it is with 'S1', ")

@@ -139,6 +139,7 @@ def test_sentences_pass_between_processes_and_what_is_none_is_refused() -> None:
     for wrong in (
         7, None, ["{a}"], ["{b}", {"a": "x"}], ["{a.__class__}", {"a": "x"}], ["{a:999999999}", {"a": "x"}],
         ["{a:d}", {"a": "x"}], ["{", {}], ["{a:c}", {"a": 1 << 80}], ["{a}", {"a": [1]}], deep,
+        ["{0}", {"0": "x"}], ["{a}" * 1000, {"a": "x" * 100000}],
     ):  # fmt: skip
         with pytest.raises(Garbled):
             unpacked(wrong)

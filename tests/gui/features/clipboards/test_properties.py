@@ -190,6 +190,7 @@ def test_properties_of_a_layer_go_to_layers_and_those_of_a_shape_into_them(desk:
     told = desk.act("paste_properties", b, c, layers=(second.id,))
     assert told == "Pasted onto 1 layer: Opacity, Invert."
     assert desk.document.project.find(second.id) == replace(before.find(second.id), opacity=0.5, invert=True)
+    assert desk.act("paste_colour", layers=(second.id,)).startswith("A layer has no colour of its own")
     desk.act("copy", model)
     assert desk.act("paste_properties", b, c, layers=(second.id,)).startswith("Pasted onto 2 shapes")
     assert [desk.look(each) for each in (b, c)] == [LOOK, LOOK]
