@@ -242,6 +242,10 @@ def set_at(value: Animatable, frame: int, number: float) -> Animatable:
     if (key := value.key_at(frame)) is not None:
         return value.with_key(replace(key, value=number))
     before, after = value.span_at(frame)
+    if before is after and before.slopes is not None:  # beyond its ends the value was flat
+        arriving, leaving = before.slopes
+        flat = (0.0, leaving) if frame < before.frame else (arriving, 0.0)
+        value = value.with_key(replace(before, slopes=flat))
     if before is after or cubic_slopes(before, after) is None:
         return value.with_key(ValueKey(frame, number, before.interpolation))
     slope = value.slope_at(frame)

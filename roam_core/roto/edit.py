@@ -166,7 +166,8 @@ def set_key(shape: RotoShape, frame: int, points: ArrayLike, feather: ArrayLike 
 
 def set_control_points(shape: RotoShape, frame: int, control_points: ArrayLike) -> RotoShape:
     """The shape with an artist key at `frame` whose `control_points (P, 3, 2)` (`Outline.control_points`) lie there."""
-    return set_key(shape, frame, controls.points_of(control_points, shape.spline, shape.closed))
+    points = controls.points_of(control_points, shape.spline, shape.closed)
+    return _held_on(shape, frame, set_key(shape, frame, points))
 
 
 def key_points(shape: RotoShape, frame: int, indices: Iterable[int]) -> RotoShape:
@@ -191,7 +192,15 @@ def key_points(shape: RotoShape, frame: int, indices: Iterable[int]) -> RotoShap
 
 def key_here(shape: RotoShape, frame: int) -> RotoShape:
     """Make the shape as it is at `frame` an artist key."""
-    return set_key(shape, frame, shape.at(frame).points)
+    return _held_on(shape, frame, set_key(shape, frame, shape.at(frame).points))
+
+
+def _held_on(shape: RotoShape, frame: int, keyed: RotoShape) -> RotoShape:
+    """The shape `keyed` at `frame`; a key that is new in a span that was held holds on, as the one before it."""
+    before = [key for key in shape.keys if key.frame < frame][-1:]
+    if shape.key_at(frame) is not None or not before or before[0].interpolation is not Interpolation.HOLD:
+        return keyed
+    return set_interpolation(keyed, [frame], Interpolation.HOLD)
 
 
 def set_engine_keys(shape: RotoShape, keys: Iterable[Keyframe]) -> RotoShape:

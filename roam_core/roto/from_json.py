@@ -171,7 +171,7 @@ def _read_shape(document: Document, count: Count) -> RotoShape:
         spline=Spline(document.get("spline", Spline.BEZIER)),
         link=text(document.get("link", ""), N_("the link of a shape")),
         attached=_flag(document, "attached") if "attached" in document else True,
-        depth=tuple(_read_pair(pair, N_("a depth")) for pair in document.get("depth", ())),
+        depth=tuple(sorted(_read_pair(pair, N_("a depth")) for pair in document.get("depth", ()))),
         compound=text(document.get("compound", ""), N_("the compound of a shape")),
         keys=_read_keys(document["keys"], count),
         extra=rest(

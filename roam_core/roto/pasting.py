@@ -52,11 +52,14 @@ def paste_key(shape: RotoShape, key: Keyframe, frames: Iterable[int]) -> RotoSha
 def paste_through(shape: RotoShape, key: Keyframe, frames: range, every: int = 0) -> RotoShape:
     """The shape held as `key` through all `frames`: artist keys on both ends, and each `every` frames if that is > 0.
 
-    All other keys inside the range give way, the artist's and the engine's: the shape stands still there.
+    All other keys inside the range give way, the artist's and the engine's: the shape stands still there. In layers
+    that move it has a key on each frame.
     """
     if len(frames) == 0:
         raise RoamError(sentence("The range holds no frame; its last frame lies before its first."))
     first, last = frames[0], frames[-1]
+    if any(len(layer.frames) > 1 for layer in shape.placement):
+        every = 1  # between its keys it would go along with the layers around it
     placed = {first, last} | (set(range(first, last + 1, every)) if every > 0 else set())
     pasted = paste_key(shape, key, placed)
     return replace(pasted, keys=tuple(each for each in pasted.keys if each.frame in placed or each.frame not in frames))
@@ -70,7 +73,8 @@ def targets(project: Project, copied: Sequence[RotoShape], chosen: Sequence[Roto
     as many, to the chosen ones in their order. A key that goes back comes in the order in which its shape has
     its points by now, as far as that can be told.
     """
-    own = {shape.id: _in_order_now(project, shape) for shape in copied}
+    there = {(each.id, each.name) for each in project.shapes}  # shapes of another project may have the same ids
+    own = {each.id: _in_order_now(project, each) for each in copied if (each.id, each.name) in there}
     if not chosen:
         return {shape_id: key for shape_id, key in own.items() if project.has(shape_id)}
     if len(copied) == 1:

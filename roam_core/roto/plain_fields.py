@@ -70,7 +70,7 @@ def _blur(value: Any, what: str) -> MotionBlur | None:
 
 def _levels(value: Any, what: str) -> tuple[tuple[int, int], ...]:
     try:
-        return tuple((frame_number(frame), frame_number(level)) for frame, level in value)
+        return tuple(sorted((frame_number(frame), frame_number(level)) for frame, level in value))
     except (TypeError, ValueError):
         raise ValueError(f"{what} is pairs of a frame and a level, such as ((1001, 1),), not {shown(value)}") from None
 

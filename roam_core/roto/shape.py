@@ -140,24 +140,14 @@ class Keyframe:
         if self.feather is not None:
             feather = frozen_array(self.feather)
             if feather.shape != points.shape:
-                raise ValueError(
-                    sentence(
-                        "a key's feather has shape {shape}, its points {points}",
-                        shape=feather.shape,
-                        points=points.shape,
-                    )
-                )
+                sizes = {"shape": feather.shape, "points": points.shape}
+                raise ValueError(sentence("a key's feather has shape {shape}, its points {points}", **sizes))
             object.__setattr__(self, "feather", feather)
         if self.vertex_confidence is not None:
             trusted = frozen_array(self.vertex_confidence)
             if trusted.shape != points.shape[:1]:
-                raise ValueError(
-                    sentence(
-                        "a key's vertex_confidence has shape {shape}, its points {points}",
-                        shape=trusted.shape,
-                        points=points.shape,
-                    )
-                )
+                sizes = {"shape": trusted.shape, "points": points.shape}
+                raise ValueError(sentence("a key's vertex_confidence has shape {shape}, its points {points}", **sizes))
             object.__setattr__(self, "vertex_confidence", trusted)
 
     def __eq__(self, other: object) -> bool:

@@ -49,9 +49,12 @@ def is_out_of_sight(shape: RotoShape, frame: float) -> bool:
 
 def in_sight(shape: RotoShape) -> Animatable:
     """1 where a shape is in sight, 0 where an engine closed it to a point; with keys wherever that changes."""
-    told = [ValueKey(key.frame, 0.0 if _is_closed(key) else 1.0) for key in shape.keys]
-    changing = {key.frame: key for pair in pairwise(told) if pair[0].value != pair[1].value for key in pair}
-    return Animated(tuple(changing.values())) if changing else told[0].value
+    told = [(key.frame, 0.0 if _is_closed(key) else 1.0) for key in shape.keys]
+    changing: dict[int, float] = {}
+    for (frame, value), (following, then) in pairwise(told):
+        if value != then:  # in sight up to the frame before a point, and from the one after it
+            changing |= {frame: 0.0, frame + 1: 1.0} if then else {following - 1: 1.0, following: 0.0}
+    return Animated(tuple(ValueKey(*pair) for pair in changing.items())) if changing else told[0][1]
 
 
 def _is_closed(key: Keyframe) -> bool:

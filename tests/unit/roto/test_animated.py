@@ -154,6 +154,15 @@ def test_a_key_set_on_a_cubic_where_it_was_bends_nothing() -> None:
     assert (key.value, key.slopes) == (2.0, before.slopes)
 
 
+@pytest.mark.parametrize("frame", [-5, 20])
+def test_a_key_set_beyond_the_ends_where_the_value_was_flat_bends_nothing(frame: int) -> None:
+    ends = Animated((ValueKey(0, 1.0, slopes=(2.0, 3.0)), ValueKey(10, 1.0, slopes=(-3.0, 0.5))))
+    more = set_at(ends, frame, ends.at(frame))
+    assert frame in frames_of(more)
+    for moment in (-9, -5, -2.5, 0, 2.5, 5, 8.75, 10, 12, 15.5, 20, 30):
+        assert value_at(more, moment) == pytest.approx(ends.at(moment))
+
+
 def test_bounds_of_a_bent_value_hold_what_is_between_its_keys() -> None:
     bound = values_of(BENT)
     seen = [BENT.at(frame / 8) for frame in range(-8, 160)]

@@ -177,6 +177,16 @@ def test_a_key_here_changes_nothing_that_is_seen_on_its_frame(frame: int) -> Non
     assert frame in after.artist_frames
 
 
+def test_a_key_made_inside_a_span_that_is_held_holds_on() -> None:
+    held = edit.set_interpolation(edit.delete_engine_keys(shape()), [1], Interpolation.HOLD)
+    keyed = edit.key_here(held, 3)
+    reshaped = edit.set_control_points(held, 3, held.at(3).control_points + 4.0)
+    for after, points in ((keyed, SQUARE), (reshaped, SQUARE + 4.0)):
+        assert after.frames == (1, 3, 5)
+        for frame in (3, 4):
+            np.testing.assert_allclose(after.at(frame).points, points)
+
+
 def test_the_engine_never_touches_an_artists_key() -> None:
     keys = [Keyframe(frame, SQUARE + 50.0, origin=Origin.ENGINE) for frame in (1, 2, 3)]
     after = edit.set_engine_keys(shape(), keys)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from roam_core.roto.file import dumps, loads
 from roam_core.roto.linking import apart, attached, free_compound, linked, links, relinked, set_depth, unlinked
 
 SQUARE = polygon_points([(2.0, 2.0), (12.0, 2.0), (12.0, 9.0), (2.0, 9.0)])
@@ -78,6 +80,14 @@ def test_a_depth_holds_from_its_frame_to_the_next_change(project: Project) -> No
     assert depth(set_depth(near, [A], 20, -1)) == ((10, 1), (20, -1))
     assert depth(set_depth(near, [A], 5, -1)) == ((5, -1), (10, 1))
     assert [near.shape(A).depth_at(frame) for frame in (9, 10, 99)] == [0, 1, 1]
+
+
+def test_a_depth_is_put_in_order_as_it_is_given_and_as_it_is_read(project: Project) -> None:
+    mixed = ((20, -1), (10, 1))
+    given = edit.set_properties(project, A, depth=mixed)
+    assert depth(given) == ((10, 1), (20, -1))
+    shape = replace(project.shape(A), depth=mixed)
+    assert depth(loads(dumps(project.with_shape(shape), Path()), Path())) == ((10, 1), (20, -1))
 
 
 @pytest.mark.parametrize(

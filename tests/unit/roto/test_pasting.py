@@ -97,6 +97,17 @@ def test_a_range_of_one_frame_and_one_of_none() -> None:
         paste_through(shape(), Keyframe(1, SQUARE), range(4, 4))
 
 
+def test_through_a_range_the_shape_stands_still_also_in_a_layer_that_moves() -> None:
+    project, layer = edit.add_layer(Project())
+    project, drawn = edit.new_shape(project, SQUARE, 1, layer_id=layer.id)
+    turn = [[0.0, -1.0, 8.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+    moves = LayerTransform.of({1: np.eye(3), 4: turn, 6: np.diag([2.0, 3.0, 1.0])})
+    placed = edit.set_properties(project, layer.id, transform=moves).shape(drawn.id)
+    pasted = paste_through(placed, copied_key(placed, 1).keys[0], range(2, 7))
+    for frame in range(2, 7):
+        np.testing.assert_allclose(pasted.at(frame).points, SQUARE, atol=1e-9)
+
+
 def test_a_key_pasted_to_a_b_spline_is_one() -> None:
     _, drawn = edit.new_shape(Project(), SQUARE, 1, spline=Spline.BSPLINE)
     pasted = paste_key(drawn, Keyframe(1, SQUARE), [2])
@@ -115,6 +126,17 @@ def test_keys_go_back_to_their_shapes_to_the_chosen_one_or_in_order() -> None:
     moved = replace(d, keys=(Keyframe(1, SQUARE + 50.0),))
     assert targets(project, [d, moved], [a, b]) == {"a": d.keys[0], "b": moved.keys[0]}
     assert targets(project, [d, moved], [a, b, c]) == {}
+
+
+def test_a_key_goes_to_no_stranger_of_the_same_id() -> None:
+    """Shapes of another project have the ids that those of this one have."""
+    a, b = (shape(each) for each in "ab")
+    project = edit.add_shape(edit.add_shape(Project(), replace(a, name="Hat")), replace(b, name="Arm"))
+    assert targets(project, [a, b], []) == {}
+    assert targets(project, [a, b], [project.shape("a")]) == {}
+    other = replace(b, keys=(Keyframe(1, SQUARE + 50.0),))
+    in_order = targets(project, [a, other], [project.shape("b"), project.shape("a")])
+    assert in_order == {"b": a.keys[0], "a": other.keys[0]}
 
 
 STYLED = RotoShape(

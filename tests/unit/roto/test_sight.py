@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
+import pytest
 
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.roto import Keyframe, Origin, RotoShape
-from roam_core.roto.animated import Animated, ValueKey
+from roam_core.roto.animated import Animated, ValueKey, value_at
 from roam_core.roto.sight import POINT, SHUT, in_sight, is_out_of_sight, is_point, is_shut, opened
 
 DRAWN = polygon_points([(0.0, 0.0), (40.0, 0.0), (40.0, 10.0), (0.0, 10.0)])
@@ -53,3 +56,15 @@ def test_out_of_sight_lasts_between_closed_keys_and_beyond_the_last() -> None:
     shape = RotoShape("a", "a", tuple(Keyframe(f, points, origin=Origin.ENGINE) for f, points in outlines.items()))
     seen = [frame for frame in (-1, 0, 1, 2, 3.5, 4, 6, 7, 8, 9, 10, 12) if not is_out_of_sight(shape, frame)]
     assert seen == [-1, 0, 1, 7, 8, 9]
+
+
+@pytest.mark.parametrize("closed", list(product((False, True), repeat=4)))
+def test_sight_is_none_exactly_where_a_shape_with_gaps_between_keys_is_out_of_it(closed: tuple[bool, ...]) -> None:
+    keys = (
+        Keyframe(frame, 1e-4 * DRAWN if is_closed else DRAWN, origin=Origin.ENGINE)
+        for frame, is_closed in zip((0, 1, 4, 9), closed, strict=True)
+    )
+    shape = RotoShape("a", "a", tuple(keys))
+    seen = in_sight(shape)
+    for frame in range(-2, 12):
+        assert value_at(seen, frame) == (0.0 if is_out_of_sight(shape, frame) else 1.0)
