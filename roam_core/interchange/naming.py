@@ -36,7 +36,12 @@ def is_numbered(pattern: str) -> bool:
     return _MARK.fullmatch(pattern) is not None
 
 
-_MARK = re.compile(r"(.*?)(#+|@@+|%(?:0?(\d))?d|\$F(?:([1-9])|(?![A-Za-z0-9]))|\$\{F([1-9]?)\})(.*)", flags=re.DOTALL)
+_MARK = re.compile(
+    r"(.*?)(%(?:0?(\d))?d(?!.*%0?\d?d)|(?:#+|@@+)(?!.*(?:#|@@|%0?\d?d))"
+    r"|(?:\$F(?:([1-9])|(?![A-Za-z0-9]))|\$\{F([1-9]?)\})"
+    r"(?!.*(?:#|@@|%0?\d?d|\$F(?:[1-9]|(?![A-Za-z0-9]))|\$\{F[1-9]?\})))(.*)",
+    flags=re.DOTALL,
+)
 
 
 def ascii_name(text: str) -> str:

@@ -246,20 +246,33 @@ class ShapeWriter:
         )
 
 
-def readied(project: Project, options: ExportOptions) -> Project:
+def artists_alone(project: Project, options: ExportOptions) -> Project:
+    """The project without the engine's keys where the artist's are chosen: before layers carry what moves by these."""
+    return replace(project, root=_artists(project.root)) if options.keys is KeyChoice.ARTIST else project
+
+
+def _artists(layer: Layer) -> Layer:
+    def kept(shape: RotoShape) -> RotoShape:
+        keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST)
+        return replace(shape, keys=keys or shape.keys)
+
+    children = (_artists(item) if isinstance(item, Layer) else kept(item) for item in layer.children)
+    return replace(layer, children=tuple(children))
+
+
+def readied(project: Project, options: ExportOptions, *, are_labels: bool = False) -> Project:
     """What all writers begin with: layers that stand still, opacities between none and full, and these and feathers on
     the chosen frames only; where there is motion blur, feathers as far beyond them as the shutter reaches.
 
     The keys of outlines are chosen as each shape is begun. Where the engine's are among them, the opacity tells which
-    shapes are out of sight.
+    shapes are out of sight: of hard ones, which close to a point there, for `are_labels` and before smoothing alone.
 
     Raises `RoamError` for frames that the clip does not have.
     """
     options.frames_of(project.require_clip())
-    project = bake_layers(project)
+    project = bake_layers(artists_alone(project, options))
     project = replace(project, root=_opacities_as_seen(project.root))
-    if options.keys is not KeyChoice.ARTIST:
-        project = replace(project, root=without_points(project.root, options.smoothing > 0.0))
+    project = replace(project, root=without_points(project.root, are_labels or options.smoothing > 0.0))
     return project if options.frames is None else replace(project, root=_values_within(project.root, options.frames))
 
 

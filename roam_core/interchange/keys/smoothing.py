@@ -16,6 +16,7 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.bake_layers import BY_LAYER
 from roam_core.interchange.keys.reduction import PLACES, places
 from roam_core.roto import Interpolation, Origin, RotoShape, Spline
 from roam_core.translatable import sentence
@@ -62,7 +63,7 @@ class Smoothing:
 def smoothed(shape: RotoShape, reach: float, token: CancelToken | None = None) -> Smoothing:
     """The shape with the engine's keys moved by at most `reach` pixels, so that it moves as evenly as that allows.
 
-    Held and smooth spans part a shape in time: nothing is evened out across them.
+    Held and smooth spans part a shape in time: nothing is evened out across them. What a layer's motion made stays.
 
     Raises `RoamError` when the reach is no positive number.
     """
@@ -70,7 +71,7 @@ def smoothed(shape: RotoShape, reach: float, token: CancelToken | None = None) -
         raise RoamError(
             sentence("The reach of smoothing must be a positive number of pixels, not {reach:g}.", reach=reach)
         )
-    movable = np.array([key.origin is Origin.ENGINE for key in shape.keys])
+    movable = np.array([key.origin is Origin.ENGINE and key.inputs != BY_LAYER for key in shape.keys])
     bends = _accelerations(shape)
     if not movable.any() or not len(bends):
         return Smoothing(shape, 0.0, 0.0)

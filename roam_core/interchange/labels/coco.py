@@ -55,7 +55,7 @@ class CocoExporter:
 
 def coco_document(project: Project, options: ExportOptions = STANDARD) -> tuple[dict[str, Any], list[str], list[str]]:
     """The data set as plain values, sentences on what it cannot hold, and on what it shows otherwise."""
-    project = readied(project, options)
+    project = readied(project, options, are_labels=True)
     writer = _Writer(project.require_clip(), replace(options, progress=None), len(project.shapes))
     root = writer.prepared(project.root)
     return writer.document(root, options), writer.notes, writer.losses

@@ -58,6 +58,9 @@ class CocoReader(ShapeReader):
                 self.note(sentence("Annotations without an image of the file were left out."))
                 continue
             frame, name = frames[row["image_id"]], names.get(row.get("category_id"), "Object")
+            if row.get("segmentation") in (None, []):
+                self.note(sentence("{name} has boxes without outlines, which were left out.", name=brief(name)))
+                continue
             key = self._track(row, name)
             number = 0
             while frame in tracks.get((*key, number), {}):

@@ -43,7 +43,7 @@ class CvatExporter(TextExporter):
 
 def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, list[str], list[str]]:
     """The text with all shapes, sentences on what it cannot hold, and on what it shows otherwise."""
-    project = readied(project, options)
+    project = readied(project, options, are_labels=True)
     clip = project.require_clip()
     writer = _Writer(clip, options, len(project.shapes))
     frames = options.frames_of(clip)

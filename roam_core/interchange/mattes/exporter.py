@@ -24,7 +24,8 @@ from roam_core.interchange.mattes.files import JOINT, encode_png, write_picture
 from roam_core.interchange.mattes.manifest import Manifest, manifests_of
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.interchange.naming import file_words, is_numbered, numbering
-from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
+from roam_core.interchange.out_of_sight import without_points
+from roam_core.interchange.protocol import STANDARD, ExportOptions, artists_alone, with_chosen_keys
 from roam_core.matte import Patch, render_matte, shape_patch
 from roam_core.matte.compose import Draw
 from roam_core.matte.visible import visible_shares
@@ -57,7 +58,9 @@ class MatteExporter:
         clip = project.require_clip()
         folder, name_for, style = self._place(path, options)
         notes: list[str] = []
-        shown = replace(project, root=with_chosen_keys(project.root, options, notes))
+        root = artists_alone(project, options).root
+        root = without_points(root, True) if options.smoothing > 0.0 else root  # smoothing opens a point again
+        shown = replace(project, root=with_chosen_keys(root, options, notes))
         written = write_mattes(
             shown,
             options.frames_of(clip),

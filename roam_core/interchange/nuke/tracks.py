@@ -21,11 +21,12 @@ from roam_core.geometry import projective, similarity
 from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.nuke.keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke.text import HEAD, tcl_word
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, exported_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, artists_alone, exported_keys
 from roam_core.interchange.telling import gathered
 from roam_core.roto import Clip, Layer, Project, RotoShape
 from roam_core.roto.bounds import is_near
 from roam_core.roto.placement import matrix_at
+from roam_core.roto.sight import is_out_of_sight
 from roam_core.translatable import N_, sentence
 
 BOTTOM_LEFT, BOTTOM_RIGHT, TOP_RIGHT, TOP_LEFT = range(4)
@@ -75,7 +76,7 @@ class NukeTracksExporter:
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `project` to `path`; a shape with one key does not move and is left out, with a note."""
-        clip, baked = project.require_clip(), bake_layers(project)
+        clip, baked = project.require_clip(), bake_layers(artists_alone(project, options))
         writer = ShapeWriter(clip, options, len(project.shapes))
         nodes = []
         for layer in project.root.items():
@@ -140,17 +141,21 @@ def _box_in(layer: Layer, clip: Clip) -> Array:
 
 
 def reference_frame(shape: RotoShape) -> int:
-    """The frame from which a shape's motion is measured: its first artist's key, or its first one."""
-    return (shape.artist_frames or shape.frames)[0]
+    """The frame from which a shape's motion is measured: its first artist's key, or its first one that is in sight."""
+    seen = (frame for frame in shape.frames if not is_out_of_sight(shape, frame))
+    return next(iter(shape.artist_frames or seen), shape.frames[0])
 
 
 def box_motion(shape: RotoShape) -> tuple[Array, list[int]]:
     """The corners `(F, 4, 2)` of the box around a shape, carried by the similarity that fits its outline best.
 
-    The box is that of the reference frame; F are all frames from the first key to the last. Corners in the order of a
-    corner pin: bottom left, bottom right, top right, top left, in our pixels, y down.
+    The box is that of the reference frame; F are all frames from the first key to the last on which the shape is in
+    sight: closed to a point it tells no motion. Corners in the order of a corner pin: bottom left, bottom right, top
+    right, top left, in our pixels, y down.
     """
-    frames = list(range(shape.frames[0], shape.frames[-1] + 1))
+    every = range(shape.frames[0], shape.frames[-1] + 1)
+    seen = [frame for frame in every if not is_out_of_sight(shape, frame)]
+    frames = seen if reference_frame(shape) in seen else list(every)
     origin = shape.at(reference_frame(shape))
     left, top = origin.flatten().min(axis=0)
     right, bottom = origin.flatten().max(axis=0)

@@ -26,19 +26,20 @@ from roam_core.interchange.reading import (
 from roam_core.interchange.silhouette.exporter import MODES, PATH_KINDS, VEIL
 from roam_core.interchange.silhouette.project import project_session, project_shapes, unpacked
 from roam_core.interchange.silhouette.values import (
-    LINEAR,
     MATRIX,
     TRANSFORMS,
     LayerTransform,
     Track,
     in_order,
+    move_of,
     number,
     pairs,
     says,
     track,
+    unknown_moves,
     words_of,
 )
-from roam_core.interchange.telling import gathered
+from roam_core.interchange.telling import MOST_NAMES, gathered
 from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import (
     BlendMode,
@@ -54,7 +55,7 @@ from roam_core.roto import (
 from roam_core.roto import LayerTransform as Motion
 from roam_core.roto.animated import Animatable
 from roam_core.roto.shape import NO_COLOUR
-from roam_core.translatable import N_, said_by, sentence
+from roam_core.translatable import N_, enumerated, said_by, sentence
 
 UNKNOWN_PROPERTIES: dict[str, tuple[str, tuple[float, ...]]] = {
     "transform.pin_ul": (N_("its corner pin"), (0.0, 0.0)),
@@ -268,6 +269,12 @@ class _SessionReader:
                 self.reader.note(
                     sentence("The {subject}: {meaning} was left out.", subject=subject, meaning=sentence(meaning))
                 )
+        read = ("path", "opacity", *(f"transform.{part}" for part in (*TRANSFORMS, MATRIX)))
+        if kinds := sorted({brief(kind) for name in read if name in found for kind in unknown_moves(found[name])}):
+            told = enumerated(kinds, MOST_NAMES)
+            self.reader.note(
+                sentence("The {subject}: keys of the kind {kinds} were read as linear.", subject=subject, kinds=told)
+            )
         return found
 
     def _constant(self, properties: dict[str, Element], name: str, subject: str) -> str:
@@ -333,7 +340,7 @@ class _SessionReader:
         outlines = in_order(
             [number(key.get("frame", "0")) for key, _ in found],
             [row.ravel().tolist() for row in rows],
-            [key.get("interp", LINEAR) for key, _ in found],
+            [move_of(key) for key, _ in found],
         )
         is_plain = not outer and not outlines.bends and outlines.is_on_frames
         raw = self._plain(outlines) if is_plain else self._moved(outlines, label, outer)

@@ -153,8 +153,19 @@ def track(element: Element, count: int) -> Track:
         rows.append([number(word) for word in words[:count]])
     if not rows:
         raise ValueError(sentence("{property!r} has no value", property=element.get("id", "a property")))
-    moves = [entry.get("interp", LINEAR) for entry in entries]
+    moves = [move_of(entry) for entry in entries]
     return in_order([number(entry.get("frame", "0")) for entry in entries], rows, moves)
+
+
+def move_of(entry: Element) -> str:
+    """How a key goes on, in lower case."""
+    return entry.get("interp", LINEAR).strip().lower()
+
+
+def unknown_moves(element: Element) -> list[str]:
+    """The kinds of a property's keys that go on to others in a way that is taken for a straight one."""
+    keys = [entry for entry in element if local_name(entry) == "Key"]
+    return sorted({move_of(key) for key in keys} - {LINEAR, HOLD, CATMULL_ROM}) if len(keys) > 1 else []
 
 
 def in_order(frames: Sequence[float], rows: Sequence[Sequence[float]], moves: Sequence[str]) -> Track:

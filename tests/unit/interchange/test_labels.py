@@ -401,3 +401,20 @@ def test_a_group_of_cvat_is_a_compound(tmp_path: Path) -> None:
     )
     shapes = read_shapes(path, CLIP).layer.shapes()
     assert [shape.compound for shape in shapes] == ["compound-1", "compound-1", "", "", "compound-2", "compound-2"]
+
+
+def test_cocos_boxes_without_outlines_are_told(tmp_path: Path) -> None:
+    outlines: list[dict[str, Any]] = [{"segmentation": [[10, 10, 50, 10, 50, 50]]}, {"segmentation": []}, {}]
+    document = {
+        "images": [{"id": 1, "frame": 1001, "width": SIZE[0], "height": SIZE[1]}],
+        "categories": [{"id": k, "name": name} for k, name in enumerate(("Cat", "Dog", "Cow"))],
+        "annotations": [
+            {"id": k, "image_id": 1, "category_id": k, "bbox": [5, 5, 90, 90], **row} for k, row in enumerate(outlines)
+        ],
+    }
+    path = tmp_path / "boxes.json"
+    path.write_text(json.dumps(document))
+    made = read_shapes(path, CLIP)
+    assert [shape.name for shape in made.layer.shapes()] == ["Cat"]
+    told = [note for note in made.notes if "boxes without outlines" in note]
+    assert ["'Cat'" in " ".join(told), "'Dog'" in " ".join(told), "'Cow'" in " ".join(told)] == [False, True, True]

@@ -15,7 +15,7 @@ from roam_core.interchange.mattes.exporter import parts_of
 from roam_core.interchange.protocol import ExportOptions, KeyChoice, exported_keys
 from roam_core.interchange.registry import EXPORTERS, read_shapes
 from roam_core.matte import render_matte
-from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, Spline, control_points, edit
+from roam_core.roto import Keyframe, Layer, LayerTransform, Origin, Project, RotoShape, Spline, control_points, edit
 from tests.unit.interchange.conftest import CLIP
 
 TILT = np.array([[1.05, 0.02, 30.0], [-0.03, 0.98, -12.0], [1e-5, 2e-5, 1.0]])
@@ -85,3 +85,24 @@ def test_a_b_spline_that_is_none_in_perspective_comes_back_as_the_same_curve(
     placed = project.shape("shape-1")
     for frame in (CLIP.first, CLIP.last):
         np.testing.assert_allclose(back.at(frame).points, placed.at(frame).points, atol=0.01)
+
+
+@pytest.mark.parametrize("name", sorted(set(EXPORTERS) - {"mattes"}))
+def test_the_artists_keys_alone_go_between_each_other_as_if_no_engine_had_made_any(name: str, tmp_path: Path) -> None:
+    """Of a tracked shape in a moving layer the engine's keys were left out, and those of the layer kept between."""
+    corners = np.array([[100.0, 100.0], [300.0, 100.0], [300.0, 300.0], [100.0, 300.0]])
+    drawn = [Keyframe(frame, bezier.polygon_points(corners + 9.0 * (frame - 1001))) for frame in (1001, 1011)]
+    track = [
+        Keyframe(frame, bezier.polygon_points(corners - 5.0 * (frame - 1001)), origin=Origin.ENGINE, inputs="x")
+        for frame in (1002, 1003, 1006, 1008)
+    ]
+    moves = LayerTransform.of({1001: np.eye(3), 1007: [[1.0, 0.0, 30.0], [0.0, 1.0, 80.0], [0.0, 0.0, 1.0]]})
+    texts = []
+    for word, keys, choice in (("all", drawn + track, KeyChoice.ARTIST), ("own", drawn, KeyChoice.EVERY)):
+        shape = RotoShape("shape-1", "S", tuple(sorted(keys, key=lambda key: key.frame)))
+        project = Project(CLIP, Layer("root", "Root", (Layer("layer-1", "L", (shape,), transform=moves),)))
+        path = tmp_path / word / f"shapes{EXPORTERS[name].suffix}"
+        path.parent.mkdir()
+        EXPORTERS[name].export(project, path, ExportOptions(keys=choice, frame=1006, lossy=True))
+        texts.append({file.name: file.read_bytes() for file in path.parent.rglob("*") if file.is_file()})
+    assert texts[0] == texts[1]

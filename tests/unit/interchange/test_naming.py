@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roam_core.interchange.naming import LONGEST, ascii_name, distinct, file_words, is_numbered, numbering
+from roam_core.media.numbering import parse_pattern
 
 
 @pytest.mark.parametrize(
@@ -33,6 +34,18 @@ def test_a_pattern_names_a_frame(pattern: str, name: str) -> None:
     assert numbering(pattern)(7) == name
     assert numbering(pattern, offset=-3)(10) == name
     assert is_numbered(pattern) is (pattern != "m.png")
+
+
+@pytest.mark.parametrize(
+    "pattern",
+    ["x#1.####.png", "x#1.%04d.png", "v##_m.%d.png", "@@.####.png", "a@@_b.@@@@.png", "@@@.%03d.exr", "a%d.####.png"],
+)
+@pytest.mark.parametrize("frame", [7, 12345])
+def test_what_is_written_by_a_pattern_is_read_by_it(pattern: str, frame: int) -> None:
+    """The first of several marks was the number, and a plate or a clip was opened by the last of them."""
+    read = parse_pattern(pattern)
+    assert read is not None
+    assert numbering(pattern)(frame) == read.name(frame)
 
 
 def test_names_that_look_alike_stay_apart() -> None:

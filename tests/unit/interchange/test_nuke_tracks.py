@@ -177,3 +177,22 @@ def test_an_empty_layer_pins_the_whole_picture() -> None:
     np.testing.assert_allclose(corners[2], 2.0 * box)
     frames, *_ = layer_motion(project, moving, ExportOptions(frames=range(1002, 1010)))
     assert frames == [1002, 1003]
+
+
+def test_frames_on_which_the_shape_is_closed_tell_no_motion(tmp_path: Path) -> None:
+    """The engine closed it to a point there, and the box with it."""
+    gone = (1004, 1005, 1012)
+    keys = (
+        Keyframe(
+            frame,
+            polygon_points((BOX - 250.0) * (1e-4 if frame in gone else 1.0) + 250.0 + 3.0 * (frame - 1001)),
+            origin=Origin.ARTIST if frame == 1001 else Origin.ENGINE,
+        )
+        for frame in range(1001, 1013)
+    )
+    closing = RotoShape("shape-1", "Box", tuple(keys))
+    corners, frames = box_motion(closing)
+    assert frames == [1001, 1002, 1003, *range(1006, 1012)]
+    np.testing.assert_allclose(corners[:, 1] - corners[:, 0], [[200.0, 0.0]] * len(frames), atol=1e-9)
+    across, _ = (keys_of(curve) for curve in tcl.available().split(knobs_of(exported(tmp_path, closing)[3])["to1"]))
+    assert list(across) == frames

@@ -1,10 +1,14 @@
-"""Soft shapes that an engine closed to a point leave with no opacity there: no program may blur the point."""
+"""Shapes that an engine closed to a point leave with no opacity there: no program may blur or label the point."""
 
 from __future__ import annotations
 
+import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
+import cv2
+import numpy as np
 import pytest
 
 from roam_core.geometry.bezier import polygon_points
@@ -66,3 +70,26 @@ def test_it_comes_back_with_an_empty_matte_there(name: str, tmp_path: Path) -> N
     assert [told.opacity_at(frame) for frame in range(1, 7)] == [1.0, 1.0, 0.0, 0.0, 1.0, 1.0]
     for frame in range(1, 7):
         assert bool(render_matte([told], frame, (100, 120)).any()) is (frame not in GONE)
+
+
+@pytest.mark.parametrize("feather", [0.0, 3.0])
+def test_mattes_whose_keys_are_smoothed_are_black_there(feather: float, tmp_path: Path) -> None:
+    """Smoothing opened the point again."""
+    project = Project(CLIP, Layer("root", "root", (shape(feather=feather),)))
+    write_shapes(project, tmp_path, "mattes", replace(STANDARD, smoothing=3.0))
+    pictures = [cv2.imread(str(path), cv2.IMREAD_UNCHANGED) for path in sorted(tmp_path.glob("*.png"))]
+    assert [bool(np.any(picture)) for picture in pictures] == [frame not in GONE for frame in CLIP.frame_range]
+
+
+@pytest.mark.parametrize("name", ["coco", "cvat"])
+def test_a_hard_one_is_labelled_nowhere_there(name: str, tmp_path: Path) -> None:
+    """The point was an annotation of no area."""
+    path = tmp_path / f"labels{exporter_for(name).suffix}"
+    write_shapes(Project(CLIP, Layer("root", "root", (shape(feather=0.0),))), path, name)
+    if name == "coco":
+        assert [row["image_id"] for row in json.loads(path.read_text())["annotations"]] == [1, 2, 5, 6]
+    else:
+        told = re.findall(r'<polygon frame="(\d+)" keyframe="1" outside="([01])"', path.read_text())
+        outside = {int(frame) + CLIP.first: word for frame, word in told}
+        assert [outside[frame] for frame in (2, 3, 5)] == ["0", "1", "0"]
+    assert [told.lifetime for told in read_shapes(path, CLIP).layer.shapes()] == [(1, 3), (5, 7)]

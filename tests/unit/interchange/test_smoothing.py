@@ -16,7 +16,7 @@ from roam_core.geometry import bspline
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
 from roam_core.interchange.keys.reduction import reduced
 from roam_core.interchange.keys.smoothing import SLIDE, STIFFNESS, smoothed
-from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
+from roam_core.roto import Clip, Interpolation, Keyframe, Layer, LayerTransform, Origin, Project, RotoShape, Spline
 from tests.golden.shots import blob, outline_distance
 from tests.unit.interchange.judged import farthest
 
@@ -174,3 +174,20 @@ def test_mattes_are_those_of_the_smoothed_shape(tmp_path: Path) -> None:
     for name in sorted(path.name for path in (tmp_path / "a").iterdir()):
         pictures = [cv2.imread(str(tmp_path / place / name), cv2.IMREAD_UNCHANGED) for place in "ab"]
         np.testing.assert_array_equal(*pictures)
+
+
+@pytest.mark.parametrize("keys", [KeyChoice.EVERY, KeyChoice.ARTIST])
+@pytest.mark.parametrize("name", ["json", "nuke"])
+def test_what_a_moving_layer_made_is_left_alone(name: str, keys: KeyChoice, tmp_path: Path) -> None:
+    """A hand-drawn shape that shakes with its layer drifted off the picture that the layer follows."""
+    shakes = np.random.default_rng(1).normal(0.0, 2.0, (COUNT, 2))
+    moves = LayerTransform.of({f: [[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]] for f, (x, y) in enumerate(shakes)})
+    drawn = RotoShape("shape-1", "Drawn", (Keyframe(0, true_points(0)), Keyframe(COUNT - 1, true_points(0) + 20.0)))
+    root = Layer("root", "Root", (Layer("layer-1", "Shakes", (drawn,), transform=moves),))
+    project = Project(Clip(Path("plate"), 0, COUNT - 1, (400, 300)), root)
+    path = tmp_path / f"p{EXPORTERS[name].suffix}"
+    texts = []
+    for reach in (0.0, 2.0):
+        EXPORTERS[name].export(project, path, ExportOptions(keys=keys, smoothing=reach))
+        texts.append(path.read_bytes())
+    assert texts[0] == texts[1]
