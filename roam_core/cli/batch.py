@@ -15,12 +15,13 @@ from tqdm import tqdm
 
 from roam_core.atomic_write import make_folder, write_atomically
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.overwriting import add_overwrite, require_own
 from roam_core.cli.paths import path_word
 from roam_core.cli.performing import WORK
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.studio import cluster, driver
+from roam_core.studio.edits import require_edit
 from roam_core.studio.fields import schema
 from roam_core.studio.finding import jobs_from
 from roam_core.studio.jobs import as_document
@@ -78,6 +79,8 @@ def run(arguments: argparse.Namespace) -> int:
     for note in found.notes:
         print(note, file=sys.stderr)
     if arguments.write is not None:
+        read = [arguments.jobs, *(job.init for job in found.jobs.jobs if job.init is not None)]
+        require_own(arguments.write, read, overwrite=arguments.overwrite)
         write_atomically(arguments.write, json.dumps(as_document(found.jobs), indent=1).encode() + b"\n")
         print(f"Wrote {len(found.jobs.jobs)} job(s) to {arguments.write}.", file=sys.stderr)
         return 0
@@ -119,6 +122,9 @@ def require_sense(arguments: argparse.Namespace) -> None:
         raise RoamError("Name a file of jobs, a folder of shots, or an .otio (or --schema).")
     if arguments.timeline is not None and arguments.jobs.suffix.lower() != ".otio":
         raise RoamError("--timeline is for an edit (.otio).")
+    if arguments.timeline is not None and arguments.write is None:
+        require_edit(arguments.timeline)
+        require_own(arguments.timeline, [arguments.jobs], overwrite=arguments.overwrite)
     given = [arguments.tls_ca, arguments.tls_cert, arguments.tls_key]
     if any(given) and not all(given):
         raise RoamError("--tls-ca, --tls-cert and --tls-key go together; name all three.")

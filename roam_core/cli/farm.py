@@ -10,6 +10,7 @@ from pathlib import Path
 from roam_core.atomic_write import new_folder, write_atomically
 from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_options, matte_style
+from roam_core.cli.overwriting import add_overwrite, require_own
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import NothingToSolve
 from roam_core.cli.plate import loaded
@@ -18,6 +19,9 @@ from roam_core.errors import RoamError
 from roam_core.roto import Project
 from roam_core.studio.jobs import Job, Step, require_name, steps_named
 from roam_core.studio.open_job import Shares, checked, template_of, to_be_given, written
+
+OURS = rb'\A\{?\s*"?specificationVersion"?: "?jobtemplate-2023-09"?,?\s+"?name"?: "?ROAM '
+"""By which a job that we wrote is known."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -40,6 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--roam", default="roam", metavar="COMMAND", help="what runs ROAM on the farm (%(default)s)")
     parser.add_argument("--json", action="store_true", help="print a line of JSON: the file, and its steps")
     add_matte_arguments(parser)
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -63,6 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
     shares = Shares(gaps, frames, arguments.chunk)
     template = template_of(job, out, shares, target.absolute().parent, arguments.roam)
     content = written(checked(template), target)
+    require_own(target, [path], overwrite=arguments.overwrite, mark=OURS)
     with new_folder(out):
         write_atomically(target, content)
     names = [step["name"] for step in template["steps"]]

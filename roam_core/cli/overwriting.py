@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from roam_core.errors import RoamError
-from roam_core.interchange.authorship import is_project
+from roam_core.interchange.authorship import HEAD_BYTES, is_project
+from roam_core.interchange.recognition import head_of
 from roam_core.interchange.targets import BACKUPS, kept_aside
 from roam_core.roto import Project, file
 from roam_core.roto.backups import rotate
@@ -68,6 +70,16 @@ def _keep_read(target: Path) -> None:
         rotate(target, BACKUPS, is_project)  # it was read as a project, in whatever order its fields stand
     except RoamError as error:
         print(f"roam: {error}", file=sys.stderr)
+
+
+def require_own(target: Path, read: Iterable[Path], *, overwrite: bool, mark: bytes | None = None) -> None:
+    """Refuse to write onto what a command reads, and without the user's word onto what does not bear our `mark`."""
+    if target.exists() and any(path.exists() and target.samefile(path) for path in read):
+        raise RoamError(f"{target} is read for this and is never written over; name another place.")
+    head = head_of(target, HEAD_BYTES) if target.is_file() else b""
+    if overwrite or head == b"" or (mark is not None and head is not None and re.search(mark, head)):
+        return
+    raise RoamError(f"{target} is there already; name another place, or say --overwrite.")
 
 
 @contextmanager

@@ -9,6 +9,7 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from contextlib import redirect_stderr, redirect_stdout, suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -61,8 +62,10 @@ def perform(batch: str, plain: dict[str, Any], pictures: str = "", tell: Tell | 
     try:
         Path(task.record).parent.mkdir(parents=True, exist_ok=True)
         before = Record.read(Path(task.record))
-        inputs = inputs_of(task.reads, task.plate, task.layer, before, task.content)
+        is_import = task.verb == "import"
+        inputs = inputs_of(task.reads, task.plate, task.layer, before, task.content, are_sequences=is_import)
         if before is not None and before.holds(task.settings, inputs, Path(task.folder)):
+            before = _with_result(task, before)
             return {**told, **before.outcome, "status": "kept", "outputs": sorted(before.outputs)}
         try:
             _require_work(task)
@@ -176,13 +179,30 @@ def _kept(
     told = {name: outcome[name] for name in ("said", "frames", "idle") if name in outcome} | more
     told["seconds"] = round(time.perf_counter() - began, 3)
     if task.result:
-        content = Path(task.made).read_bytes()
-        known = None if before is None else str(before.outcome.get("result", ""))
-        result = Path(task.result)
-        write_atomically(result, content, before_replacing=lambda: _keep_others(result, known))
-        told["result"] = digest_of(Path(task.result))
+        told["result"] = _copied(task, None if before is None else str(before.outcome.get("result", "")))
     Record(task.settings, tuple(inputs), outputs, told).write(Path(task.record))
     return {**more, "outputs": sorted(outputs)}
+
+
+def _copied(task: Task, known: str | None) -> str:
+    """Copy a step's project as the result of its job; the digest of that. Another one than the `known` is kept."""
+    result = Path(task.result)
+    write_atomically(result, Path(task.made).read_bytes(), before_replacing=lambda: _keep_others(result, known))
+    return digest_of(result)
+
+
+def _with_result(task: Task, before: Record) -> Record:
+    """The record of a step that is done, after its project was copied where the result is gone or is another step's."""
+    if not task.result:
+        return before
+    result, made = Path(task.result), Path(task.made)
+    there = digest_of(result) if result.exists() else None
+    others = {digest_of(each) for each in Path(task.folder).glob(f"{task.job}.*-*.roam") if each != made}
+    if there == digest_of(made) or not (there is None or there in others):
+        return before  # as it was written, or an artist went on with it
+    found = replace(before, outcome={**before.outcome, "result": _copied(task, there)})
+    found.write(Path(task.record))
+    return found
 
 
 def _put_in_place(task: Task, before: Record | None) -> None:

@@ -67,7 +67,6 @@ class FrameCache(Generic[Held]):
         self._lock = threading.Lock()
         self._wake = threading.Condition(self._lock)
         self._images: OrderedDict[int, Held] = OrderedDict()  # longest unused first
-        self._bytes = 0
         self._frame_bytes = 0  # of the frame held last: what the next one will need
         self._decoding: dict[int, _Decoding[Held]] = {}
         self._damaged: set[int] = set()
@@ -90,7 +89,7 @@ class FrameCache(Generic[Held]):
     def used_bytes(self) -> int:
         """The bytes of all frames held now."""
         with self._lock:
-            return self._bytes
+            return self._held_bytes()
 
     def read(self, frame: int, token: CancelToken | None = None) -> Held:
         """The picture `(h, w, 3)` of a frame, decoded now where it is not held. Read-only.
@@ -107,10 +106,18 @@ class FrameCache(Generic[Held]):
                 token.check()
             with self._lock:
                 self._shown = frame
-                if frame in self._images:
+                held = self._images.get(frame)
+                if held is not None:
                     self._images.move_to_end(frame)
-                    return self._images[frame]
-                decoding, is_ours = self._claim(frame)
+                    grown = [old for old in self._leaving_for(0, frozenset()) or () if old != frame]
+                    for old in grown:  # parts have grown since they were held
+                        del self._images[old]
+                else:
+                    decoding, is_ours = self._claim(frame)
+            if held is not None:
+                if grown:
+                    self._tell()
+                return held
             if is_ours:
                 changed = self._decode(frame, decoding, frozenset())
             else:
@@ -166,7 +173,6 @@ class FrameCache(Generic[Held]):
             self._closed = True
             self._ahead.clear()
             self._images.clear()
-            self._bytes = 0
             readers, self._readers = self._readers, []
             self._wake.notify_all()
         for reader in readers:
@@ -212,9 +218,8 @@ class FrameCache(Generic[Held]):
             if self._closed or leaving is None or frame in self._images:
                 return False
             for old in leaving:
-                self._bytes -= self._images.pop(old).nbytes
+                del self._images[old]
             self._images[frame] = image
-            self._bytes += image.nbytes
             self._frame_bytes = image.nbytes
             return True
 
@@ -223,7 +228,7 @@ class FrameCache(Generic[Held]):
 
         With nothing to keep there is always room: a frame above the limit is then held alone. The lock is held.
         """
-        surplus = self._bytes + nbytes - self.limit_bytes
+        surplus = self._held_bytes() + nbytes - self.limit_bytes
         leaving = []
         for frame, image in self._images.items():
             if surplus <= 0:
@@ -232,6 +237,10 @@ class FrameCache(Generic[Held]):
                 leaving.append(frame)
                 surplus -= image.nbytes
         return None if surplus > 0 and kept else leaving
+
+    def _held_bytes(self) -> int:
+        """The bytes of all that is held: added up, for parts grow while they are held. The lock is held."""
+        return sum(image.nbytes for image in self._images.values())
 
     def _tell(self) -> None:
         for listener in self._listeners:

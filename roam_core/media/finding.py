@@ -48,7 +48,7 @@ def places_near(folder: Path, lost: Path) -> Iterator[Path]:
 
 def _has_frame(folder: Path, pattern: NamePattern) -> bool:
     with os.scandir(folder) as entries:
-        return any(pattern.number_of(entry.name) is not None for entry in entries)
+        return any(pattern.number_in_any_letters(entry.name) is not None for entry in entries)
 
 
 def _holds_anything(folder: Path) -> bool:

@@ -61,6 +61,13 @@ class NamePattern:
         text = name[len(self.prefix) : len(name) - len(self.suffix)]
         return int(text) if _INTEGER.fullmatch(text) and _is_padded(text, self.width) else None
 
+    def number_in_any_letters(self, name: str) -> int | None:
+        """As `number_of`, whether the extension of `name` is in capitals or not."""
+        ending = Path(self.suffix).suffix or self.suffix
+        there = name[len(name) - len(ending) :]
+        is_alike = ending.startswith(".") and there.lower() == ending.lower()
+        return self.number_of(name[: len(name) - len(ending)] + ending if is_alike else name)
+
 
 @dataclass(frozen=True)
 class FileSequence:
@@ -157,13 +164,11 @@ def find_pattern(folder: Path, pattern: NamePattern) -> FileSequence | None:
     """
     names = file_names(folder)
     numbered = [(number, name) for name in names if (number := pattern.number_of(name)) is not None]
-    taken, ending = {number for number, _ in numbered}, Path(pattern.suffix).suffix or pattern.suffix
-    for name in names if ending.startswith(".") else ():
-        there = name[len(name) - len(ending) :]
-        if there != ending and there.lower() == ending.lower():
-            number = pattern.number_of(name[: len(name) - len(ending)] + ending)
-            if number is not None and number not in taken:
-                numbered.append((number, name))
+    taken, exact = {number for number, _ in numbered}, {name for _, name in numbered}
+    for name in names:
+        number = None if name in exact else pattern.number_in_any_letters(name)
+        if number is not None and number not in taken:
+            numbered.append((number, name))
     return _sequence(folder, numbered, pattern) if numbered else None
 
 

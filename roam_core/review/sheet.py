@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 
 from roam_core.arrays import UInt8
@@ -99,7 +100,7 @@ def page_picture(
 
 def _strip(project: Project, frames: Sequence[int], read: Read, look: ReviewLook, layout: SheetLayout) -> UInt8:
     """A row of pictures with what is said under each."""
-    pictures = [review_picture(read(frame), project, frame, look) for frame in frames]
+    pictures = [_fitting(review_picture(read(frame), project, frame, look), layout.cell) for frame in frames]
     notes = [wrapped(_note(project, frame), layout.cell, LETTERS, look.font, NOTE_LINES) for frame in frames]
     high, step = max(picture.shape[0] for picture in pictures), round(LEADING * LETTERS)
     strip = np.empty((high + step * (1 + max(map(len, notes))) + 4 + GAP, layout.width, 3), dtype=np.uint8)
@@ -114,6 +115,15 @@ def _strip(project: Project, frames: Sequence[int], read: Read, look: ReviewLook
         for line, text in enumerate(note, 1):
             write(strip, text, (left, high + 4 + line * step), LETTERS, INK, look.font)
     return strip
+
+
+def _fitting(picture: UInt8, most: int) -> UInt8:
+    """A picture no wider than its place: a wide plate's may be, which `SCALES` lets be no smaller."""
+    height, width = picture.shape[:2]
+    if width <= most + 1:  # widths are even
+        return picture
+    size = max(most, 1), max(round(height * most / width), 1)
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA))
 
 
 def _note(project: Project, frame: int) -> str:

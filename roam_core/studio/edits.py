@@ -14,13 +14,13 @@ from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 from roam_core.installation import studio_module
 from roam_core.media import PlateSource, open_clip
+from roam_core.media.numbering import NamePattern
 from roam_core.studio.jobs import Job, Jobs, Step, require_possible
 
 SUFFIX = ".otio"
 LIBRARY = "opentimelineio"
 MOST_BYTES = 256 << 20
 INIT_SUFFIXES = (".roam", ".png", ".exr", ".tif", ".tiff", ".jpg")
-_NUMBERED = re.compile(r"(.*?)(\d+)(\D*)")
 Steps = tuple[Step, ...] | Callable[[Path | None], tuple[Step, ...]]
 """The steps of every job, or what gives them by what a job begins with."""
 
@@ -76,8 +76,7 @@ def write_with_mattes(timeline: Any, jobs: Jobs, path: Path) -> None:
     Raises `RoamError` where it cannot be written.
     """
     otio = studio_module(LIBRARY)
-    if path.suffix.lower() != SUFFIX:
-        raise RoamError(f"An edit is written as OpenTimelineIO; {path.name} does not end in {SUFFIX}.")
+    require_edit(path)
     made = timeline.deepcopy()
     by_name = {job.name: job for job in jobs.jobs}
     named = list(_named_clips(made))
@@ -94,6 +93,12 @@ def write_with_mattes(timeline: Any, jobs: Jobs, path: Path) -> None:
         if has_any:
             made.tracks.insert(made.tracks.index(track) + 1, mattes)
     write_atomically(path, otio.core.serialize_json_to_string(made, indent=1).encode())
+
+
+def require_edit(path: Path) -> None:
+    """Raise `RoamError` where a name is none for an edit that is written."""
+    if path.suffix.lower() != SUFFIX:
+        raise RoamError(f"An edit is written as OpenTimelineIO; {path.name} does not end in {SUFFIX}.")
 
 
 def _above(item: Any, reference: Any) -> Any:
@@ -114,24 +119,34 @@ def _matte_reference(job: Job, folder: Path, clip: Any) -> Any:
     plate = open_clip(job.clip or "")
     found = {path.stem: path for path in sorted(folder.iterdir())} if folder.is_dir() else {}
     there = [frame for frame in plate.frames if plate.frame_name(frame) in found]
-    numbered = None if not there else _NUMBERED.fullmatch(plate.frame_name(there[0]))
+    numbered = _pattern(plate, there)
     if numbered is None:
         return None
-    prefix, number, rest = numbered.groups()
     media, start = clip.available_range(), clip.available_range().start_time
     shift = otio.opentime.RationalTime(there[0] - _frame_at(clip, plate, start), media.start_time.rate)
     return otio.schema.ImageSequenceReference(
         target_url_base=otio.url_utils.url_from_filepath(str(folder)) + "/",
-        name_prefix=prefix,
-        name_suffix=rest + found[plate.frame_name(there[0])].suffix,
-        start_frame=int(number),
-        frame_zero_padding=len(number),
+        name_prefix=numbered.prefix,
+        name_suffix=numbered.suffix + found[plate.frame_name(there[0])].suffix,
+        start_frame=there[0],
+        frame_zero_padding=numbered.width,
         rate=media.start_time.rate,
         available_range=otio.opentime.TimeRange(
             start + shift, otio.opentime.RationalTime(there[-1] - there[0] + 1, media.start_time.rate)
         ),
         metadata={"roam": {"project": str(folder.parent / f"{job.name}.roam")}},
     )
+
+
+def _pattern(plate: PlateSource, frames: list[int]) -> NamePattern | None:
+    """How the names of a plate's frames count them; of several groups of digits the one that does. None for none."""
+    name = plate.frame_name(frames[0]) if frames else ""
+    for digits in reversed([*re.finditer(r"[0-9]+", name)]):
+        before = name[: digits.start()].removesuffix("-") if frames[0] < 0 else name[: digits.start()]
+        pattern = NamePattern(before, len(digits[0]), name[digits.end() :])
+        if all(pattern.name(frame) == plate.frame_name(frame) for frame in (frames[0], frames[-1])):
+            return pattern
+    return None
 
 
 def _named_clips(timeline: Any) -> Iterator[tuple[str, Any]]:

@@ -54,9 +54,11 @@ def template_of(job: Job, out: Path, shares: Shares, folder: Path, command: str 
     RoamError
         when a path or a name cannot stand in a template, or there are too many gaps for one job.
     """
-    (tasks,) = tasks_of(Jobs((job,), out.parent))
-    results = str(out.parent / job.name)
+    place = out / ".results"  # within OUT, and nothing else: beside the project, and in OUT, a plate may have its name
+    (tasks,) = tasks_of(Jobs((job,), place))
+    results = str(place / job.name)
     replaced = [(str(job.init), PROJECT), (job.clip or "", CLIP), (results, OUT)]
+    replaced.sort(key=lambda pair: -len(pair[0]))  # the plate's folder may hold the results, or they the plate
     for text in (
         str(job.init),
         job.clip or "",
@@ -146,8 +148,9 @@ def _step(name: str, words: list[str], ranges: Ranges | None = None) -> dict[str
 
 def _path(name: str, kind: str, flow: str, place: str, folder: Path) -> dict[str, str]:
     said = {"name": name, "type": "PATH", "objectType": kind, "dataFlow": flow, "description": place}
-    is_near = Path(place).is_relative_to(folder)
-    return {**said, "default": Path(place).relative_to(folder).as_posix()} if is_near else said
+    near = Path(place).relative_to(folder) if Path(place).is_relative_to(folder) else None
+    is_within = near is not None and ".." not in near.parts  # a default that leaves the folder cannot be submitted
+    return {**said, "default": near.as_posix()} if near is not None and is_within else said
 
 
 def _replaced(word: str, pairs: Sequence[tuple[str, str]]) -> str:

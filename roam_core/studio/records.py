@@ -14,6 +14,8 @@ from roam_core.atomic_write import write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
+from roam_core.media.decoding import image_extensions
+from roam_core.media.numbering import find_pattern, find_sequences, parse_pattern
 from roam_core.system_errors import reason_of
 from roam_core.translatable import sentence
 
@@ -105,14 +107,25 @@ def is_as_written(path: Path, digest: str) -> bool:
         return False
 
 
-def inputs_of(reads: Sequence[str], plate: str, layer: str, before: Record | None, content: str = "") -> list[Seen]:
+def inputs_of(
+    reads: Sequence[str],
+    plate: str,
+    layer: str,
+    before: Record | None,
+    content: str = "",
+    *,
+    are_sequences: bool = True,
+) -> list[Seen]:
     """All files that a step reads, in order: its own, those of folders, the pictures of the plate, and `$OCIO`.
 
     Raises `RoamError` where one is missing.
     """
     files: list[Path] = []
     for path in map(Path, reads):
-        files += sorted(each for each in path.iterdir() if each.is_file()) if path.is_dir() else [path]
+        if path.is_dir():
+            files += sorted(each for each in path.iterdir() if each.is_file())
+        else:  # a mask to track from is one file, whatever lies beside it
+            files += _sequence_of(path) if are_sequences else [path]
     if plate:
         source = open_clip(plate, layer, content)
         files += dict.fromkeys(source.file_of(frame) for frame in source.frames)
@@ -120,6 +133,18 @@ def inputs_of(reads: Sequence[str], plate: str, layer: str, before: Record | Non
             files.append(colours)
     known = () if before is None or len(before.inputs) != len(files) else before.inputs
     return [Seen.of(path, known[k] if known and known[k].name == path.name else None) for k, path in enumerate(files)]
+
+
+def _sequence_of(path: Path) -> list[Path]:
+    """The files that a path leads to: of a pattern, or one of numbered pictures, all of the sequence."""
+    pattern = None if path.exists() else parse_pattern(path.name)
+    if pattern is not None:
+        sequence = find_pattern(path.parent, pattern)
+    else:
+        is_picture = path.is_file() and path.suffix.lower() in image_extensions()
+        found = find_sequences(path.parent, {path.suffix.lower()}) if is_picture else []
+        sequence = next((each for each in found if each.holds(path.name)), None)
+    return [path] if sequence is None else [path.parent / name for name in sorted(sequence.names.values())]
 
 
 def _contents(inputs: Sequence[Seen]) -> list[tuple[str, str]]:

@@ -132,7 +132,7 @@ def _of_job(job: Job, folder: Path, overwrite: bool) -> list[Task]:
                 tuple(words),
                 str(folder),
                 tuple(str(path) for path in reads),
-                clip if solves or _looks(step) else "",
+                clip if solves or _looks(step) or (step.verb == "import" and project is None) else "",
                 job.layer,
                 {
                     "program": __version__,

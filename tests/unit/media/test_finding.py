@@ -24,6 +24,9 @@ def made(path: Path) -> Path:
         ("plates/a.%04d.png", True),
         ("plates/a.####.png", True),
         ("plates/b.%04d.png", False),
+        ("plates/c.%04d.png", True),
+        ("plates/c.####.PNG", True),
+        ("plates/C.%04d.png", False),
         ("none/a.%04d.png", False),
         ("plates/a.1001.png/b.%04d.png", False),
         ("x" * 300, False),
@@ -32,6 +35,7 @@ def made(path: Path) -> Path:
 )
 def test_a_place_holds_a_folder_a_file_or_a_frame_of_the_pattern(tmp_path: Path, name: str, there: bool) -> None:
     made(tmp_path / "plates" / "a.1001.png")
+    made(tmp_path / "plates" / "c.1001.PNG")
     assert is_there(tmp_path / name) is there
 
 

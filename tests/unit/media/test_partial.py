@@ -281,3 +281,23 @@ def test_damage_in_the_middle_shows_where_it_is_looked_at(tmp_path: Path) -> Non
         picture.within(0, HEIGHT, 0, WIDTH)
     assert len(told) == 1
     oiio.geterror()
+
+
+def test_a_cache_holds_no_more_than_its_limit_of_parts_that_grow(tmp_path: Path) -> None:
+    """What had grown was not counted, and what was taken away had not been added: the cache came to hold all."""
+    file = write_image(tmp_path / "p.1.exr", wide_noise(1), "half", compression="zip")
+    for frame in range(2, 41):
+        os.link(file, tmp_path / f"p.{frame}.exr")
+    cache = FrameCache(PartialFrames(open_clip(tmp_path), unheard), limit_bytes=3 * HEIGHT * WIDE * 6)
+    counts = []
+    for frame in range(1, 41):
+        picture = cache.read(frame)
+        held = [each for other in cache.cached_frames() if (each := cache.get(other)) is not None]
+        assert cache.used_bytes == sum(each.nbytes for each in held) <= cache.limit_bytes
+        counts.append(len(held))
+        before, left = picture.nbytes, 37 * frame % 1100
+        picture.within(0, HEIGHT, left, left + 60)
+        assert cache.used_bytes == sum(each.nbytes for each in held), picture.nbytes - before
+    assert max(counts) > 3, "parts take less room than the whole"
+    cache.close()
+    assert cache.used_bytes == 0

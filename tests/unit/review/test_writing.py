@@ -20,9 +20,9 @@ from roam_core.review.frames import chosen_frames
 from roam_core.review.look import ReviewLook, ReviewView
 from roam_core.review.movie import ENCODERS
 from roam_core.review.picture import review_picture
-from roam_core.review.sheet import PAPER, SheetLayout, page_paths
+from roam_core.review.sheet import GAP, MARGIN, PAPER, SheetLayout, page_paths
 from roam_core.review.writing import Output, ReviewRequest, output_of, write_review
-from roam_core.roto import Project
+from roam_core.roto import Clip, Project
 from tests.unit.review.conftest import FIRST, LAST, MISSING, body, project_of, read
 
 ALL = tuple(range(FIRST, LAST + 1))
@@ -197,6 +197,27 @@ def test_a_note_takes_up_room_under_its_picture(tmp_path: Path) -> None:
         write_review(ReviewRequest(moving(), (frame,), Output.SHEET, path, LOOK, layout), read)
         heights.append(cv2.imread(str(path)).shape[0])
     assert heights[1] == heights[0] + round(1.3 * 14)
+
+
+@pytest.mark.parametrize(("columns", "plate"), [(10, (4096, 540)), (20, (8192, 540)), (4, (160, 90))])
+def test_a_sheet_shows_all_of_every_picture_however_wide(tmp_path: Path, columns: int, plate: tuple[int, int]) -> None:
+    """Pictures that are as small as may be were wider than their places, and each lay on the one before."""
+    wide, high = plate
+    picture = np.zeros((high, wide, 3), dtype=np.uint8)
+    picture[:, : wide // 2], picture[:, wide // 2 :] = (200, 0, 0), (0, 200, 0)
+    project = Project(Clip(Path("/plates/wide"), FIRST, LAST, plate))
+    layout, path = SheetLayout(columns), tmp_path / "sheet.png"
+    frames = (ALL * 2)[:columns]
+    write_review(ReviewRequest(project, frames, Output.SHEET, path, ReviewLook(), layout), lambda _: picture)
+    page = cv2.imread(str(path))[..., ::-1].astype(int)
+    rows = np.flatnonzero(((page[..., 0] > 150) & (page[..., 1] < 30)).any(axis=1))  # of the plate's red
+    row = page[rows[len(rows) // 2]]
+    for column in range(columns):
+        left = MARGIN + column * (layout.cell + GAP)
+        place = row[left : left + layout.cell]
+        for channel in (0, 1):
+            shown = (place[:, channel] > 100) & (place[:, 1 - channel] < 100)
+            assert abs(shown.sum() - layout.cell / 2) <= 2, (column, channel)
 
 
 @pytest.mark.parametrize("numbers", [(0, 5, 1920), (4, 51, 1920), (4, 5, 100)])

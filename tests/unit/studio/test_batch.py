@@ -197,3 +197,21 @@ def test_the_terminal_says_why_a_step_had_nothing_to_do(capsys: pytest.CaptureFi
         terminal.ended(outcome)
     told = ["sh010  1-fill  done  0.0 s  P.roam has no gap to fill.", "sh010  1-fill  done  0.0 s"]
     assert capsys.readouterr().err.splitlines() == told
+
+
+def test_jobs_are_written_over_nothing_of_others_and_never_over_what_is_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    jobs, notes = put_jobs(tmp_path), tmp_path / "notes.json"
+    notes.write_text('{"mine": 1}')
+    before = jobs.read_bytes()
+    assert main(["batch", str(jobs), "--write", str(notes)]) == 1
+    assert f"{notes} is there already" in capsys.readouterr().err
+    assert notes.read_text() == '{"mine": 1}'
+    (tmp_path / "link.json").symlink_to(jobs)
+    for target in (jobs, tmp_path / "link.json"):
+        assert main(["batch", str(jobs), "--write", str(target), "--overwrite"]) == 1
+        assert "is read for this and is never written over" in capsys.readouterr().err
+    assert jobs.read_bytes() == before
+    assert main(["batch", str(jobs), "--write", str(notes), "--overwrite"]) == 0
+    assert len(json.loads(notes.read_text())["jobs"]) == 4

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from roam_core.cli import main
 from roam_core.cli.performing import perform
 from roam_core.errors import RoamError
 from roam_core.studio.edits import read_edit
@@ -108,3 +109,45 @@ def test_media_that_cannot_be_opened_are_told(edit: Path, tmp_path: Path, url: s
     edit.write_text(otio.core.serialize_json_to_string(timeline))
     with pytest.raises(RoamError, match=said):
         jobs_from(edit, inits=tmp_path / "inits")
+
+
+def test_an_edit_is_written_over_nothing_that_is_read_or_of_others(
+    edit: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is told before any work begins; the edit itself was replaced at the end."""
+    monkeypatch.setattr("roam_core.cli.batch.jobs_from", lambda *_, **__: pytest.fail("work began"))
+    other = tmp_path / "other.otio"
+    other.write_bytes(edit.read_bytes())
+    for target, words, said in (
+        (edit, [], "is read for this and is never written over"),
+        (edit, ["--overwrite"], "is read for this and is never written over"),
+        (other, [], "say --overwrite"),
+        (tmp_path / "new.xml", [], "does not end in .otio"),
+    ):
+        inits = ["--inits", str(tmp_path / "inits")]
+        assert main(["batch", str(edit), *inits, "--timeline", str(target), *words]) == 1
+        assert said in capsys.readouterr().err
+    assert other.read_bytes() == edit.read_bytes()
+
+
+def test_mattes_are_referred_to_by_the_digits_that_count(edit: Path, tmp_path: Path) -> None:
+    """`shot_0001_v002.png` is frame 1 of version 2; its mattes were taken for one picture, number 2."""
+    plate = tmp_path / "plate"
+    for path in sorted(plate.iterdir()):
+        path.rename(plate / f"shot_{path.suffixes[0][1:]}_v002.png")
+    timeline = read_edit(edit)
+    for item in timeline.find_clips():
+        item.media_reference.name_prefix, item.media_reference.name_suffix = "shot_", "_v002.png"
+    edit.write_text(otio.core.serialize_json_to_string(timeline))
+    found = jobs_from(edit, handles=1, inits=tmp_path / "inits", out=tmp_path / "out")
+    job = next(job for job in found.jobs.jobs if job.name == "sh010")
+    mattes = tmp_path / "out" / "sh010" / "mattes"
+    mattes.mkdir(parents=True)
+    for frame in range(job.steps[0].options["start"], job.steps[0].options["end"] + 1):
+        (mattes / f"shot_{frame}_v002.png").touch()
+    found.write_timeline(tmp_path / "with.otio")
+    media = read_edit(tmp_path / "with.otio").video_tracks()[1][0].media_reference
+    assert (media.name_prefix, media.start_frame, media.frame_zero_padding) == ("shot_", 1001, 4)
+    assert media.number_of_images_in_sequence() == 4
+    places = [Path(otio.url_utils.filepath_from_url(media.target_url_for_image_number(k))) for k in range(4)]
+    assert places == sorted(mattes.iterdir())

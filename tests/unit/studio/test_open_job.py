@@ -134,3 +134,53 @@ def test_the_runner_of_the_specification_carries_the_job_out(tmp_path: Path) -> 
     assert main(["fill", str(project), "--save", str(alone)]) == 0
     assert (out / "sh010.roam").read_bytes() == alone.read_bytes()
     assert len(list((out / "mattes").iterdir())) == 6
+
+
+@pytest.mark.parametrize(
+    ("plate", "project", "out"),
+    [
+        ("/show/sh010", "/show/sh010.roam", "/show/out"),
+        ("/show", "/show/sh010.roam", "/show/out"),
+        ("/show/sh010", "/show/sh010/sh010.roam", "/show/sh010/sh010-farm"),
+        ("/show/out/plate", "/show/sh010.roam", "/show/out"),
+    ],
+)
+def test_results_go_to_their_place_wherever_the_plate_lies(plate: str, project: str, out: str) -> None:
+    """Beside the project its plate's folder has its name, or holds both: mattes were written among the frames."""
+    job = Job("sh010", steps_named("render,export:nuke"), plate, Path(project))
+    made = checked(template_of(job, Path(out), SHARES, Path("/show")))
+    render, export = (step["script"]["actions"]["onRun"]["args"] for step in made["steps"])
+    assert render[:4] == ["render", "{{Param.Project}}", "--out", "{{Param.Out}}/mattes"]
+    assert export[:3] == ["export", "{{Param.Project}}", "{{Param.Out}}/sh010.nk"]
+    assert "Param.Clip" not in json.dumps(made)
+    assert "Clip" not in [each["name"] for each in made["parameterDefinitions"]]
+
+
+def test_results_in_a_folder_above_are_to_be_given(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A default with `..` in it is refused when the job is submitted."""
+    (tmp_path / "in").mkdir()
+    project = put_gaps(tmp_path / "in" / "sh010.roam", put_plate(tmp_path / "in" / "plate"))
+    out = tmp_path / "in" / ".." / "x"
+    assert main(["farm", str(project), "--out", str(out), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["parameters"] == {"Out": str(out)}
+    made = json.loads((tmp_path / "in" / "sh010.openjd.json").read_text())
+    assert [each["default"] for each in made["parameterDefinitions"] if "default" in each] == ["sh010.roam", "roam"]
+
+
+@pytest.mark.parametrize("suffix", [".json", ".yaml"])
+def test_a_job_takes_the_place_of_none_but_its_own_kind(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], suffix: str
+) -> None:
+    project = put_gaps(tmp_path / "sh010.roam", put_plate(tmp_path / "plate"))
+    target = tmp_path / f"job{suffix}"
+    words = ["farm", str(project), "--job", str(target)]
+    target.write_text('{"name": "my own notes"}')
+    assert main(words) == 1
+    assert "job" in (said := capsys.readouterr().err)
+    assert "--overwrite" in said
+    assert target.read_text() == '{"name": "my own notes"}'
+    assert not (tmp_path / "sh010-farm").exists()
+    assert main([*words, "--overwrite"]) == 0
+    ours = target.read_bytes()
+    assert main([*words, "--steps", "render"]) == 0, "ours is written again"
+    assert target.read_bytes() != ours

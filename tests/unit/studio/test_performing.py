@@ -280,3 +280,47 @@ def test_a_task_travels_as_json(show: Path, tmp_path: Path) -> None:
             "words": task.words,
             "reads": task.reads,
         }
+
+
+def test_an_import_is_done_again_when_its_clip_changed(tmp_path: Path) -> None:
+    """It was kept, with the clip of before: its frames and its size."""
+    shot = put_shot(tmp_path / "sh010")
+    steps = [{"import": {"source": "sh010/init.png"}}, "render"]
+    job = {"name": "a", "clip": "sh010/plate", "steps": steps}
+    path = tmp_path / "jobs.json"
+    path.write_text(json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [job]}))
+    assert [outcome["status"] for outcome in carried_out(path, tmp_path / "out")] == ["done"] * 2
+    assert [outcome["status"] for outcome in carried_out(path, tmp_path / "out")] == ["kept"] * 2
+    (shot / "plate" / "plate.1006.png").rename(shot / "plate" / "plate.1007.png")
+    assert [outcome["status"] for outcome in carried_out(path, tmp_path / "out")] == ["done"] * 2
+    assert load_project(tmp_path / "out/a/a.roam").require_clip().last == 1007
+
+
+def test_a_step_that_is_kept_renews_the_result_of_its_job(tmp_path: Path) -> None:
+    """Where it is gone, or was made by a step that the job has no longer; not where an artist went on with it."""
+    put_gaps(tmp_path / "init.roam", put_plate(tmp_path / "plate"))
+    path, out = tmp_path / "jobs.json", tmp_path / "out"
+
+    def performed(*by: int) -> list[str]:
+        steps = [{"shift": {"by": each}} for each in by]
+        job = {"name": "a", "init": "init.roam", "steps": steps}
+        path.write_text(json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [job]}))
+        return [outcome["status"] for outcome in carried_out(path, out)]
+
+    folder = out / "a"
+    result, first, second = folder / "a.roam", folder / "a.1-shift.roam", folder / "a.2-shift.roam"
+    assert performed(10, 100) == ["done", "done"]
+    assert result.read_bytes() == second.read_bytes() != first.read_bytes()
+    result.unlink()
+    assert performed(10, 100) == ["kept", "kept"]
+    assert result.read_bytes() == second.read_bytes()
+    assert performed(10) == ["kept"]
+    assert result.read_bytes() == first.read_bytes()
+    assert performed(10, 100) == ["kept", "kept"]
+    assert result.read_bytes() == second.read_bytes()
+    mine = result.read_bytes().replace(b"Small", b"My work")
+    result.write_bytes(mine)
+    for by in ((10, 100), (10,)):
+        assert set(performed(*by)) == {"kept"}
+        assert result.read_bytes() == mine
+    assert not list(out.rglob("*.roam.1"))

@@ -101,3 +101,23 @@ def test_the_configuration_of_colours_is_read_with_a_plate(tmp_path: Path, monke
         digests.append(inputs_of([], str(plate), "", None)[-1].digest)
     assert [seen.name for seen in alone] == ["p.1.png"]
     assert digests[0] != digests[1]
+
+
+@pytest.mark.parametrize("name", ["m.%04d.png", "m.####.png", "m.1001.png"])
+def test_of_a_sequence_of_masks_every_file_is_known(tmp_path: Path, name: str) -> None:
+    """Of a pattern it was said that the file is missing, and of a numbered file no other was looked at."""
+    for other in ("m.1001.png", "m.1002.png", "m.1003.png", "n.1001.png"):
+        write_bytes_png(tmp_path / other)
+    (tmp_path / "m.1001.txt").touch()
+    found = inputs_of([str(tmp_path / name)], "", "", None)
+    assert [seen.name for seen in found] == ["m.1001.png", "m.1002.png", "m.1003.png"]
+    before = Record({}, tuple(found), {"m.1001.txt": digest_of(tmp_path / "m.1001.txt")}, {})
+    assert before.holds({}, inputs_of([str(tmp_path / name)], "", "", before), tmp_path)
+    (tmp_path / "m.1002.png").write_bytes(b"another")
+    assert not before.holds({}, inputs_of([str(tmp_path / name)], "", "", before), tmp_path)
+
+
+def test_a_file_that_is_no_picture_is_known_alone(tmp_path: Path) -> None:
+    for name in ("p.1.roam", "p.2.roam"):
+        (tmp_path / name).touch()
+    assert [seen.name for seen in inputs_of([str(tmp_path / "p.1.roam")], "", "", None)] == ["p.1.roam"]
