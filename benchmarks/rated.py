@@ -17,8 +17,10 @@ from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.between.span import Filling, Reader, spans
 from roam_core.propagate.engines.by_regions import RegionEngine
+from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, SpanFeatures, expected_overlap
+from roam_core.propagate.frame.result import TrackResult
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.shapes.objects import near, objects
 from roam_core.propagate.shapes.provenance import Stamps
@@ -74,15 +76,21 @@ def carried(shot: Shot, run: range) -> Iterator[Rated]:
         picture, known, outlines = PreparedFrame(shot.read(frame)), list[Told](), list[RotoShape]()
         for tracker in trackers:
             results = tracker.step(picture, frame)
-            engine = tracker.standing.engine
-            assert isinstance(engine, RegionEngine)
-            features = engine.state.features
             outlines += [each.shape for each in results]
-            if found := [each.shape for each in results if each.confidence > 0.0]:
-                told = expected_overlap(features) if isinstance(features, PoseFeatures) else features
-                assert told is not None
-                known.append((_area(found, frame), told))
+            if found := [each for each in results if each.confidence > 0.0]:
+                told = _told_by(tracker.standing.engine, found)
+                known.append((_area([each.shape for each in found], frame), told))
         yield _rated(shot, frame, outlines, known)
+
+
+def _told_by(engine: Engine, found: Sequence[TrackResult]) -> ConfidenceFeatures | float:
+    """What was known of an object; its confidence where it lies by a pose, or a hole of it goes by one."""
+    features = engine.state.features if isinstance(engine, RegionEngine) else None
+    if isinstance(features, ConfidenceFeatures):
+        return features
+    if isinstance(features, PoseFeatures):
+        return expected_overlap(features)
+    return float(np.mean([each.confidence for each in found]))
 
 
 def filled(shot: Shot, gap: int) -> Iterator[Rated]:
