@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import errno
+import os
+from pathlib import Path
 
 from roam_core.translatable import N_, sentence
 
@@ -37,3 +39,13 @@ def reason_of(error: Exception) -> str:
     if known is not None:
         return sentence(known)
     return getattr(error, "strerror", None) or str(error)
+
+
+def is_file(path: Path | str | None) -> bool:
+    """Whether a file is there; what cannot be looked at, as on a share that is away, is not (`Path.is_file` raises)."""
+    return path is not None and os.path.isfile(path)  # noqa: PTH113
+
+
+def is_folder(path: Path | str | None) -> bool:
+    """The same of a folder."""
+    return path is not None and os.path.isdir(path)  # noqa: PTH112

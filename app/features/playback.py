@@ -178,9 +178,10 @@ class Playback(QObject):
         self.playing_changed.emit()
 
     def _rewind(self, *, forward: bool) -> None:
-        """What was played once to its end begins again from the other one."""
+        """What was played once to its end begins again from the other one, as from beyond both."""
         first, stop = self._view.play_range
-        if self._repeat is Repeat.ONCE and self._view.frame == (stop - 1 if forward else first):
+        ahead = range(first, stop - 1) if forward else range(first + 1, stop)
+        if self._repeat is Repeat.ONCE and self._view.frame not in ahead:
             self._view.set_frame(first if forward else stop - 1)
 
     def _begin_here(self) -> None:

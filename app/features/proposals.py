@@ -217,9 +217,9 @@ class Proposals(QObject):
         return any(place[0] in left_out and self._stands(place) for place in self._offers)
 
     def _stands(self, place: Place) -> bool:
-        """True while the shape is on the frame as it was tracked, from keys that have not changed."""
+        """True while the shape is on the frame as it was tracked, from keys that have not changed, and not locked."""
         offer, project = self._offers[place], self._document.project
-        if not project.has(place[0]):
+        if not project.has(place[0]) or project.is_locked(place[0]):
             return False
         shape = project.shape(place[0])
         return shape.key_at(place[1]) is offer.key and not is_stale(shape, offer.key, project.clip, project.shapes)

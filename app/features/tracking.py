@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from enum import StrEnum
+from functools import partial
 
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
@@ -171,18 +172,24 @@ class Tracking:
 
     def most_doubtful(self) -> None:
         """Go to the frame that the engine trusts least, the first where several are alike, and tell what it doubts."""
+        shapes, clip = self._shapes(), self._clip()
         tracked = [
-            (key.confidence, key.frame, shape)
-            for shape in self._shapes()
+            (key.confidence, key.frame, partial(doubt_sentence, shape, key.frame))
+            for shape in shapes
             for key in shape.living_keys
-            if key.confidence is not None and key.frame in self._clip()
+            if key.confidence is not None and key.frame in clip
+        ]
+        tracked += [
+            (trust, frame, partial(_track_sentence, name, frame, trust))
+            for name, frame, trust in tracks_of(self._document.project, shapes)
+            if frame in clip
         ]
         if not tracked:
             self._view.say(tr("No frame is tracked yet."))
             return
-        _, frame, shape = min(tracked, key=lambda each: each[:2])
+        _, frame, sentence = min(tracked, key=lambda each: each[:2])
         self._view.set_frame(frame)
-        self._view.say(doubt_sentence(shape, frame))
+        self._view.say(sentence())
 
     # ---- the rest is private
 
@@ -293,17 +300,7 @@ class Tracking:
             if (found.frame - here) * step > 0
         ]
         doubtful += [
-            (
-                abs(frame - here),
-                trust,
-                frame,
-                tr(
-                    "Frame {frame}: the confidence of the track {name} is {trust:.2f}.",
-                    frame=frame,
-                    name=name,
-                    trust=trust,
-                ),
-            )
+            (abs(frame - here), trust, frame, _track_sentence(name, frame, trust))
             for name, frame, trust in tracks_of(self._document.project, shapes)
             if is_doubtful(trust) and (frame - here) * step > 0
         ]
@@ -315,6 +312,11 @@ class Tracking:
         else:
             none = tr("No doubtful frame after frame {frame}.", frame=here)
             self._view.say(none if step > 0 else tr("No doubtful frame before frame {frame}.", frame=here))
+
+
+def _track_sentence(name: str, frame: int, trust: float) -> str:
+    """How far the track of a plane, or of points, is trusted on a frame."""
+    return tr("Frame {frame}: the confidence of the track {name} is {trust:.2f}.", frame=frame, name=name, trust=trust)
 
 
 def seen_from(here: int, step: int, clip: range, lacking: Collection[int]) -> int:

@@ -30,6 +30,7 @@ from ..model.personal import Personal
 from ..model.view_state import ViewState
 from ..translation import N_, sentence_of, tr
 from ..widgets.asking import ask
+from ..widgets.focus import end_typing
 from .failed_exports import FailedExports
 from .files import Files
 from .reading import holds_project
@@ -48,7 +49,7 @@ class FileActions(QObject):
     Signals
     -------
     refused_to_open() : the artist does not want to open a project after all.
-    leaving() : the project is saved to be left then: nothing may go on changing it.
+    leaving() : the project is saved to be left then, or left as it is: nothing may go on changing it.
     """
 
     refused_to_open = Signal()
@@ -109,6 +110,7 @@ class FileActions(QObject):
 
         A shape that is half drawn counts, and is finished where the artist wants it saved.
         """
+        end_typing(self._window)
         if self._files.is_saving:
             self._after_saving = lambda: self.leave_project(then)
             self._view.say(tr("The project is being saved …"))
@@ -118,6 +120,7 @@ class FileActions(QObject):
             return
         answer = questions.ask_unsaved(self._window, self.title)
         if answer is Unsaved.DISCARD:
+            self.leaving.emit()
             then()
         elif answer is Unsaved.SAVE:
             self._view.set_tool("select")
@@ -230,10 +233,8 @@ class FileActions(QObject):
         if self._lacks_clip():
             return
         start = self._start_folder(Purpose.SHAPES)
-        folder = self._noted(
-            Purpose.SHAPES, questions.choose_folder(self._window, tr("Import the masks of a folder"), start)
-        )
-        if folder is None:
+        chosen = questions.choose_folder(self._window, tr("Import the masks of a folder"), start)
+        if (folder := self._noted(Purpose.SHAPES, chosen)) is None:
             return
         from ..dialogs.mask_dialog import MaskDialog
 
@@ -266,10 +267,8 @@ class FileActions(QObject):
     def export_mattes(self) -> None:
         if self._lacks_clip(tr(NOTHING_TO_EXPORT)):
             return
-        folder = questions.choose_folder(
-            self._window, tr("Export mattes to a folder"), self._start_folder(Purpose.EXPORT)
-        )
-        if folder is not None:
+        start = self._start_folder(Purpose.EXPORT)
+        if (folder := questions.choose_folder(self._window, tr("Export mattes to a folder"), start)) is not None:
             self._export.start(MATTES, folder)
 
     def suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:

@@ -125,7 +125,9 @@ class Files(QObject):
 
         def work(report: Report) -> str:
             report.progress(0.0, tr("Looking at {name} …", name=path.name))
-            report.partial(looked_at(path, layer, held))
+            found = looked_at(path, layer, held)
+            report.token.check()
+            report.partial(found)
             return translated(config_trouble())
 
         job = self._runner.start("look", work)

@@ -218,6 +218,7 @@ def reading_work(text: str, read: Callable[[], Found | Holder]) -> Work:
     def work(report: Report) -> str:
         report.progress(0.0, text)
         found = read()
+        report.token.check()
         report.partial(found)
         return found.sentence if isinstance(found, Found) else ""
 

@@ -9,6 +9,7 @@ from PySide6.QtGui import QGuiApplication
 
 from roam_core.roto import project_lock
 from roam_core.roto.fingerprint import Fingerprint
+from roam_core.system_errors import is_file
 
 from ..jobs.runner import Report, Runner
 from ..model.document import Document
@@ -68,6 +69,6 @@ def doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) ->
     """
     if (other := project_lock.holder(path)) is not None:
         return tr("{name} is {who}.", name=path.name, who=translated(other.sentence))
-    if known is not None and path.exists() and not any(each and each.is_of(path) for each in (known, written)):
+    if known is not None and is_file(path) and not any(each and each.is_of(path) for each in (known, written)):
         return tr("{name} was changed by another program since it was opened or saved here.", name=path.name)
     return ""

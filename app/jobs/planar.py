@@ -17,7 +17,7 @@ from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
-from roam_core.roto.following import followed, with_moving_layer, with_points
+from roam_core.roto.following import followed, moving_layer, with_moving_layer, with_points
 from roam_core.roto.point_order import is_renumbered
 from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
 
@@ -285,14 +285,17 @@ def _following(run: _Run, project: Project, found: Found) -> Callable[[Project],
         run.layer_id = with_moving_layer(project, run.shape_ids, run.start)[1]
 
     def change(before: Project) -> Project:
+        layer_id = run.layer_id
         if first:
-            before, _ = with_moving_layer(before, run.shape_ids, run.start)
+            before, layer_id = with_moving_layer(before, run.shape_ids, run.start)
             if run.points is not None:
                 areas = run.points.pattern, run.points.search
-                before = with_points(before, run.layer_id, run.start, np.array(run.points.places), areas)
-        if not before.has(run.layer_id):
+                before = with_points(before, layer_id, run.start, np.array(run.points.places), areas)
+        elif (there := moving_layer(before, run.shape_ids)) is not None:
+            layer_id = there.id  # another one, in a state that was undone before the run made its own
+        if not before.has(layer_id):
             return before
-        return followed(before, run.layer_id, found.start, found.frame, found.matrix, found.confidence)
+        return followed(before, layer_id, found.start, found.frame, found.matrix, found.confidence)
 
     return change
 

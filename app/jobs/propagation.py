@@ -199,7 +199,7 @@ class Propagation(QObject):
             return project if state is now else _with_curves_of(state, project, ids)
 
         self._document.amend(tr(run.verb), joined, run.merge_key)
-        if len(rest) < 2:
+        if len(rest) < 2 or run.job.token.is_cancelled:
             run.expected = {shape_id: self._document.project.shape(shape_id) for shape_id in ids}
             self._run = run
         else:
@@ -301,7 +301,7 @@ class Propagation(QObject):
             run.ended_by = tr("Its shapes were restacked meanwhile.")
         else:
             return
-        if run.begin_again is not None:
+        if run.begin_again is not None and not run.job.token.is_cancelled:
             self._waiting.add_first(list(run.expected), run.gaps, run.begin_again)
             run.ended_by += tr(" It goes on from that.")
         run.job.drop()
@@ -310,8 +310,9 @@ class Propagation(QObject):
         """A fill whose shapes were locked or deleted, some of them and nothing else, goes on with the others."""
         project = self._document.project
         gone = {each.id for each in hit if not project.has(each.id) or project.is_locked(each.id)}
-        if run.begin_again is not None and all(each.id in gone for each in hit) and run.expected.keys() - gone:
-            self._waiting.add_first(list(run.expected), run.gaps, run.begin_again)
+        begin = None if run.job.token.is_cancelled else run.begin_again
+        if begin is not None and all(each.id in gone for each in hit) and run.expected.keys() - gone:
+            self._waiting.add_first(list(run.expected), run.gaps, begin)
             run.ended_by += tr(" It goes on with the others.")
 
     def _is_touched(self, expected: RotoShape) -> bool:

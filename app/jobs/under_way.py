@@ -33,6 +33,14 @@ class EditsProject(Protocol):
     def drop(self) -> None: ...
 
 
+@runtime_checkable
+class Opens(Protocol):
+    """Long work that tells the end of other work, too, while it still opens something."""
+
+    @property
+    def is_opening(self) -> bool: ...
+
+
 class UnderWay(QObject):
     """Gathers the news of several kinds of work.
 
@@ -94,6 +102,11 @@ class UnderWay(QObject):
             if isinstance(work, EditsProject):
                 work.drop()
 
+    def _goes_on(self, index: int) -> bool:
+        """Whether a work that told of an end goes on with something else: other files, or what is being opened."""
+        work = self._works[index]
+        return self._writes(index) or (isinstance(work, Opens) and work.is_opening)
+
     def _writes(self, index: int) -> bool:
         work = self._works[index]
         return isinstance(work, WritesFiles) and work.is_writing
@@ -106,7 +119,7 @@ class UnderWay(QObject):
             self.progress.emit(fraction, text)
 
     def _end(self, index: int, ending: Ending, sentence: str) -> None:
-        if index in self._running and not self._writes(index):  # others of its files may still be written
+        if index in self._running and not self._goes_on(index):
             self._running.remove(index)
             self.changed.emit()
         self.ended.emit(ending, sentence)

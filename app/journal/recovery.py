@@ -19,7 +19,7 @@ from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.backups import backup_path
 from roam_core.roto.fingerprint import Fingerprint
-from roam_core.system_errors import reason_of
+from roam_core.system_errors import is_file, reason_of
 
 from ..model.preferences import MOST_BACKUPS
 from ..translation import moment, tr, translated
@@ -230,7 +230,7 @@ def _settled_by_file(found: Recovery) -> Recovery:
     after it wrote the file, but before it wrote that down. Remembered, for the file may change again."""
     if found.settled or found.is_damaged:
         return found
-    written = [place for place in (found.original, found.saved_to) if place is not None and place.is_file()]
+    written = [place for place in (found.original, found.saved_to) if place is not None and is_file(place)]
     places = [place for place in written if place != found.original or not _is_as_it_was(found, place)]
     if not places:
         return found

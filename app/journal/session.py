@@ -29,7 +29,10 @@ class Session:
         if self.folder is None or not self.folder.is_dir():
             self.folder = _new_folder(self._root)
             self.hold()
-        return self.folder / f"{1 + len(journals(self.folder)):04d}{SUFFIX}"
+        number = 1 + len(journals(self.folder))
+        while (path := self.folder / f"{number:04d}{SUFFIX}").exists():  # one before it was deleted
+            number += 1
+        return path
 
     def hold(self) -> None:
         """Lock the folder: its window is open."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from pathlib import Path
 
+from roam_core.system_errors import is_folder
+
 
 class Purpose(StrEnum):
     """What a chooser is opened for."""
@@ -29,7 +31,7 @@ class LastFolders:
     def of(self, purpose: Purpose) -> Path | None:
         """The folder that was used last; None where there was none, or it is gone."""
         folder = self._folders.get(purpose)
-        return folder if folder is not None and folder.is_dir() else None
+        return folder if is_folder(folder) else None
 
     def remembered(self) -> dict[str, dict[str, str]]:
         """What comes back when the window is opened again."""

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields, replace
 from enum import StrEnum
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -16,6 +15,7 @@ from roam_core.errors import RoamError
 from roam_core.media.colour_spaces import config_name, offered_views
 from roam_core.media.looking import Channel, Look
 from roam_core.media.proxies import STEPS
+from roam_core.system_errors import is_file
 
 from ..translation import N_, tr
 
@@ -286,7 +286,7 @@ class Viewing(QObject):
         background = _fitting(kept.get("ground"), Background())
         if background.get("kind", BackgroundKind.CHECKER) in set(BackgroundKind):
             background["kind"] = BackgroundKind(background.get("kind", BackgroundKind.CHECKER))
-            if Path(background.get("image", "")).is_file() or background["kind"] is not BackgroundKind.IMAGE:
+            if is_file(background.get("image")) or background["kind"] is not BackgroundKind.IMAGE:
                 self.set_background(**background)
         self._recall_views(kept.get("views"))
 

@@ -77,7 +77,7 @@ from ..tools.edit.transform_actions import TransformActions
 from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
 from ..translation import N_, tr
-from ..widgets.focus import FocusFollowsPointer
+from ..widgets.focus import FocusFollowsPointer, end_typing
 from ..widgets.panel import Panel
 from . import settings
 from .accessibility import Accessibility, name_parts
@@ -417,6 +417,7 @@ class MainWindow(QMainWindow):
 
     def leave_unasked(self) -> None:
         """Close without a question, because the desktop or the terminal says so; unsaved work waits for recovery."""
+        end_typing(self)
         self.view_state.set_tool("select")  # what is half drawn is finished
         self.journal.leave_for_recovery()
         self._leave()

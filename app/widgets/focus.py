@@ -53,9 +53,9 @@ class FocusFollowsPointer(QObject):
         """Watch the field that has the keyboard, where it lies in the viewer's window; forget the one before."""
         if old is not None and now is not None and self._is_ours(old.window()):
             QTimer.singleShot(0, self._viewer, lambda: self._pass_on(old, now))
-        if self._field is not None:
+        if self._field is not None and isValid(self._field):
             self._field.removeEventFilter(self)
-            self._field = None
+        self._field = None
         if isinstance(now, Field) and self._is_ours(now.window()) and not now.property(KEEPS_KEYBOARD):
             self._field, self._before = now, _line_of(now).text()
             now.installEventFilter(self)
@@ -92,6 +92,13 @@ class FocusFollowsPointer(QObject):
         if active is not None and active is not self._viewer.window() and _is_main_or_part(active):
             self._viewer.activateWindow()
         self._viewer.setFocus()
+
+
+def end_typing(window: QWidget) -> None:
+    """Take what is being typed, in the window or in one that floats beside it."""
+    for held in (QApplication.focusWidget(), window.focusWidget()):
+        if held is not None and _is_typed_into(held):
+            held.clearFocus()
 
 
 def _is_main_or_part(window: QWidget) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractSlider, QApplication, QComboBox, QScrollArea, QWidget
+from shiboken6 import isValid
 
 Control = QAbstractButton | QComboBox | QAbstractSlider
 """What has keys of its own while it has the keyboard, and takes it by Tab alone, never by a click."""
@@ -55,9 +56,9 @@ class KeyboardReach(QObject):
 
     def _follow(self, _old: QWidget | None, now: QWidget | None) -> None:
         """Watch the control that has the keyboard, where it lies in the viewer's window; forget the one before."""
-        if self._control is not None:
+        if self._control is not None and isValid(self._control):
             self._control.removeEventFilter(self)
-            self._control = None
+        self._control = None
         if isinstance(now, Control) and now.window() is self._viewer.window():
             self._control = now
             now.installEventFilter(self)

@@ -5527,6 +5527,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{property} von {subject} ändert sich: Gelesen wurde {value}, der erste Keyframe.</translation>
     </message>
     <message>
+        <source>The {subject}: keys of the kind {kinds} were read as linear.</source>
+        <translation>{subject}: Keyframes der Art {kinds} wurden linear gelesen.</translation>
+    </message>
+    <message>
         <source>The {subject}: {meaning} was left out.</source>
         <translation>{subject}: {meaning} entfällt.</translation>
     </message>
@@ -8572,6 +8576,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} files hold no channels with names; ask for EXR.</source>
         <translation>{name}-Dateien haben keine benannten Kanäle; EXR wählen.</translation>
+    </message>
+    <message>
+        <source>{name} has boxes without outlines, which were left out.</source>
+        <translation>{name} hat Rahmen ohne Umrisse; diese entfallen.</translation>
     </message>
     <message>
         <source>{name} has eased keys; they were read as straight ones.</source>

@@ -96,7 +96,8 @@ class ShapeVerbs:
         if gone:
             self._edit_each(tr("Delete tracked frames"), lambda shape: edit.delete_engine_keys(shape, frames))
             between = tr("Deleted %n tracked frame(s) from {first} to {last}.", "", gone, first=first, last=stop - 1)
-            self._view.say(tr("Deleted %n tracked frame(s).", "", gone) if is_whole else between)
+            told = tr("Deleted %n tracked frame(s).", "", gone) if is_whole else between
+            self._view.say(f"{told} {tr(LOCKED_STAYS)}" if len(free) < len(self._selected()) else told)
         elif free:
             none = tr("Between in and out, {first} to {last}, no frame is tracked.", first=first, last=stop - 1)
             self._view.say(tr("No frame is tracked yet.") if is_whole else none)

@@ -14,6 +14,7 @@ from roam_core.roto.layers import only
 from roam_core.roto.shifting import frames_held, shifted
 
 from ...model.document import Document
+from ...model.reasons import LOCKED_STAYS
 from ...model.view_state import ViewState
 from ...translation import sentence_of, tr
 from ...widgets.asking import ask
@@ -62,7 +63,9 @@ class Shifting:
             return
         self._document.apply(tr("Shift in time"), after)
         stale = tr("Tracked frames are out of date: they were solved on other pictures.")
-        self._view.say(f"{_told(offset)} {stale}" if _has_stale(after, chosen) else _told(offset))
+        is_kept = chosen is not None and len(chosen) < sum(map(project.has, item_ids or ()))
+        told = (_told(offset), stale if _has_stale(after, chosen) else "", tr(LOCKED_STAYS) if is_kept else "")
+        self._view.say(" ".join(filter(None, told)))
 
 
 def follow_numbers(document: Document, view_state: ViewState, before: Clip) -> None:

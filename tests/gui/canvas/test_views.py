@@ -19,7 +19,7 @@ from app.canvas.plate.background import CHECKERS
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.model.viewing import BackgroundKind, Onion, Viewing, ViewMode
+from app.model.viewing import Background, BackgroundKind, Onion, Viewing, ViewMode
 from app.paint.viewport import LARGEST, Viewport
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media.colour_spaces import offered_views
@@ -294,6 +294,12 @@ def test_background_and_onion_come_back_and_the_look_does_not() -> None:
     again.recall(viewing.remembered())
     assert (again.background, again.onion) == (viewing.background, viewing.onion)
     assert again.look.is_neutral
+
+
+def test_a_background_picture_that_cannot_be_looked_at_does_not_come_back() -> None:
+    viewing = Viewing()
+    viewing.recall({"ground": {"kind": "image", "image": "a" * 300}})
+    assert viewing.background == Background()
 
 
 def test_the_display_and_view_come_back_with_their_configuration(monkeypatch: pytest.MonkeyPatch) -> None:

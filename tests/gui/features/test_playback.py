@@ -115,6 +115,22 @@ def test_what_played_once_to_its_end_begins_again(playback: Playback, clock: Clo
     assert view_state.frame == 1010
 
 
+@pytest.mark.parametrize("frame", [990, 1002, 1006, 1030])
+def test_what_is_played_once_from_beyond_in_and_out_begins_at_the_right_end(
+    playback: Playback, clock: Clock, view_state: ViewState, frame: int
+) -> None:
+    view_state.set_play_range(1003, 1006)
+    playback.set_repeat(Repeat.ONCE)
+    view_state.set_frame(frame)
+    playback.play()
+    assert view_state.frame == 1003
+    assert frames_at(playback, clock, view_state, [0.11]) == [1004]
+    playback.pause()
+    view_state.set_frame(frame)
+    playback.play_back()
+    assert view_state.frame == 1005
+
+
 def test_slower_and_slower(playback: Playback, clock: Clock, view_state: ViewState) -> None:
     speeds = []
     for press in (playback.play_slowly, playback.play_slowly, playback.play_slowly, playback.play_slowly):

@@ -112,6 +112,15 @@ def test_a_run_tells_of_proposals_and_changes_nothing_by_itself(qtbot: QtBot, wi
     assert not window.actions_by_id["proposal.keep"].isEnabled()
 
 
+def test_what_is_offered_of_a_locked_shape_does_not_stand(qtbot: QtBot, window: MainWindow) -> None:
+    track(qtbot, window)
+    document, place = window.document, window.document.project.shapes[0].id
+    document.apply("Lock", edit.set_properties(document.project, place, locked=True))
+    assert window.proposals.frames == []
+    document.apply("Unlock", edit.set_properties(document.project, place, locked=False))
+    assert window.proposals.frames == [OFFERED[0]]
+
+
 def test_the_viewer_shows_before_and_after_with_the_gain(qtbot: QtBot, window: MainWindow) -> None:
     track(qtbot, window)
     window.view_state.set_frame(OFFERED[0] - 1)

@@ -54,6 +54,12 @@ def test_at_first_they_open_beside_the_clip(window: MainWindow, starts: dict[str
     assert starts["choose_shapes"] == starts["choose_folder"] == [show]
 
 
+def test_a_folder_that_cannot_be_looked_at_is_gone() -> None:
+    folders = LastFolders()
+    folders.note(Purpose.EXPORT, Path("a" * 300) / "plate.nk")
+    assert folders.of(Purpose.EXPORT) is None
+
+
 def test_then_where_the_last_of_their_kind_was_used(
     qtbot: QtBot, window: MainWindow, starts: dict[str, list[Path]], tmp_path: Path
 ) -> None:

@@ -7,18 +7,19 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
 from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.questions import Unsaved
 from app.jobs import export
+from app.jobs.runner import Ending
 from app.journal import recovery
 from app.shell.leaving import leave_questions_and
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import edit, file
+from roam_core.roto import edit, file, timing
 from tests.gui.engines import GlidingEngine, put_in
 from tests.gui.hand import Hand
 from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
@@ -105,6 +106,65 @@ def test_what_was_given_up_before_is_not_asked_about_again(
     assert window.document.project.shapes == ()
 
 
+def test_what_is_left_as_it_is_is_told_before(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing may go on changing it."""
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: Unsaved.DISCARD)
+    told: list[str] = []
+    window.file_actions.leaving.connect(lambda: told.append("leaving"))
+    draw(window)
+    window.file_actions.leave_project(lambda: told.append("left"))
+    assert told == ["leaving", "left"]
+
+
+def begin_typing(qtbot: QtBot, window: MainWindow, what: str) -> None:
+    """Type a note, or the word of a mark, and stay in its field."""
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    field: QWidget = window.review.note
+    if what == "mark":
+        window.document.apply("Mark", timing.set_mark(window.document.project, FIRST))
+        window.timeline.marks.edit(FIRST)
+        field = window.timeline.marks.field
+    else:
+        window.actions_by_id["review.panel"].trigger()
+        window.review.note.setFocus()
+    qtbot.waitUntil(field.hasFocus)
+    window.document.save(window.document.path)
+    qtbot.keyClicks(field, "elbow slips")
+    assert not window.document.is_modified
+
+
+@pytest.mark.parametrize("what", ["note", "mark"])
+@pytest.mark.parametrize("is_closed", [False, True])
+def test_what_is_being_typed_is_taken_before_the_project_is_left(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch, what: str, is_closed: bool
+) -> None:
+    asked: list[str] = []
+    left: list[bool] = []
+    monkeypatch.setattr(questions, "ask_unsaved", lambda parent, name: asked.append(name) or Unsaved.CANCEL)
+    begin_typing(qtbot, window, what)
+    if is_closed:
+        window.close()
+    else:
+        window.file_actions.leave_project(lambda: left.append(True))
+    assert (asked, left, window.isVisible()) == (["a.roam"], [], True)
+    assert [mark.text for mark in window.document.project.marks] == ["elbow slips"]
+
+
+@pytest.mark.parametrize("what", ["note", "mark"])
+def test_what_is_being_typed_waits_for_recovery_where_the_desktop_closes_the_window(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch, what: str
+) -> None:
+    begin_typing(qtbot, window, what)
+    with monkeypatch.context() as stays:
+        stays.setattr(window, "_leave", lambda: None)
+        window.leave_unasked()
+    assert [mark.text for mark in window.document.project.marks] == ["elbow slips"]
+    assert window.journal._waits_for_recovery
+
+
 def test_opening_does_not_wait_for_an_export(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -117,6 +177,25 @@ def test_opening_does_not_wait_for_an_export(
     assert window.export.is_writing
     with qtbot.waitSignal(window.export.finished, timeout=WAIT):
         done.set()
+
+
+@pytest.mark.parametrize("is_project", [False, True])
+def test_what_was_read_when_opening_was_stopped_is_not_shown(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_project: bool
+) -> None:
+    other = tmp_path / "b.roam" if is_project else write_clip(tmp_path / "other", 3)
+    if is_project:
+        file.save(window.document.project, other)
+    before = window.document.project
+    gate = Gate(monkeypatch, "read_project" if is_project else "clip_project")
+    window.file_actions.open_chosen(other)
+    assert gate.reached.wait(WAIT / 1000)
+    window.files.stop()
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT) as finished:
+        gate.open.set()
+    assert finished.args[0] is Ending.CANCELLED
+    assert window.document.project is before
+    assert window.document.path == tmp_path / "a.roam"
 
 
 @pytest.mark.parametrize("answer", Unsaved)

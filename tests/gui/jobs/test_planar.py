@@ -27,6 +27,7 @@ from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import DOUBTFUL
 from roam_core.roto import BlendMode, Clip, Layer, Project, edit
 from roam_core.roto.following import pinned, surface_at
+from roam_core.roto.layers import grouped
 from roam_core.roto.surfaces import LeaveOut, covering, legs_of
 from tests.gui.hand import Hand
 from tests.unit.motion import test_plane_track as board
@@ -194,6 +195,21 @@ def test_undo_ends_the_run(
     assert not track.is_running
     plate.gate.release(50)
     assert document.project is before
+
+
+def test_a_group_that_is_done_again_after_a_run_does_not_move_in_its_place(
+    qtbot: QtBot, document: Document, track: PlanarTrack, verbs: PlanarTracking, plate: Plate
+) -> None:
+    """It has the id that the layer of the run has without it."""
+    document.apply("Group", grouped(document.project, ["shape-1"])[0])
+    plate.hold(1)
+    verbs.forward()
+    document.undo_stack.undo()
+    ending, _ = finish(qtbot, track, lambda: plate.gate.release(50))
+    assert ending is Ending.DONE
+    document.undo_stack.redo()
+    assert layer(document).transform is None
+    assert max(miss(document, frame) for frame in range(1, LAST + 1)) < 0.5
 
 
 def test_a_lost_plane_is_told_and_the_frames_before_stay(

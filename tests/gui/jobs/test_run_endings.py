@@ -98,6 +98,22 @@ def test_a_run_that_goes_on_from_a_change_counts_all_its_frames(
     assert finished.args[1].startswith("Tracked Shape 1 to frame 5: 4 frames, 10 ms each. 1 doubtful frame")
 
 
+def test_a_run_that_was_stopped_goes_on_from_no_change(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    """The change stays; nothing that was not asked for begins."""
+    run_to_the_third_frame(qtbot, propagation, document, engine)
+    corrected = edit.set_key(document.project.shape("shape-1"), 3, SQUARE * 2)
+    propagation.stop()
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.go_on_from(document.project.with_shape(corrected), 3, [])
+        engine.allow(4)
+    qtbot.wait(50)
+    assert (finished.args[0], propagation.is_running) == (Ending.CANCELLED, False)
+    assert document.project.shape("shape-1").frames == (1, 2, 3)
+    np.testing.assert_array_equal(document.project.shape("shape-1").at(3).points, SQUARE * 2)
+
+
 def test_the_frame_from_which_a_run_goes_on_is_none_of_its_frames(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:

@@ -141,6 +141,21 @@ def test_files_are_written_until_the_last_of_them_is(works: tuple[Work, Work]) -
     assert not under_way.is_any
 
 
+class Opening(Work):
+    is_opening = True
+
+
+def test_what_is_saved_while_a_project_opens_does_not_end_that(works: tuple[Work, Work]) -> None:
+    files = Opening()
+    under_way = UnderWay(files, works[0])
+    files.progress.emit(0.1, "Opening")
+    files.finished.emit(Ending.DONE, "Saved.")
+    assert under_way.is_any
+    files.is_opening = False
+    files.finished.emit(Ending.DONE, "Opened.")
+    assert not under_way.is_any
+
+
 def test_what_the_key_stops_is_told_before_what_is_written_beside_it(
     qtbot: QtBot, view_state: ViewState, works: tuple[Work, Work]
 ) -> None:

@@ -234,3 +234,19 @@ def test_no_fill_begins_that_is_not_wanted_any_more(
     engine.allow(3)
     qtbot.waitUntil(lambda: not propagation.is_running and not propagation._waiting, timeout=WAIT)
     assert {ids for *_, ids in engine.asked} <= {("shape-1",)}
+
+
+@pytest.mark.parametrize("way", ["locked", "deleted"])
+def test_a_fill_that_was_stopped_does_not_go_on_with_the_others(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, way: str
+) -> None:
+    propagation.fill(["shape-1", "shape-2"], [*GAPS, (1, 7)])
+    propagation.stop()
+    if way == "locked":
+        document.apply("Lock", edit.set_properties(document.project, "shape-2", locked=True))
+    else:
+        document.apply("Delete", edit.remove_items(document.project, ["shape-2"]))
+    engine.allow(3)
+    qtbot.waitUntil(lambda: not propagation.is_running and not propagation._waiting, timeout=WAIT)
+    qtbot.wait(50)
+    assert (engine.asked, engine_frames(document)) == ([], [])

@@ -21,6 +21,7 @@ from app.journal import recovery, writer
 from app.journal.journal import Journal
 from app.journal.record import Damaged, Entry, append, encoded, entries
 from app.journal.recovery import KEPT_SESSIONS, Recovery
+from app.journal.session import Session
 from app.journal.writer import BASES
 from app.model.document import Document
 from roam_core.errors import RoamError
@@ -142,6 +143,27 @@ def test_saving_and_closing_in_good_order_leave_nothing_to_offer(
     draw(document)
     document.open(Project(), None)  # what was there was thrown away
     assert [each.settled for each in crashed(journal, root)] == ["discarded", "saved"]
+
+
+def test_a_file_that_cannot_be_looked_at_settles_nothing(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    """Such as one on a share that is away: what cannot be found there is offered still."""
+    draw(document)
+    journal.note_saving(tmp_path / f"{'a' * 300}.roam")
+    assert len(recovery.offered(crashed(journal, root))) == 1
+
+
+def test_a_journal_takes_no_number_that_is_taken(root: Path) -> None:
+    """One before it may have been deleted meanwhile."""
+    session = Session(root)
+    paths = []
+    for _ in range(2):
+        paths.append(session.new_path())
+        paths[-1].touch()
+    paths[0].unlink()
+    assert not session.new_path().exists()
+    session.let_go()
 
 
 def test_what_the_file_holds_already_is_not_offered_though_the_journal_did_not_end(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +21,8 @@ from app.panels.tracker import WORDS, TrackerPanel
 from roam_core.dials import dials_of
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from roam_core.roto import Clip, Keyframe, LayerTransform, Origin, Project, edit
+from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 CLIP = Clip(Path("shot"), 1001, 1048, (64, 48))
@@ -326,6 +328,19 @@ def test_n_goes_from_one_doubt_to_the_next(tracking: Tracking, view_state: ViewS
         (1010, "No doubtful frame after frame 1010."),
         (1005, "Frame 1005: the confidence of Shape 1 is 0.30."),
     ]
+
+
+def test_the_worst_frame_may_be_one_of_a_planar_track(
+    tracking: Tracking, document: Document, view_state: ViewState
+) -> None:
+    tracking.most_doubtful()
+    assert view_state.frame == 1010
+    project, layer = grouped(document.project, ["shape-1"], "Planar 1")
+    moves = replace(LayerTransform.of({1001: np.eye(3), 1007: np.eye(3)}), confidence=((1007, 0.1),))
+    document.apply("Track", edit.set_properties(project, layer.id, transform=moves))
+    tracking.most_doubtful()
+    assert view_state.frame == 1007
+    assert view_state.message == "Frame 1007: the confidence of the track Planar 1 is 0.10."
 
 
 def test_n_looks_at_the_selected_shapes_and_tells_the_least_sure_one(

@@ -361,6 +361,17 @@ def test_tracked_frames_are_deleted_between_in_and_out(
     assert "locked" in view_state.message
 
 
+def test_locked_shapes_keep_their_tracked_frames_and_that_is_said(document: Document, view_state: ViewState) -> None:
+    keys = Keyframe(1, SQUARE), Keyframe(2, SQUARE, origin=Origin.ENGINE)
+    shapes = [RotoShape("shape-1", "Car", keys), RotoShape("shape-2", "Hat", keys, locked=True)]
+    document.open(edit.add_items(Project(Clip(Path("plate"), 1, 9, (120, 80))), shapes)[0], None)
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    view_state.set_play_range(1, 10)
+    ShapeVerbs(document, view_state).delete_engine_keys()
+    assert [shape.frames for shape in document.project.shapes] == [(1,), (1, 2)]
+    assert view_state.message.startswith("Deleted 1 tracked frame. What is locked stays")
+
+
 @pytest.mark.parametrize(
     ("copied", "selected", "home"),
     [

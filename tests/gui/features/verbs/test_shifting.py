@@ -88,6 +88,17 @@ def test_what_is_locked_is_shifted_with_everything_and_not_by_itself(
     assert document.project.shape("shape-2").frames == (7,)
 
 
+def test_what_is_locked_among_what_is_shifted_is_told(
+    verb: Shifting, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
+    verb.shift(2, ["shape-1", "shape-2"])
+    assert [shape.frames for shape in document.project.shapes] == [(3, 4), (7,)]
+    assert view_state.message.startswith("Shifted 2 frames later. What is locked stays")
+    verb.shift(2, ["shape-2"])
+    assert view_state.message == "Shifted 2 frames later."
+
+
 def test_keys_beside_the_clip_are_offered_its_first_frame(verb: Shifting, document: Document) -> None:
     document.relink(Clip(Path("plate"), 1001, 1020, (120, 80)))
     assert asked(verb).offset == 998

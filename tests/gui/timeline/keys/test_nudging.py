@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
 from app.timeline.timeline import Timeline
-from roam_core.roto import Animated, Keyframe, ValueKey
+from roam_core.roto import Animated, Keyframe, Project, ValueKey, edit
 
 ALT = Qt.KeyboardModifier.AltModifier
 FADES = Animated((ValueKey(1005, 0.2), ValueKey(1007, 0.8), ValueKey(1035, 0.5)))
@@ -66,6 +66,25 @@ def test_another_edit_ends_the_row(qtbot: QtBot, timeline: Timeline, document: D
     press(qtbot, timeline, Qt.Key.Key_Right)
     assert document.project.shape("shape-1").name == "Hand"
     assert document.project.shape("shape-1").artist_frames == (1004, 1030)
+
+
+def test_what_is_tracked_of_another_shape_does_not_end_the_row(
+    qtbot: QtBot, timeline: Timeline, document: Document, keyed: None
+) -> None:
+    """A key that is passed is there again behind those that move, and what was tracked stays."""
+    passed = keys(document)[[key.frame for key in keys(document)].index(1003)]
+    timeline.keys.select(frozenset({("shape-1", 1001)}))
+    press(qtbot, timeline, Qt.Key.Key_Right, Qt.Key.Key_Right)
+
+    def tracked(project: Project) -> Project:
+        other = project.shape("shape-2")
+        return project.with_shape(edit.set_engine_keys(other, [replace(other.keys[1], frame=1025)]))
+
+    document.amend("Track", tracked, "run")
+    press(qtbot, timeline, Qt.Key.Key_Right)
+    assert document.project.shape("shape-1").artist_frames == (1003, 1004, 1030)
+    assert document.project.shape("shape-1").key_at(1003) == passed
+    assert document.project.shape("shape-2").key_at(1025) is not None
 
 
 def test_a_key_of_opacity_passes_others(timeline: Timeline, document: Document, keyed: None) -> None:
