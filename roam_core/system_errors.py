@@ -1,4 +1,4 @@
-"""Why the operating system refused, in words that the window can say in its own language."""
+"""What the operating system says: whether something is there; why it refused, in words that the window translates."""
 
 from __future__ import annotations
 
