@@ -19,6 +19,14 @@ ROOT = Path(__file__).resolve().parent.parent
 """The repository."""
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--watch",
+        action="store_true",
+        help="fail tests of the window in which one event takes too long; timed, so not part of make test",
+    )
+
+
 @pytest.fixture(scope="session")
 def shared() -> Path:
     """The folder of shots and samples beside the project; a test that wants it is skipped where it is absent."""

@@ -29,6 +29,7 @@ from app import style
 from app.dialogs.palette import Palette
 from app.shell.main_window import MainWindow
 from app.widgets.reach import reachable
+from tests.gui.waiting import WAIT
 from tests.gui.windows import dialogs_of, opened_window, write_clip
 
 CONTROLS = (
@@ -136,7 +137,7 @@ def test_the_control_with_the_keyboard_is_pressed_by_it_and_escape_leaves(window
     QTest.keyClick(button, Qt.Key.Key_Return)
     assert window.view_state.tool == "polygon"
     QTest.keyClick(button, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: QApplication.focusWidget() is window.canvas)
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is window.canvas, timeout=WAIT)
 
 
 def test_a_click_never_takes_the_keyboard_from_the_viewer(window: MainWindow, qtbot: QtBot) -> None:

@@ -14,10 +14,10 @@ from pytestqt.qtbot import QtBot
 from app.dialogs import questions
 from app.shell.main_window import MainWindow
 from roam_core.roto import Origin, edit, file
+from tests.gui.waiting import WAIT
 from tests.gui.windows import (
     COUNT,
     FIRST,
-    WAIT,
     centre,
     click,
     drag,

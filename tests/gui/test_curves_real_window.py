@@ -14,6 +14,7 @@ from app.files.reading import clip_project
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Animated, ValueKey, edit, file
+from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, write_clip
 from tests.gui.x_window import NEEDS_SCREEN, WINDOW, Screen, program_on, screen, until
 
@@ -65,7 +66,7 @@ def settle(qtbot: QtBot, window: MainWindow) -> None:
         seen.append(QRect(plot.mapTo(window, plot.rect().topLeft()), plot.size()))
         return bool(plot.lines) and seen[-1] == seen[-2] and seen[-1].bottom() < WINDOW[1]
 
-    qtbot.waitUntil(is_still, timeout=20_000)
+    qtbot.waitUntil(is_still, timeout=WAIT)
 
 
 def saved(path: Path) -> Animated:

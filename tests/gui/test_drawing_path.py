@@ -14,7 +14,8 @@ from pytestqt.qtbot import QtBot
 from app.shell.main_window import MainWindow
 from roam_core.geometry import bspline
 from roam_core.roto import Origin, RotoShape, Spline
-from tests.gui.windows import FIRST, WAIT, centre, click, drag, opened_window, widget_point, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import FIRST, centre, click, drag, opened_window, widget_point, write_clip
 
 RADIUS = 24.0
 SHIFT, ALT, NONE = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.NoModifier

@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.panels.bars.readout import Readout
 from roam_core.arrays import Float32, Image
 from roam_core.media import looking
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window
 
 SIZE, LIGHT = (64, 48), (3.0, 0.5, 0.25)
@@ -39,7 +40,9 @@ def test_what_lies_above_white_is_told_and_brought_back(qtbot: QtBot, tmp_path: 
         assert readout.text().split()[4:] == ["R", "3.000", "G", "0.500", "B", "0.250"]
         assert canvas.grab().toImage().pixelColor(spot) == QColor(255, 188, 137)
         canvas.viewing.set_look(exposure=-2.0)
-        qtbot.waitUntil(lambda: canvas.grab().toImage().pixelColor(spot) == QColor(225, 99, 71))  # made on the worker
+        qtbot.waitUntil(
+            lambda: canvas.grab().toImage().pixelColor(spot) == QColor(225, 99, 71), timeout=WAIT
+        )  # made on the worker
         assert readout.text().split()[4:] == ["R", "3.000", "G", "0.500", "B", "0.250"]
 
 
@@ -58,6 +61,6 @@ def test_half_floats_are_made_ready_for_a_view_beside_the_windows_thread(
         spot = window.canvas.image_to_widget(20.5, 30.5).toPoint()
         before = window.canvas.grab().toImage().pixelColor(spot)
         window.canvas.viewing.set_look(view=("sRGB - Display", "ACES 2.0 - SDR 100 nits (Rec.709)"))
-        qtbot.waitUntil(lambda: window.canvas.grab().toImage().pixelColor(spot) != before)
+        qtbot.waitUntil(lambda: window.canvas.grab().toImage().pixelColor(spot) != before, timeout=WAIT)
         made = {thread for thread in threads if thread is not threading.main_thread()}
         assert made

@@ -9,10 +9,10 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from app.jobs.runner import Ending
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window
 from tests.unit.propagate.figures import odd_objects, written
 
-WAIT = 120_000
 OBJECTS = odd_objects()
 
 

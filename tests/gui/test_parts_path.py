@@ -16,10 +16,10 @@ from roam_core.propagate.parts.edges import Edge
 from roam_core.propagate.shapes.provenance import Stamp
 from roam_core.roto import Origin, RotoShape
 from roam_core.roto.linking import BEHIND
+from tests.gui.waiting import WAIT
 from tests.gui.windows import click, opened_window
 from tests.unit.propagate.figures import Figure, body_with_arms, written
 
-WAIT = 120_000
 SHIFT, CTRL, NONE = (
     Qt.KeyboardModifier.ShiftModifier,
     Qt.KeyboardModifier.ControlModifier,

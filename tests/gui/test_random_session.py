@@ -13,7 +13,8 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit, file
 from tests.gui.engines import GlidingEngine, put_in
-from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import COUNT, FIRST, opened_window, write_clip
 
 STEPS, MOST_SHAPES = 300, 5
 SQUARE = polygon_points([(20, 20), (60, 20), (60, 60), (20, 60)])

@@ -47,6 +47,7 @@ from roam_core.proposal.assist.cut_out import cut_box
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, edit, file
 from roam_core.system_errors import reason_of
 from roam_core.translatable import listed, sentence
+from tests.gui.waiting import WAIT
 from tests.gui.windows import dialogs_of, opened_window, write_clip
 from tests.house.test_translations import of
 
@@ -250,7 +251,7 @@ def test_how_far_the_engine_is_is_said_in_german(german: None, qtbot: QtBot, run
     told: list[str] = []
     job = runner.start("test", work)
     job.progress.connect(lambda _, text: told.append(text))
-    with qtbot.waitSignal(job.ended):
+    with qtbot.waitSignal(job.ended, timeout=WAIT):
         pass
     assert told == ["Kurven von Teil 2 von 3"]
 

@@ -27,12 +27,11 @@ from app.tools.edit.numbers import NumbersDialog
 from roam_core.media.sequence import ImageSequence
 from roam_core.propagate import run
 from roam_core.roto import Project, RotoShape, file
+from tests.gui.waiting import WAIT
 
 FIRST, COUNT, SIZE = 1001, 8, (160, 120)
 DIALOGS = ("edit.settings", "edit.keymap", "help.keys", "help.about", "help.report", "file.export")
 """Actions that open a dialog."""
-WAIT = 30_000
-"""Milliseconds after which a test gives up; the first track may compile kernels."""
 
 
 def centre(frame: int) -> tuple[float, float]:

@@ -128,7 +128,7 @@ def test_a_forked_process_has_threads_of_its_own() -> None:
     if child == 0:
         answer = 1
         try:
-            answer = threads._others(os.getpid()).submit(int, 7).result(timeout=30)
+            answer = threads._others(os.getpid()).submit(int, 7).result(timeout=120)
         finally:
             os._exit(answer)  # whatever happens: the tests go on in the parent alone
     assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7

@@ -21,6 +21,7 @@ from app.paint.viewport import Viewport
 from roam_core.geometry import bezier
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, Spline, edit
 from tests.gui.hand import CTRL, SHIFT, Hand
+from tests.gui.waiting import WAIT
 
 
 def ring(count: int = 24) -> np.ndarray:
@@ -166,12 +167,12 @@ def test_a_point_of_a_large_shape_is_dragged_in_a_small_area(canvas: CanvasView,
 
 def test_in_the_matte_view_everything_follows_a_drag(canvas: CanvasView, hand: Hand, shape: RotoShape, qtbot) -> None:
     hand.key("3")
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         canvas.repaint()
     hand.press((160.0, 75.0))
     hand.move((165.0, 75.0))
     painted = Painted(canvas)
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         hand.move((190.0, 76.0))
     QApplication.processEvents()
     assert painted.area >= canvas.width() * canvas.height()

@@ -20,6 +20,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
 from roam_core.roto.following import followed, with_moving_layer
 from tests.gui.hand import ALT, MIDDLE, Hand
+from tests.gui.waiting import WAIT
 
 SQUARE = np.array([(40.0, 40.0), (80.0, 40.0), (80.0, 80.0), (40.0, 80.0)])
 FIRST, SECOND = "shape-1", "shape-2"
@@ -79,7 +80,7 @@ def test_the_view_waits_for_the_picture_as_the_shapes_do(
     before = shapes._viewport
     view_state.set_frame(5)
     assert shapes._viewport == before
-    qtbot.waitUntil(lambda: shapes._viewport != before)  # the picture does not come
+    qtbot.waitUntil(lambda: shapes._viewport != before, timeout=WAIT)  # the picture does not come
     moved = shapes._viewport
     assert (moved.x, moved.y) == pytest.approx((before.x - 32.0, before.y - 16.0))
     shapes.set_image(5, np.zeros((150, 200, 3), dtype=np.uint8))

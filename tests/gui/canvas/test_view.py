@@ -22,6 +22,7 @@ from roam_core.arrays import Float32
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Project, edit
 from tests.gui.hand import ALT, CTRL, MIDDLE, SHIFT, Hand
+from tests.gui.waiting import WAIT
 
 SQUARE = [(40.0, 40.0), (120.0, 40.0), (120.0, 100.0), (40.0, 100.0)]
 MOVED_SQUARE = polygon_points([(x + 20.0, y) for x, y in SQUARE])
@@ -214,7 +215,7 @@ def test_hint_to_draw_is_shown_while_there_is_no_shape(
 ) -> None:
     """The matte of no shape is black: nothing else says what to do there."""
     canvas.viewing.set_mode(mode)
-    qtbot.waitUntil(lambda: not canvas.stage.emptiness(), timeout=5000)
+    qtbot.waitUntil(lambda: not canvas.stage.emptiness(), timeout=WAIT)
     bottom = (150, 300, 148, 48)
     with_hint = looks(canvas).copy(*bottom)
     add_square(document)
@@ -299,7 +300,7 @@ def test_backquote_hides_the_shapes_for_a_while(canvas: CanvasView, hand: Hand, 
 def test_matte_shows_white_inside_and_black_outside(canvas: CanvasView, hand: Hand, document: Document, qtbot: QtBot):
     add_square(document)
     hand.key("3")
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         canvas.repaint()
     assert colour_at(canvas, 80.0, 70.0) == QColor(255, 255, 255)
     assert colour_at(canvas, 10.0, 130.0) == QColor(0, 0, 0)
@@ -317,7 +318,7 @@ def test_until_the_first_matte_is_rendered_the_plate_is_black_and_says_so(
     monkeypatch.setattr(canvas.stage.matte, "_render", late)
     add_square(document)
     hand.key("3")
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         before = colour_at(canvas, 10.0, 130.0), canvas.stage.emptiness()
         gate.set()
     assert before == (QColor(0, 0, 0), "Rendering the matte …")
@@ -328,9 +329,9 @@ def test_until_the_first_matte_is_rendered_the_plate_is_black_and_says_so(
 def test_matte_follows_an_edit(canvas: CanvasView, hand: Hand, document: Document, qtbot: QtBot) -> None:
     shape_id = add_square(document)
     hand.key("3")
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         canvas.repaint()
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         document.apply("Delete", edit.remove_items(document.project, [shape_id]))
         canvas.repaint()
     assert colour_at(canvas, 80.0, 70.0) == QColor(0, 0, 0)
@@ -338,7 +339,7 @@ def test_matte_follows_an_edit(canvas: CanvasView, hand: Hand, document: Documen
 
 def test_changes_of_the_view_are_told(canvas: CanvasView, hand: Hand, qtbot: QtBot) -> None:
     for act in (lambda: hand.key("1"), lambda: hand.key("`"), lambda: hand.wheel((9.0, 9.0), 120), canvas.fit):
-        with qtbot.waitSignal(canvas.view_changed):
+        with qtbot.waitSignal(canvas.view_changed, timeout=WAIT):
             act()
 
 

@@ -26,8 +26,8 @@ from roam_core.media.colour_spaces import offered_views
 from roam_core.media.looking import Channel, Look, Plate, seen_plate
 from roam_core.roto import Keyframe, edit
 from tests.gui.hand import CTRL, Hand
+from tests.gui.waiting import WAIT
 
-WAIT = 60_000
 SQUARE = [(40.0, 40.0), (120.0, 40.0), (120.0, 100.0), (40.0, 100.0)]
 GREY = QColor(100, 100, 100)
 

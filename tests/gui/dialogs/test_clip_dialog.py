@@ -22,7 +22,8 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.media import declared
 from roam_core.media.colour import to_display, to_engine
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
-from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import FIRST, opened_window, write_clip
 from tests.unit.media.conftest import write_parts
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])

@@ -29,9 +29,9 @@ from roam_core.interchange.mattes.exporter import MatteExporter
 from roam_core.interchange.plain_json import JsonFormat
 from roam_core.interchange.protocol import STANDARD, settled
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window, write_clip
 
-WAIT = 30_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1010, (64, 48))
 SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
 LEFT = Qt.MouseButton.LeftButton

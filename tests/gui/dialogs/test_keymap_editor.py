@@ -14,6 +14,7 @@ from app.dialogs import questions
 from app.dialogs.keymap_editor import KeymapEditor
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window
 
 CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
@@ -42,7 +43,7 @@ def go_on(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
     """Close the editor; the window has the keyboard again."""
     editor.close()
     window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    qtbot.waitUntil(window.isActiveWindow, timeout=WAIT)
     window.canvas.setFocus()
 
 

@@ -15,8 +15,8 @@ from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from roam_core.interchange import KeyChoice, MaskOptions
 from roam_core.roto import Clip, Project
+from tests.gui.waiting import WAIT
 
-WAIT = 60_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1006, (120, 90))
 
 

@@ -32,11 +32,11 @@ from roam_core.review.picture import review_picture
 from roam_core.review.writing import Output
 from roam_core.roto import Keyframe, Origin, edit, file, timing
 from tests.golden.shots import square
+from tests.gui.waiting import WAIT
 from tests.gui.windows import COUNT, FIRST, opened_window, write_clip
 from tests.unit.cli.conftest import Roam, roam  # noqa: F401 - a fixture
 from tests.unit.review.conftest import body, project_of, read
 
-WAIT = 30_000
 LEFT = Qt.MouseButton.LeftButton
 
 
@@ -327,7 +327,7 @@ def test_the_panel_is_opened_by_its_keys_and_scrolled_to(qtbot: QtBot, tmp_path:
         qtbot.keyClick(window.canvas, Qt.Key.Key_M, Qt.KeyboardModifier.AltModifier)
         assert window.panels.review.isVisible()
         note = window.review.note
-        qtbot.waitUntil(lambda: not note.visibleRegion().isEmpty())
+        qtbot.waitUntil(lambda: not note.visibleRegion().isEmpty(), timeout=WAIT)
         note.setFocus()
         qtbot.keyClicks(note, "b l n")  # a tool, playing and going on; in the field all are letters
         window.canvas.setFocus()

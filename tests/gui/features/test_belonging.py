@@ -16,9 +16,9 @@ from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, Project, RotoShape, edit
 from roam_core.roto.linking import apart, attached, linked
+from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, write_clip
 
-WAIT = 60_000
 CLIP = Clip(Path("plate"), 1, 20, (400, 300))
 TORSO, ARM, BALL = "shape-1", "shape-2", "shape-3"
 

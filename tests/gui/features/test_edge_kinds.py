@@ -19,9 +19,9 @@ from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.propagate.parts.edges import Edge
 from roam_core.roto import Clip, Origin, Project, edit
+from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, write_clip
 
-WAIT = 60_000
 BODY, ARM = "shape-1", "shape-2"
 BOXES = (60, 60, 120, 160), (100, 80, 180, 98)
 

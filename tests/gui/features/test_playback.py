@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from app.features.playback import Playback, Repeat
 from app.model.view_state import ViewState
+from tests.gui.waiting import WAIT
 
 
 class Clock:
@@ -80,7 +81,7 @@ def test_scrubbing_while_it_plays_goes_on_from_there(playback: Playback, clock: 
 
 
 def test_space_toggles(qtbot: QtBot, playback: Playback) -> None:
-    with qtbot.waitSignal(playback.playing_changed):
+    with qtbot.waitSignal(playback.playing_changed, timeout=WAIT):
         playback.toggle()
     assert playback.speed == 1
     playback.toggle()
@@ -147,7 +148,7 @@ def test_pictures_that_come_to_the_screen_are_counted(qtbot: QtBot, playback: Pl
     playback.note_picture(1001)
     assert playback.rate is None
     playback.play()
-    with qtbot.waitSignal(playback.rate_changed):
+    with qtbot.waitSignal(playback.rate_changed, timeout=WAIT):
         for number in range(20):
             clock.now += 0.2
             playback.note_picture(1002 + number)

@@ -24,7 +24,8 @@ from roam_core.proposal.reshaping.topology import TopologyChange, TopologyKind
 from roam_core.roto import Keyframe, Origin, RotoShape, edit, timing
 from roam_core.roto.layers import grouped
 from tests.gui.engines import Asked, StandIn, put_in
-from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import COUNT, FIRST, opened_window, write_clip
 
 LAST = FIRST + COUNT - 1
 OFFERED = FIRST + 3, FIRST + 4, FIRST + 5
@@ -193,7 +194,7 @@ def test_the_bar_fits_into_the_viewer_with_its_answers_whatever_the_windows_widt
     has_legend = []
     for width in (1100, 1280, 1700):
         window.resize(width, 800)
-        qtbot.waitUntil(lambda: canvas.rect().contains(bar.geometry()))
+        qtbot.waitUntil(lambda: canvas.rect().contains(bar.geometry()), timeout=WAIT)
         has_legend.append(bar.legend.isVisible())
         assert bar.buttons["proposal.refuse_always"].isVisible()
     assert has_legend[0] is False

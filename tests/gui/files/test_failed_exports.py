@@ -14,9 +14,9 @@ from app.shell.main_window import MainWindow
 from roam_core import atomic_write
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window, write_clip
 
-WAIT = 30_000
 SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
 
 

@@ -14,7 +14,8 @@ from app.model.last_folders import LastFolders, Purpose
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
-from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import FIRST, opened_window, write_clip
 
 PLACES = {
     "choose_save": 1, "choose_project": 1, "choose_clip_folder": 1,

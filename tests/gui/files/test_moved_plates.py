@@ -21,7 +21,8 @@ from roam_core.media import declared
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, stamp
 from roam_core.roto import Keyframe, Origin, RotoShape, edit, file, timing
-from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import FIRST, Gate, opened_window, write_clip
 
 SQUARE = bezier.polygon_points([[20.0, 20.0], [90.0, 20.0], [90.0, 80.0], [20.0, 80.0]])
 

@@ -22,7 +22,8 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file, timing
 from tests.gui.engines import GlidingEngine, put_in
 from tests.gui.hand import Hand
-from tests.gui.windows import FIRST, WAIT, Gate, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import FIRST, Gate, opened_window, write_clip
 from tests.unit.media.conftest import write_movie
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -121,7 +122,7 @@ def test_what_is_left_as_it_is_is_told_before(
 def begin_typing(qtbot: QtBot, window: MainWindow, what: str) -> None:
     """Type a note, or the word of a mark, and stay in its field."""
     window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    qtbot.waitUntil(window.isActiveWindow, timeout=WAIT)
     field: QWidget = window.review.note
     if what == "mark":
         window.document.apply("Mark", timing.set_mark(window.document.project, FIRST))
@@ -130,7 +131,7 @@ def begin_typing(qtbot: QtBot, window: MainWindow, what: str) -> None:
     else:
         window.actions_by_id["review.panel"].trigger()
         window.review.note.setFocus()
-    qtbot.waitUntil(field.hasFocus)
+    qtbot.waitUntil(field.hasFocus, timeout=WAIT)
     window.document.save(window.document.path)
     qtbot.keyClicks(field, "elbow slips")
     assert not window.document.is_modified
@@ -235,7 +236,7 @@ def test_a_question_does_not_hold_up_the_desktop(qtbot: QtBot, window: MainWindo
     question.open()
     leave_questions_and(window.leave_unasked)
     assert answers == [QMessageBox.DialogCode.Rejected]
-    qtbot.waitUntil(lambda: not window.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
 
 
 def test_a_shape_that_is_begun_while_something_opens_is_asked_about(

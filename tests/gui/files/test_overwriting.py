@@ -12,7 +12,8 @@ from app.dialogs import questions
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit, file
 from tests.gui.test_artist_path import draw_disc
-from tests.gui.windows import WAIT, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 

@@ -18,7 +18,8 @@ from app.model.recent import MOST, Place, Recent, load_recent, save_recent, with
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
-from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import COUNT, FIRST, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
@@ -107,7 +108,7 @@ def test_a_project_opens_where_it_was_left(qtbot: QtBot, window: MainWindow, tmp
         assert (view.frame, view.play_range) == (FIRST + 4, (FIRST + 2, FIRST + 6))
     else:
         window.close()
-        qtbot.waitUntil(lambda: not window.isVisible())
+        qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
         with opened_window(qtbot, None, tmp_path / "next", Personal(tmp_path, tmp_path / "cache")) as again:
             opened(qtbot, again, path)
             assert (again.view_state.frame, again.view_state.play_range) == (FIRST + 4, (FIRST + 2, FIRST + 6))
@@ -146,7 +147,7 @@ def test_an_empty_window_offers_what_there_is_to_do(qtbot: QtBot, window: MainWi
     assert page.isVisible()
     assert page.geometry() == window.canvas.rect()
     window.resize(900, 640)
-    qtbot.waitUntil(lambda: page.geometry() == window.canvas.rect())
+    qtbot.waitUntil(lambda: page.geometry() == window.canvas.rect(), timeout=WAIT)
     opened(qtbot, window, write_clip(tmp_path / "plate", 2))
     assert page.isHidden()
     window.files.new()

@@ -24,7 +24,8 @@ from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, backups, edit, file, project_lock
 from tests.gui.engines import GlidingEngine, put_in
-from tests.gui.windows import WAIT, opened_window
+from tests.gui.waiting import WAIT
+from tests.gui.windows import opened_window
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 

@@ -20,8 +20,8 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape, edit
+from tests.gui.waiting import WAIT
 
-WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 CLIP = Clip(Path("shot"), 1, 12, (64, 48))
 SIZE = 48, 64

@@ -15,8 +15,8 @@ from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Project, edit
 from tests.gui.engines import GlidingEngine, put_in
+from tests.gui.waiting import WAIT
 
-WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 FRAMES = range(1, 9)
 CLIP = Clip(Path("shot"), 1, 12, (64, 48))

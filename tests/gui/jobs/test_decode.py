@@ -15,8 +15,7 @@ from app.jobs.decode import PlateReader
 from app.model.viewing import Viewing
 from roam_core.errors import RoamError
 from roam_core.media import DamagedFrame, MissingFrame
-
-WAIT = 5000
+from tests.gui.waiting import WAIT
 
 
 class Plate:
@@ -275,4 +274,4 @@ def test_another_size_that_is_asked_for_meanwhile_is_shown_in_the_end(qtbot: QtB
     reader.show(1)
     viewing.set_proxy(2)
     plate.gate.set()
-    qtbot.waitUntil(lambda: pictures[-1:] == [(1, 2, 3)])
+    qtbot.waitUntil(lambda: pictures[-1:] == [(1, 2, 3)], timeout=WAIT)

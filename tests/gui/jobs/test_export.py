@@ -15,9 +15,9 @@ from app.model.document import Document
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Project, edit, file
+from tests.gui.waiting import WAIT
 from tests.gui.windows import write_clip
 
-WAIT = 30_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1003, (64, 48))
 
 

@@ -14,7 +14,8 @@ from roam_core.arrays import UInt8
 from roam_core.media import DamagedFrame, MissingFrame
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import edit
-from tests.gui.jobs.spans import GAPS, RAMP, SQUARE, WAIT, Engine, engine_frames
+from tests.gui.jobs.spans import GAPS, RAMP, SQUARE, Engine, engine_frames
+from tests.gui.waiting import WAIT
 
 
 def test_gaps_are_told_by_their_keys_and_not_twice(propagation: Propagation, document: Document) -> None:

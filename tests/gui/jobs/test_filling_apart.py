@@ -20,6 +20,7 @@ from roam_core.propagate.between import span
 from roam_core.roto import Clip, Project, edit
 from tests.conftest import ROOT
 from tests.gui.jobs.test_filling import RAMP
+from tests.gui.waiting import WAIT
 from tests.unit.studio.shots import put_gaps, put_plate
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -59,6 +60,6 @@ def test_few_frames_are_filled_here(
     propagation.processes = 8
     gaps = filling.gaps_of([shape])
     assert sum(last - first - 1 for first, last in gaps) < filling.WORTH_PROCESSES
-    with qtbot.waitSignal(propagation.finished, timeout=5000) as finished:
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
         propagation.fill([shape.id], gaps)
     assert finished.args[0] is Ending.DONE

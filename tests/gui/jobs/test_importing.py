@@ -15,8 +15,8 @@ from roam_core.interchange.nuke.exporter import roto_document
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import clip_stamp, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from tests.gui.waiting import WAIT
 
-WAIT = 30_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1003, (64, 48))
 SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
 

@@ -12,8 +12,7 @@ from app.jobs.picture_work import PictureWork
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
-
-WAIT = 10_000
+from tests.gui.waiting import WAIT
 
 
 @pytest.fixture

@@ -30,9 +30,9 @@ from roam_core.roto.following import pinned, surface_at
 from roam_core.roto.layers import grouped
 from roam_core.roto.surfaces import LeaveOut, covering, legs_of
 from tests.gui.hand import Hand
+from tests.gui.waiting import WAIT
 from tests.unit.motion import test_plane_track as board
 
-WAIT = 20_000
 LAST = 6
 KIND = PlaneMotion.SIMILARITY
 

@@ -16,9 +16,10 @@ from app.model.view_state import ViewState
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, edit
 from roam_core.roto.point_order import reversed_direction
+from tests.gui.waiting import WAIT
 from tests.unit.motion import test_plane_track as board
 
-KIND, LAST, WAIT = PlaneMotion.SIMILARITY, 6, 20_000
+KIND, LAST = PlaneMotion.SIMILARITY, 6
 TAKEN_BACK = "The planar track stopped at frame 3; its frames were taken back."
 
 

@@ -17,9 +17,10 @@ from roam_core.geometry.bezier import ANCHOR
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.media.source import MissingFrame
 from roam_core.roto import Clip, Project, edit
+from tests.gui.waiting import WAIT
 from tests.unit.motion import test_plane_track as board
 
-KIND, LAST, WAIT = PlaneMotion.SIMILARITY, 8, 20000
+KIND, LAST = PlaneMotion.SIMILARITY, 8
 GAP = 4, 5
 
 

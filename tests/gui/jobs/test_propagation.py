@@ -18,8 +18,8 @@ from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit, layers
 from tests.gui.engines import OUT_OF_DATE, GlidingEngine, put_in
+from tests.gui.waiting import WAIT
 
-WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
 

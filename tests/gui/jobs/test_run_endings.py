@@ -15,8 +15,8 @@ from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Origin, Project, edit
 from tests.gui.engines import OUT_OF_DATE, GlidingEngine, put_in
+from tests.gui.waiting import WAIT
 
-WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 TAKEN_BACK = "Tracking stopped at frame 3; its frames were taken back."
 

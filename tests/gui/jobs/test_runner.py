@@ -12,8 +12,7 @@ from shiboken6 import delete
 
 from app.jobs.runner import Ending, Job, Report, Runner
 from roam_core.errors import RoamError
-
-WAIT = 5000
+from tests.gui.waiting import WAIT
 
 
 @pytest.fixture

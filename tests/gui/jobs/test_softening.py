@@ -18,9 +18,9 @@ from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
 from roam_core.matte import shape_matte
 from roam_core.roto import Clip, MotionBlur, Project, edit
+from tests.gui.waiting import WAIT
 from tests.unit.matte.test_softness import SIZE, disc, picture
 
-WAIT = 20_000
 FRAMES = range(1, 4)
 BLURRED = replace(disc(step=8.0, frames=range(0, 5)), motion_blur=MotionBlur(0.5, -0.25, 32))
 

@@ -21,10 +21,9 @@ from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from tests.golden.shots import Shot, blob, gliding
+from tests.gui.waiting import WAIT
 from tests.gui.windows import COUNT, FIRST, centre, opened_window, write_clip
 from tests.unit.propagate.steadiness.test_steadied import FRAMES, RADII, drawn
-
-WAIT = 20_000
 
 
 class Plate:

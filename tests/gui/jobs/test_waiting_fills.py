@@ -14,7 +14,8 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.roto import edit
 from tests.gui.engines import GlidingEngine, put_in
-from tests.gui.jobs.spans import GAPS, SQUARE, WAIT, Engine, HeldTrack, engine_frames
+from tests.gui.jobs.spans import GAPS, SQUARE, Engine, HeldTrack, engine_frames
+from tests.gui.waiting import WAIT
 
 
 def test_a_fill_of_other_shapes_waits_for_the_one_under_way(

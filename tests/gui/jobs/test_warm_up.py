@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from app.jobs import warm_up
 from app.jobs.runner import Ending, Runner
+from tests.gui.waiting import WAIT
 
 
 def test_kernels_are_compiled_on_the_solvers_thread(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -22,7 +23,7 @@ def test_kernels_are_compiled_on_the_solvers_thread(qtbot: QtBot, monkeypatch: p
     # By name: the package lends the module's name to its function.
     monkeypatch.setattr(import_module("roam_core.propagate.warming"), "warm_up", compile_for)
     runner = Runner("solver")
-    with qtbot.waitSignal(warm_up.start(runner, "baseline").ended, timeout=5000) as ended:
+    with qtbot.waitSignal(warm_up.start(runner, "baseline").ended, timeout=WAIT) as ended:
         pass
     assert ended.args == [Ending.DONE, ""]
     assert compiled == [("baseline", False)]
@@ -37,7 +38,7 @@ def test_what_dialogs_stand_on_is_loaded_beside_the_window(qtbot: QtBot, monkeyp
 
     monkeypatch.setattr(warm_up, "import_module", load)
     runner = Runner("writer")
-    with qtbot.waitSignal(warm_up.load_dialogs(runner).ended, timeout=5000) as ended:
+    with qtbot.waitSignal(warm_up.load_dialogs(runner).ended, timeout=WAIT) as ended:
         pass
     assert ended.args == [Ending.DONE, ""]
     assert ("roam_core.interchange", False) in loaded
@@ -48,7 +49,7 @@ def test_what_dialogs_stand_on_is_loaded_beside_the_window(qtbot: QtBot, monkeyp
 def test_threads_are_set_in_the_libraries_themselves(qtbot: QtBot) -> None:
     runner, before = Runner("solver"), cv2.getNumThreads()
     try:
-        with qtbot.waitSignal(warm_up.use_threads(runner, 1).ended, timeout=5000) as ended:
+        with qtbot.waitSignal(warm_up.use_threads(runner, 1).ended, timeout=WAIT) as ended:
             pass
         assert ended.args == [Ending.DONE, ""]
         assert cv2.getNumThreads() == 1

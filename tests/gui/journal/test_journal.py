@@ -29,6 +29,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, backups, edit, file, timing
 from roam_core.roto.following import followed, with_moving_layer
 from tests.gui.journal.test_delta import random_edit
+from tests.gui.waiting import WAIT
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -241,7 +242,7 @@ def test_until_they_are_in_the_next_journal_the_last_one_offers_edits_that_a_sav
     saved = document.project
     draw(document)
     assert journal.flush()
-    with monkeypatch.context() as failing, qtbot.waitSignal(journal.refused, timeout=5000):
+    with monkeypatch.context() as failing, qtbot.waitSignal(journal.refused, timeout=WAIT):
         failing.setattr(journal._session, "new_path", lambda: root / "nowhere" / "0002.journal")
         file.save(saved, mine)
         document.mark_saved(saved, mine, writer.Fingerprint.of(mine))
@@ -328,7 +329,7 @@ def test_every_crash_is_offered_and_a_damaged_one_hides_none(root: Path, qapp: o
 def test_the_writer_outlives_any_error(
     qtbot: QtBot, document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with monkeypatch.context() as failing, qtbot.waitSignal(journal.refused, timeout=5000):
+    with monkeypatch.context() as failing, qtbot.waitSignal(journal.refused, timeout=WAIT):
         failing.setattr(journal._writer, "_do", lambda _: 1 / 0)
         draw(document)
         while not journal._writer._is_refused:
@@ -431,7 +432,7 @@ def test_a_folder_that_cannot_be_made_is_told_and_tried_again(qtbot: QtBot, docu
     root = tmp_path / "taken"
     root.touch()
     journal = Journal(document, root)
-    with qtbot.waitSignal(journal.refused, timeout=5000):
+    with qtbot.waitSignal(journal.refused, timeout=WAIT):
         draw(document)
     root.unlink()
     draw(document)
@@ -564,11 +565,11 @@ def test_a_full_disk_is_told_once_and_nothing_is_lost_when_there_is_room_again(
     journal.restored.connect(told.append)
     with monkeypatch.context() as full:
         full.setattr(os, "fsync", refuse)
-        with qtbot.waitSignal(journal.refused, timeout=5000):
+        with qtbot.waitSignal(journal.refused, timeout=WAIT):
             draw(document)
         draw(document)
         assert not journal.flush()
-    with qtbot.waitSignal(journal.restored, timeout=5000):
+    with qtbot.waitSignal(journal.restored, timeout=WAIT):
         draw(document)
     assert journal.flush()
     assert told == [
@@ -590,12 +591,12 @@ def test_a_disk_that_is_full_still_after_a_save_is_told_again(
 
     with monkeypatch.context() as full:
         full.setattr(os, "fsync", refuse)
-        with qtbot.waitSignal(journal.refused, timeout=5000):
+        with qtbot.waitSignal(journal.refused, timeout=WAIT):
             draw(document)
         document.mark_saved(document.project, Path("elsewhere.roam"))
-        with qtbot.waitSignal(journal.refused, timeout=5000):
+        with qtbot.waitSignal(journal.refused, timeout=WAIT):
             draw(document)
-    with qtbot.waitSignal(journal.restored, timeout=5000):
+    with qtbot.waitSignal(journal.restored, timeout=WAIT):
         draw(document)
 
 
@@ -611,7 +612,7 @@ def test_a_journal_that_is_deleted_is_begun_again(
     draw(document)
     assert journal.flush()
     shutil.rmtree(root)
-    with qtbot.waitSignal(journal.restored, timeout=5000):
+    with qtbot.waitSignal(journal.restored, timeout=WAIT):
         draw(document)
     (found,) = recovery.offered(crashed(journal, root))
     assert recovery.load(found) == (document.project, "")

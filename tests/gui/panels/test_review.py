@@ -18,6 +18,7 @@ from app.model.view_state import ViewState
 from app.panels.review import NOTHING, Entry, Listed, ReviewPanel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Mark, Origin, Project, edit, timing
+from tests.gui.waiting import WAIT
 
 CLIP = Clip(Path("/plates/shot"), 1001, 1020, (64, 48))
 SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
@@ -52,7 +53,7 @@ def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> Iterator[R
     window.activateWindow()
     document.open(tracked_project(), None)
     view_state.set_frame(1005)
-    qtbot.waitUntil(lambda: bool(panel.entries))
+    qtbot.waitUntil(lambda: bool(panel.entries), timeout=WAIT)
     yield panel
     window.close()
 
@@ -60,12 +61,12 @@ def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> Iterator[R
 def leave(qtbot: QtBot, panel: ReviewPanel) -> None:
     other = panel.window().findChild(QLineEdit, "other")
     other.setFocus()
-    qtbot.waitUntil(lambda: not panel.note.hasFocus())
+    qtbot.waitUntil(lambda: not panel.note.hasFocus(), timeout=WAIT)
 
 
 def typed(qtbot: QtBot, panel: ReviewPanel, text: str) -> None:
     panel.note.setFocus()
-    qtbot.waitUntil(panel.note.hasFocus)
+    qtbot.waitUntil(panel.note.hasFocus, timeout=WAIT)
     qtbot.keyClicks(panel.note, text)
 
 
@@ -135,7 +136,7 @@ def test_the_list_has_notes_doubts_and_boil_in_the_order_of_time(
     qtbot: QtBot, panel: ReviewPanel, document: Document
 ) -> None:
     document.apply("Mark", timing.set_mark(document.project, 1012, "the\nelbow"))
-    qtbot.waitUntil(lambda: Listed.NOTE in [entry.kind for entry in panel.entries])
+    qtbot.waitUntil(lambda: Listed.NOTE in [entry.kind for entry in panel.entries], timeout=WAIT)
     kinds = {entry.kind: entry for entry in panel.entries}
     assert kinds[Listed.NOTE] == Entry(1012, Listed.NOTE, "the elbow")
     assert kinds[Listed.DOUBT] == Entry(DOUBTED, Listed.DOUBT, "Arm", "0.30", "shape-1")
@@ -186,7 +187,7 @@ def test_only_the_shapes_in_hand_are_listed_and_an_empty_list_says_so(
     project, calm = edit.new_shape(document.project, SQUARE, 1001, name="Calm")
     document.apply("Draw", project)
     view_state.select(frozenset([calm.id]))
-    qtbot.waitUntil(lambda: panel.entries == [])
+    qtbot.waitUntil(lambda: panel.entries == [], timeout=WAIT)
     assert panel.count.text() == NOTHING
 
 

@@ -15,6 +15,7 @@ from app.panels.shapes import EYE, LOCK, NAME, ShapesPanel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Layer, Origin, Project, edit
 from roam_core.roto.layers import grouped, moved
+from tests.gui.waiting import WAIT
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -76,7 +77,7 @@ def test_a_name_is_typed_and_taken_over_once(qtbot: QtBot, panel: ShapesPanel, d
     document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])  # the field stays while others come
     assert field.isVisible()
     qtbot.keyClick(field, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: names(panel) == ["Shape 4", "hero", "Shape 2", "body"])
+    qtbot.waitUntil(lambda: names(panel) == ["Shape 4", "hero", "Shape 2", "body"], timeout=WAIT)
     assert document.project.shape("shape-1").name == "body"
     tree.editItem(tree.item("shape-1"), NAME)
     qtbot.keyClick(tree.viewport().findChild(QLineEdit), Qt.Key.Key_Escape)
@@ -237,7 +238,7 @@ def test_a_name_of_what_a_run_took_away_while_it_was_typed_goes_nowhere(
     after = document.project
     qtbot.keyClick(editor, Qt.Key.Key_Return)
     assert document.project is after
-    qtbot.waitUntil(lambda: names(panel) == ["hero", "Shape 1"])
+    qtbot.waitUntil(lambda: names(panel) == ["hero", "Shape 1"], timeout=WAIT)
 
 
 def crowd(panel: ShapesPanel, document: Document) -> list[str]:

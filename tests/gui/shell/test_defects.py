@@ -21,7 +21,8 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
 from tests.conftest import ROOT
-from tests.gui.windows import WAIT, opened_window
+from tests.gui.waiting import WAIT
+from tests.gui.windows import opened_window
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
@@ -141,7 +142,7 @@ def crashing(folder: Path, what: str) -> str:
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-c", program]
     return subprocess.run(
-        command, env=environment, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False
+        command, env=environment, cwd=ROOT, capture_output=True, text=True, timeout=WAIT / 1000, check=False
     ).stdout.strip()
 
 

@@ -11,6 +11,7 @@ import pytest
 from app import folders
 from roam_core.cli import program
 from roam_core.errors import RoamError
+from tests.gui.waiting import WAIT
 from tests.gui.windows import write_clip
 
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
@@ -78,6 +79,8 @@ def test_commands_are_handed_on_without_loading_qt() -> None:
         "import sys; from roam_core.cli.program import main; code = main(['info', '/nowhere.roam']); "
         "sys.exit(code if not any(name.startswith('PySide6') for name in sys.modules) else 99)"
     )
-    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    result = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=WAIT / 1000, check=False
+    )
     assert result.returncode == 1, result.stderr
     assert result.stderr.startswith("roam: ")

@@ -26,7 +26,8 @@ from app.widgets.panel import Panel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import finding
 from roam_core.roto import BlendMode, Project, edit, file
-from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import COUNT, FIRST, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 

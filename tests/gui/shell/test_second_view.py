@@ -17,6 +17,7 @@ from app.model.viewing import ViewMode
 from app.shell.main_window import MainWindow
 from roam_core.roto import edit
 from tests.gui.hand import Hand
+from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, centre, opened_window, write_clip
 
 CORNERS = np.array([(40.0, 30.0), (80.0, 30.0), (80.0, 70.0), (40.0, 70.0)])
@@ -63,7 +64,7 @@ def test_matte_beside_picture_with_its_own_zoom(qtbot: QtBot, window: MainWindow
 def test_it_has_the_picture_at_once_and_follows_the_frame(qtbot: QtBot, window: MainWindow, second: CanvasView) -> None:
     assert second.stage.frame == FIRST
     window.view_state.set_frame(FIRST + 3)
-    qtbot.waitUntil(lambda: second.stage.frame == FIRST + 3)
+    qtbot.waitUntil(lambda: second.stage.frame == FIRST + 3, timeout=WAIT)
     assert second.stage.picture is not None
     assert window.canvas.stage.picture is not None
     np.testing.assert_array_equal(second.stage.picture.pixels, window.canvas.stage.picture.pixels)
@@ -74,7 +75,7 @@ def test_while_it_is_closed_it_costs_nothing_and_catches_up(
 ) -> None:
     window.actions_by_id["window.second_viewer"].trigger()
     window.view_state.set_frame(FIRST + 2)
-    qtbot.waitUntil(lambda: window.canvas.stage.frame == FIRST + 2)
+    qtbot.waitUntil(lambda: window.canvas.stage.frame == FIRST + 2, timeout=WAIT)
     assert second.stage.frame == FIRST
     window.actions_by_id["window.second_viewer"].trigger()
     assert second.stage.frame == FIRST + 2
@@ -162,7 +163,7 @@ def test_it_floats_and_goes_on(qtbot: QtBot, window: MainWindow, second: CanvasV
     assert second.window() is not window
     assert second.isVisible()
     window.view_state.set_frame(FIRST + 1)
-    qtbot.waitUntil(lambda: second.stage.frame == FIRST + 1)
+    qtbot.waitUntil(lambda: second.stage.frame == FIRST + 1, timeout=WAIT)
 
 
 def test_its_view_lasts(qtbot: QtBot, window: MainWindow, second: CanvasView, tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, timing
 from roam_core.roto.value_keys import keyed, with_value
+from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -184,7 +185,9 @@ def test_rows_come_and_go_within_the_height_of_the_timeline(window: MainWindow, 
         part for part in window.timeline.children() if isinstance(part, QWidget) and part.isVisible() and part.height()
     ]
     parts.sort(key=lambda part: part.y())
-    qtbot.waitUntil(lambda: all(above.geometry().bottom() < below.y() for above, below in pairwise(parts)))
+    qtbot.waitUntil(
+        lambda: all(above.geometry().bottom() < below.y() for above, below in pairwise(parts)), timeout=WAIT
+    )
     assert parts[-1].geometry().bottom() < window.timeline.height()
     window.timeline.axis.set_scale(window.timeline.axis.scale.zoomed(2.0, 300.0))
     assert viewer() == before

@@ -17,7 +17,8 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, edit
 from tests.gui.hand import Hand
-from tests.gui.windows import COUNT, FIRST, WAIT, centre, opened_window, write_clip
+from tests.gui.waiting import WAIT
+from tests.gui.windows import COUNT, FIRST, centre, opened_window, write_clip
 
 AROUND = 26.0 * np.array([(np.cos(angle), np.sin(angle)) for angle in np.arange(8) * np.pi / 4])
 

@@ -16,7 +16,8 @@ from app.shell.main_window import MainWindow
 from app.shell.workspace import Part
 from app.widgets.floating import FloatingWindow, in_reach
 from app.widgets.panel import Panel
-from tests.gui.windows import WAIT, opened_window
+from tests.gui.waiting import WAIT
+from tests.gui.windows import opened_window
 
 PARTS = ("second_viewer", "timeline", "shapes", "track", "planar", "shape", "history", "log")
 LEFT, RIGHT = QRect(0, 0, 1920, 1080), QRect(1920, 0, 1920, 1080)
@@ -85,7 +86,7 @@ def test_keys_of_the_window_work_in_what_floats(qtbot: QtBot, window: MainWindow
     assert part.window is not None
     part.window.activateWindow()
     window.shapes.tree.setFocus()
-    qtbot.waitUntil(lambda: QApplication.activeWindow() is part.window)
+    qtbot.waitUntil(lambda: QApplication.activeWindow() is part.window, timeout=WAIT)
     assert not window.actions_by_id["view.tall_timeline"].isChecked()
     QTest.keyClick(window.shapes.tree, Qt.Key.Key_T, Qt.KeyboardModifier.ControlModifier)
     assert window.actions_by_id["view.tall_timeline"].isChecked()
@@ -114,7 +115,7 @@ def test_the_layout_lasts(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> N
     with opened_window(qtbot, None, tmp_path / "next") as following:
         following.restore_settings(tmp_path / "window.ini")
         again = following.workspace.parts["shapes"]
-        qtbot.waitUntil(lambda: again.window is not None and again.window.isVisible())
+        qtbot.waitUntil(lambda: again.window is not None and again.window.isVisible(), timeout=WAIT)
         assert again.window is not None
         assert again.window.geometry() == QRect(120, 90, 330, 280)
         assert not following.workspace.parts["track"].widget.isVisible()

@@ -21,6 +21,7 @@ from app.timeline.timeline import Timeline
 from roam_core.review.boil import BOILING, boil
 from roam_core.roto import Project, RotoShape
 from tests.gui.timeline.places import x_of
+from tests.gui.waiting import WAIT
 
 BENT = 1006
 
@@ -152,7 +153,7 @@ def test_the_boil_of_many_shapes_is_measured_in_idle_moments(
     assert len(counts) == 1
     assert " px " in timeline.boil.tip_at(QPointF(x_of(timeline, BENT), 1.0))
     assert len(counts) == 2
-    with qtbot.waitSignal(shared.changed):
+    with qtbot.waitSignal(shared.changed, timeout=WAIT):
         pass
     assert len(counts) == len(many), "each once"
     wanted = on_each_frame(np.maximum, [boil(shape) for shape in document.project.shapes])

@@ -16,6 +16,7 @@ from app.model.view_state import ViewState
 from app.timeline.timeline import Timeline
 from roam_core.roto import Animated, Keyframe, Mark, Origin, Project, ValueKey, edit, timing
 from tests.gui.timeline.places import SQUARE, place, x_of
+from tests.gui.waiting import WAIT
 
 LEFT, RIGHT, NO_BUTTON = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
 FADES = Animated((ValueKey(1005, 0.2), ValueKey(1020, 0.8, slopes=(0.0, 0.0)), ValueKey(1035, 0.5)))
@@ -32,9 +33,9 @@ def busy(qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewS
     timeline.confidence.hide()
     timeline.curve_panel.show()
     view_state.select(frozenset({"shape-1"}))
-    qtbot.waitUntil(timeline.value_rows.isVisible)
+    qtbot.waitUntil(timeline.value_rows.isVisible, timeout=WAIT)
     timeline.values.select(frozenset({("shape-1", "opacity", 1020)}))
-    qtbot.waitUntil(lambda: bool(timeline.curves.plot.lines))
+    qtbot.waitUntil(lambda: bool(timeline.curves.plot.lines), timeout=WAIT)
     return timeline
 
 

@@ -14,6 +14,7 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Mark, edit
 from tests.gui.timeline.places import place, x_of
+from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, shape, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -35,7 +36,7 @@ def take_key(qtbot: QtBot, window: MainWindow, frame: int) -> None:
     rows = window.timeline.rows
     qtbot.mouseClick(rows.viewport(), Qt.MouseButton.LeftButton, pos=place(window.timeline, frame, 0))
     rows.setFocus()
-    qtbot.waitUntil(rows.hasFocus)
+    qtbot.waitUntil(rows.hasFocus, timeout=WAIT)
 
 
 def test_del_in_the_timeline_means_the_key_and_in_the_viewer_the_shape(qtbot: QtBot, window: MainWindow) -> None:
@@ -43,7 +44,7 @@ def test_del_in_the_timeline_means_the_key_and_in_the_viewer_the_shape(qtbot: Qt
     qtbot.keyClick(window.timeline.rows, Qt.Key.Key_Delete)
     assert shape(window.document.project).artist_frames == (FIRST,)
     window.canvas.setFocus()
-    qtbot.waitUntil(window.canvas.hasFocus)
+    qtbot.waitUntil(window.canvas.hasFocus, timeout=WAIT)
     qtbot.keyClick(window.canvas, Qt.Key.Key_Delete)
     assert window.document.project.shapes == ()
 
@@ -67,7 +68,7 @@ def test_m_marks_and_shift_m_names_from_the_viewer(qtbot: QtBot, window: MainWin
     qtbot.keyClick(window.canvas, Qt.Key.Key_M)
     qtbot.keyClick(window.canvas, Qt.Key.Key_M, Qt.KeyboardModifier.ShiftModifier)
     field = window.timeline.marks.field
-    qtbot.waitUntil(field.hasFocus)
+    qtbot.waitUntil(field.hasFocus, timeout=WAIT)
     qtbot.keyClicks(field, "b l")  # B is a tool and L plays; in the field both are letters
     qtbot.keyClick(field, Qt.Key.Key_Return)
     assert window.document.project.marks == (Mark(FIRST + 2, "b l"),)
@@ -104,14 +105,16 @@ def test_the_curve_editor_has_the_place_of_the_confidence_floats_and_goes(qtbot:
     actions, timeline = window.actions_by_id, window.timeline
     assert not timeline.curve_panel.isVisible()
     actions["view.curves"].trigger()
-    qtbot.waitUntil(timeline.curves.plot.hasFocus)
+    qtbot.waitUntil(timeline.curves.plot.hasFocus, timeout=WAIT)
     assert timeline.curve_panel.window() is window
     assert not timeline.confidence.isVisible()
     actions["window.float_curves"].trigger()
-    qtbot.waitUntil(lambda: timeline.curve_panel.isVisible() and timeline.curve_panel.window() is not window)
+    qtbot.waitUntil(
+        lambda: timeline.curve_panel.isVisible() and timeline.curve_panel.window() is not window, timeout=WAIT
+    )
     assert timeline.confidence.isVisible()
     actions["window.float_curves"].trigger()
-    qtbot.waitUntil(lambda: timeline.curve_panel.window() is window)
+    qtbot.waitUntil(lambda: timeline.curve_panel.window() is window, timeout=WAIT)
     actions["view.curves"].trigger()
     assert timeline.confidence.isVisible()
     assert not timeline.curve_panel.isVisible()
@@ -120,7 +123,7 @@ def test_the_curve_editor_has_the_place_of_the_confidence_floats_and_goes(qtbot:
 def test_keys_of_the_transport_work_while_the_curves_have_the_keyboard(qtbot: QtBot, window: MainWindow) -> None:
     window.actions_by_id["view.curves"].trigger()
     plot = window.timeline.curves.plot
-    qtbot.waitUntil(plot.hasFocus)
+    qtbot.waitUntil(plot.hasFocus, timeout=WAIT)
     qtbot.keyClick(plot, Qt.Key.Key_L)
     assert window.playback.speed > 0
     qtbot.keyClick(plot, Qt.Key.Key_K)

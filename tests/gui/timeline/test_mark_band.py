@@ -13,6 +13,7 @@ from app.timeline.mark_verbs import NO_CLIP
 from app.timeline.timeline import Timeline
 from roam_core.roto import Mark, Project, timing
 from tests.gui.timeline.places import x_of
+from tests.gui.waiting import WAIT
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -26,7 +27,7 @@ def marked(qtbot: QtBot, timeline: Timeline, document: Document, *marks: Mark) -
     for mark in marks:
         project = timing.set_mark(project, mark.frame, mark.text)
     document.apply("Mark", project)
-    qtbot.waitUntil(timeline.marks.isVisible)
+    qtbot.waitUntil(timeline.marks.isVisible, timeout=WAIT)
 
 
 def test_m_marks_the_frame_and_takes_the_mark_away(
@@ -61,7 +62,7 @@ def test_a_mark_is_named_in_place(qtbot: QtBot, timeline: Timeline, document: Do
     handler(timeline, "mark.name")()
     field = timeline.marks.field
     timeline.activateWindow()
-    qtbot.waitUntil(field.hasFocus)
+    qtbot.waitUntil(field.hasFocus, timeout=WAIT)
     qtbot.keyClicks(field, "turn")
     qtbot.keyClick(field, Qt.Key.Key_Return)
     assert document.project.marks == (Mark(1012, "turn"),)

@@ -21,6 +21,7 @@ from app.timeline.keys.row_painter import ROW
 from app.timeline.timeline import Timeline
 from roam_core.roto import Project, RotoShape, edit
 from tests.gui.timeline.places import SQUARE, row_middle, x_of
+from tests.gui.waiting import WAIT
 
 
 def wheel(widget: QWidget, x: int, turn: int, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
@@ -165,7 +166,7 @@ def test_the_plot_takes_the_height_that_the_rows_leave(qtbot: QtBot, timeline: T
         return rows.height(), plot.height()
 
     whole = timeline.height() - timeline.ruler.height() - timeline.boil.height()
-    qtbot.waitUntil(lambda: heights() == (2 * ROW, whole - 2 * ROW))
+    qtbot.waitUntil(lambda: heights() == (2 * ROW, whole - 2 * ROW), timeout=WAIT)
     assert plot.geometry().top() == rows.geometry().bottom() + 1
     lines = plot.lines
     for value in (0.0, 0.5, 1.0):  # the scale's values stand beside the lines' own
@@ -175,7 +176,7 @@ def test_the_plot_takes_the_height_that_the_rows_leave(qtbot: QtBot, timeline: T
     for _ in range(48):
         project, _shape = edit.new_shape(project, SQUARE, 1001)
     document.apply("Many", project)
-    qtbot.waitUntil(lambda: heights() == (whole - LEAST_HEIGHT, LEAST_HEIGHT))
+    qtbot.waitUntil(lambda: heights() == (whole - LEAST_HEIGHT, LEAST_HEIGHT), timeout=WAIT)
 
 
 def test_only_visible_rows_and_one_mark_a_pixel_are_drawn(timeline: Timeline, document: Document) -> None:

@@ -18,6 +18,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Layer, edit
 from roam_core.roto.following import followed, pinned, surface_at, with_moving_layer
 from tests.gui.timeline.places import x_of
+from tests.gui.waiting import WAIT
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 SQUARE = polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0), (10.0, 26.0)])
@@ -34,7 +35,7 @@ def tracked(qtbot: QtBot, timeline: Timeline, document: Document) -> str:
         project = followed(project, layer_id, FIRST, frame, np.eye(3), trust)
     project = pinned(project, layer_id, ADJUSTED, surface_at(project, layer_id, ADJUSTED) + 2.0)
     document.apply("Planar track", project)
-    qtbot.waitUntil(timeline.tracks.isVisible)
+    qtbot.waitUntil(timeline.tracks.isVisible, timeout=WAIT)
     return layer_id
 
 

@@ -18,6 +18,7 @@ from app.widgets.fields import NumberField
 from app.widgets.focus import FocusFollowsPointer
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -67,7 +68,7 @@ def test_a_name_that_is_typed_keeps_the_keyboard_until_it_is_done(qtbot: QtBot, 
     QTest.keyClicks(field, "Leg")
     assert window.focusWidget() is field
     QTest.keyClick(field, key)
-    qtbot.waitUntil(lambda: window.focusWidget() is viewer)
+    qtbot.waitUntil(lambda: window.focusWidget() is viewer, timeout=WAIT)
     assert field.text() == ("Arm" if key is Qt.Key.Key_Escape else "Leg")
 
 
@@ -81,7 +82,7 @@ def test_a_number_is_taken_by_return_and_taken_back_by_escape(qtbot: QtBot, wind
             field.selectAll()
             QTest.keyClicks(field, "42" if key is Qt.Key.Key_Return else "7")
             QTest.keyClick(field, key)
-            qtbot.waitUntil(lambda: window.focusWidget() is viewer)
+            qtbot.waitUntil(lambda: window.focusWidget() is viewer, timeout=WAIT)
             assert field.value() == expected
     assert given == [42.0], "what was taken back was given all the same"
 
@@ -113,7 +114,7 @@ def test_after_a_frame_number_the_next_key_is_an_edit_key(qtbot: QtBot, main_win
     field.selectAll()
     QTest.keyClicks(field, "1004")
     QTest.keyClick(field, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: main_window.canvas.hasFocus())
+    qtbot.waitUntil(lambda: main_window.canvas.hasFocus(), timeout=WAIT)
     QTest.keyClick(main_window.canvas, Qt.Key.Key_3)
     assert field.value() == main_window.view_state.frame == 1004
 
@@ -121,15 +122,15 @@ def test_after_a_frame_number_the_next_key_is_an_edit_key(qtbot: QtBot, main_win
 @pytest.mark.parametrize("part", ["curves", "list"])
 def test_what_is_hidden_leaves_the_keyboard_to_the_viewer(qtbot: QtBot, main_window: MainWindow, part: str) -> None:
     window = main_window
-    qtbot.waitUntil(window.isActiveWindow)
+    qtbot.waitUntil(window.isActiveWindow, timeout=WAIT)
     if part == "curves":
         window.canvas.setFocus()
         window.actions_by_id["view.curves"].trigger()
-        qtbot.waitUntil(window.timeline.curves.plot.hasFocus)
+        qtbot.waitUntil(window.timeline.curves.plot.hasFocus, timeout=WAIT)
         window.actions_by_id["view.curves"].trigger()
     else:
         window.document.apply("Draw", edit.new_shape(window.document.project, SQUARE, 1000)[0])
         window.shapes.tree.setFocus()
         window.document.undo_stack.undo()  # a list without a row makes way for a sentence
         assert not window.shapes.tree.isVisible()
-    qtbot.waitUntil(window.canvas.hasFocus)
+    qtbot.waitUntil(window.canvas.hasFocus, timeout=WAIT)

@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -27,7 +28,7 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
         window.document.open(two_shapes(window.document.project), None)
         window.view_state.select(frozenset({"shape-1"}))
         window.activateWindow()
-        qtbot.waitUntil(window.isActiveWindow)
+        qtbot.waitUntil(window.isActiveWindow, timeout=WAIT)
         yield window
 
 
@@ -149,7 +150,7 @@ def begin_a_name(qtbot: QtBot, window: MainWindow) -> QLineEdit:
     tree.editItem(tree.item("shape-1"), 0)
     field = tree.viewport().findChild(QLineEdit)
     assert field is not None
-    qtbot.waitUntil(field.hasFocus)
+    qtbot.waitUntil(field.hasFocus, timeout=WAIT)
     begin(field, "Arm")
     return field
 
@@ -161,7 +162,7 @@ def test_a_name_in_the_list_is_done_with_once_and_the_viewer_has_the_keyboard(
     """A warning of Qt's, of a field that was closed before it was asked to, fails the test."""
     field = begin_a_name(qtbot, window)
     QTest.keyClick(field, key)
-    qtbot.waitUntil(window.canvas.hasFocus)
+    qtbot.waitUntil(window.canvas.hasFocus, timeout=WAIT)
     assert window.shapes.tree.state() is QAbstractItemView.State.NoState
     assert window.document.project.shape("shape-1").name == name
     assert window.document.undo_stack.count() == (name == "Arm")

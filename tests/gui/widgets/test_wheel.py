@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.panels.bars.look_controls import ResettingSlider
 from app.widgets.controls import number_field
+from tests.gui.waiting import WAIT
 
 
 def turn(widget: QSpinBox | QSlider) -> None:
@@ -34,6 +35,6 @@ def test_the_wheel_changes_a_field_only_with_the_keyboard_in_it(
     assert widget.value() == 10
     widget.activateWindow()
     widget.setFocus()
-    qtbot.waitUntil(widget.hasFocus)
+    qtbot.waitUntil(widget.hasFocus, timeout=WAIT)
     turn(widget)
     assert widget.value() > 10

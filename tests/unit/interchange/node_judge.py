@@ -25,7 +25,7 @@ def ran(text: str, folder: Path, layer: tuple[int, int] | None = None) -> dict[s
     script = folder / "masks.jsx"
     script.write_bytes(text.encode("ascii"))
     command = [node, str(STUB), str(script), *(str(length) for length in layer or ())]
-    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=60, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False)
     assert done.returncode == 0, done.stderr
     made: dict[str, Any] = json.loads(done.stdout)
     return made

@@ -95,7 +95,7 @@ class TclshTcl:
 
     def close(self) -> None:
         """Let the program end: it does at the end of its input."""
-        self._process.communicate(timeout=10)
+        self._process.communicate(timeout=120)
 
     def node_bodies(self, script: str) -> list[str]:
         return self._ask("e", script)

@@ -15,6 +15,7 @@ from app.canvas.plate.picture import Picture
 from app.model.viewing import Background, BackgroundKind
 from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
+from tests.gui.waiting import WAIT
 
 
 def of_image(name: str) -> Background:
@@ -36,7 +37,7 @@ def test_after_any_error_the_next_picture_is_read(qtbot: QtBot, monkeypatch: pyt
     layer, refused = BackgroundLayer(), []
     layer.refused.connect(refused.append)
     for name in ("damaged.png", "huge.png", "sky.png"):
-        with qtbot.waitSignal(layer.ready):
+        with qtbot.waitSignal(layer.ready, timeout=WAIT):
             layer.of(of_image(name))
     assert isinstance(layer.of(of_image("sky.png")), Picture)
     layer.close()

@@ -12,6 +12,7 @@ from app.canvas.plate.matte_layer import MatteLayer
 from roam_core.arrays import Float32
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from tests.gui.waiting import WAIT
 
 SIZE = (12, 16)
 
@@ -38,7 +39,7 @@ def test_only_the_newest_of_the_waiting_requests_is_rendered(qtbot: QtBot) -> No
         layer.request(project, frame, SIZE)
     assert layer.pixels is None
     for expected in (1, 4):
-        with qtbot.waitSignal(layer.ready):
+        with qtbot.waitSignal(layer.ready, timeout=WAIT):
             renderer.gate.release()
         assert layer.pixels is not None
         assert (layer.pixels == expected).all()
@@ -52,7 +53,7 @@ def test_the_same_matte_is_rendered_once(qtbot: QtBot) -> None:
     layer = MatteLayer(renderer)
     layer.request(project, 1, SIZE)
     layer.request(project, 1, SIZE)
-    with qtbot.waitSignal(layer.ready):
+    with qtbot.waitSignal(layer.ready, timeout=WAIT):
         renderer.gate.release()
     layer.request(project, 1, SIZE)
     layer.close()
@@ -72,7 +73,7 @@ def test_closing_forgets_what_waits(qtbot: QtBot) -> None:
 def test_the_matte_of_a_project(qtbot: QtBot) -> None:
     project, _ = edit.new_shape(Project(), polygon_points([(4.0, 2.0), (12.0, 2.0), (12.0, 10.0), (4.0, 10.0)]), 1)
     layer = MatteLayer()
-    with qtbot.waitSignal(layer.ready):
+    with qtbot.waitSignal(layer.ready, timeout=WAIT):
         layer.request(project, 1, SIZE)
     layer.close()
     expected = np.zeros(SIZE, dtype=np.uint8)
@@ -93,7 +94,7 @@ def test_after_an_error_the_next_matte_is_rendered_and_the_one_before_is_not_sho
 
     layer, project, shown = MatteLayer(render), Project(), []
     for frame in (1, 2, 3):
-        with qtbot.waitSignal(layer.ready):
+        with qtbot.waitSignal(layer.ready, timeout=WAIT):
             layer.request(project, frame, SIZE)
         layer.request(project, frame, SIZE)  # a repaint: what failed is not tried again for it
         shown.append(None if layer.pixels is None else int(layer.pixels[0, 0]))

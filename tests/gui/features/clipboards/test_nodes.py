@@ -17,9 +17,9 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange.clipboard import format_of, node_text, read_text
 from roam_core.roto import Layer, Project, edit
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window, write_clip
 
-WAIT = 30_000
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 SQUARE = polygon_points([(10, 10), (60, 10), (60, 50), (10, 50)])
 

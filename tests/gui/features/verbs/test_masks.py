@@ -16,8 +16,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.kernels.coverage import coverage
 from roam_core.roto import Clip, Project
-
-WAIT = 10_000
+from tests.gui.waiting import WAIT
 
 
 @pytest.fixture

@@ -24,6 +24,7 @@ from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Project, edit
 from roam_core.roto.file import digest
 from tests.gui.hand import Hand
+from tests.gui.waiting import WAIT
 
 SQUARES = {"a": 10.0, "b": 75.0, "c": 140.0}
 """Three squares beside each other: where they begin."""
@@ -100,11 +101,11 @@ def test_the_viewer_shows_the_matte_of_what_is_soloed(
     qtbot: QtBot, verbs: SoloVerbs, canvas: CanvasView, ids: dict[str, str], view_state: ViewState
 ) -> None:
     canvas.viewing.set_mode(ViewMode.MATTE)
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         canvas.repaint()
     assert canvas.stage.shown_picture() is not None
     view_state.select(frozenset({ids["b"]}))
-    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
         verbs.toggle()
         canvas.repaint()
     pixels = canvas.stage.shown_picture().pixels

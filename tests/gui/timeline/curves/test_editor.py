@@ -21,6 +21,7 @@ from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Animated, Interpolation, RotoShape, ValueKey, edit
 from roam_core.roto.animated import has_tangents
 from tests.gui.timeline.places import SQUARE
+from tests.gui.waiting import WAIT
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT, CTRL, ALT = (
@@ -44,7 +45,7 @@ def plot(qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewS
     timeline.confidence.hide()
     timeline.curve_panel.show()
     timeline.curves.plot.setFocus()
-    qtbot.waitUntil(timeline.curves.plot.hasFocus)
+    qtbot.waitUntil(timeline.curves.plot.hasFocus, timeout=WAIT)
     plot: CurvePlot = timeline.curves.plot
     return plot
 

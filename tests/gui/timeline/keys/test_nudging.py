@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from app.model.document import Document
 from app.timeline.timeline import Timeline
 from roam_core.roto import Animated, Keyframe, Project, ValueKey, edit
+from tests.gui.waiting import WAIT
 
 ALT = Qt.KeyboardModifier.AltModifier
 FADES = Animated((ValueKey(1005, 0.2), ValueKey(1007, 0.8), ValueKey(1035, 0.5)))
@@ -37,7 +38,7 @@ def fades(document: Document) -> Animated:
 
 def press(qtbot: QtBot, timeline: Timeline, *arrows: Qt.Key) -> None:
     timeline.rows.setFocus()
-    qtbot.waitUntil(timeline.rows.hasFocus)
+    qtbot.waitUntil(timeline.rows.hasFocus, timeout=WAIT)
     for arrow in arrows:
         qtbot.keyClick(timeline.rows, arrow, ALT)
 

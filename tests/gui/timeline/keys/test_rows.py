@@ -19,6 +19,7 @@ from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Interpolation, Keyframe, Origin, edit
 from tests.gui.timeline.places import CLIP, SQUARE, place, row_middle, x_of
+from tests.gui.waiting import WAIT
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT, CTRL, ALT = (
@@ -52,7 +53,7 @@ def drag(timeline: Timeline, start: QPoint, end: QPoint, modifiers: Qt.KeyboardM
 def take_keyboard(qtbot: QtBot, timeline: Timeline) -> None:
     timeline.activateWindow()
     timeline.rows.setFocus()
-    qtbot.waitUntil(timeline.rows.hasFocus)
+    qtbot.waitUntil(timeline.rows.hasFocus, timeout=WAIT)
 
 
 def artist(document: Document, name: str) -> tuple[int, ...]:
@@ -567,7 +568,7 @@ def test_a_box_goes_on_over_the_rows_out_of_sight(qtbot: QtBot, timeline: Timeli
     send(timeline, QEvent.Type.MouseButtonPress, QPoint(x_of(timeline, 1005), row_middle(0)))
     send(timeline, QEvent.Type.MouseMove, below - QPoint(20, 0))
     send(timeline, QEvent.Type.MouseMove, QPoint(x_of(timeline, 1000), below.y()))
-    qtbot.waitUntil(lambda: rows.verticalScrollBar().value() == rows.verticalScrollBar().maximum())
+    qtbot.waitUntil(lambda: rows.verticalScrollBar().value() == rows.verticalScrollBar().maximum(), timeout=WAIT)
     send(timeline, QEvent.Type.MouseButtonRelease, QPoint(x_of(timeline, 1000), below.y()))
     assert timeline.keys.places == {(shape.id, 1001) for shape in top if 1001 in shape.artist_frames}
     assert len(timeline.keys.places) > 60

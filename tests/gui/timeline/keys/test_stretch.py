@@ -17,6 +17,7 @@ from app.timeline.timeline import Timeline
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Animated, ValueKey, edit
 from tests.gui.timeline.places import CLIP, place
+from tests.gui.waiting import WAIT
 
 LEFT, NO_BUTTON = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
 ASIDE = QPoint(round(BESIDE), 0)
@@ -127,7 +128,7 @@ def test_keys_of_values_are_stretched_with_their_tangents(
 ) -> None:
     shape = replace(document.project.shape("shape-1"), opacity=FADES)
     document.apply("Fade", document.project.with_shape(shape))
-    qtbot.waitUntil(timeline.value_rows.isVisible)
+    qtbot.waitUntil(timeline.value_rows.isVisible, timeout=WAIT)
     timeline.values.select(frozenset(("shape-1", "opacity", frame) for frame in FADES.frames))
     rows = timeline.value_rows
     assert rows.tip_at(QPointF(place(timeline, 1025, 0) + ASIDE)) == TIP

@@ -12,6 +12,7 @@ from app.timeline.timeline import Timeline
 from app.timeline.values.shown import Kind
 from roam_core.roto import Animated, ValueKey, edit
 from tests.gui.timeline.places import SQUARE
+from tests.gui.waiting import WAIT
 
 TAB, BACK, LEFT, RIGHT = Qt.Key.Key_Tab, Qt.Key.Key_Backtab, Qt.Key.Key_Left, Qt.Key.Key_Right
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -84,10 +85,10 @@ def test_behind_the_last_key_tab_goes_to_the_next_control(
     view_state.select(frozenset({"shape-2"}))
     rows.activateWindow()
     rows.rows.setFocus()
-    qtbot.waitUntil(rows.rows.hasFocus)
+    qtbot.waitUntil(rows.rows.hasFocus, timeout=WAIT)
     for _ in range(4):
         qtbot.keyClick(rows.rows, TAB)
-    qtbot.waitUntil(rows.value_rows.hasFocus)
+    qtbot.waitUntil(rows.value_rows.hasFocus, timeout=WAIT)
     assert chosen(rows) == [(1040, "2")]
     qtbot.keyClick(rows.value_rows, TAB)
     qtbot.keyClick(rows.value_rows, RIGHT, EXTENDS)

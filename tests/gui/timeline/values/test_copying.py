@@ -18,6 +18,7 @@ from app.timeline.values.verbs import FITS_NOTHING
 from roam_core.roto import Animated, Interpolation, Project, ValueKey, edit
 from roam_core.roto.layers import grouped
 from tests.gui.timeline.places import CLIP, place
+from tests.gui.waiting import WAIT
 
 LEFT = Qt.MouseButton.LeftButton
 ALT = Qt.KeyboardModifier.AltModifier
@@ -45,10 +46,10 @@ def keyed(qtbot: QtBot, timeline: Timeline, document: Document) -> None:
     """The lower shape fades; the rows of values have the keyboard."""
     shape = replace(document.project.shape("shape-1"), opacity=FADES)
     document.apply("Fade", document.project.with_shape(shape))
-    qtbot.waitUntil(timeline.value_rows.isVisible)
+    qtbot.waitUntil(timeline.value_rows.isVisible, timeout=WAIT)
     timeline.activateWindow()
     timeline.value_rows.setFocus()
-    qtbot.waitUntil(timeline.value_rows.hasFocus)
+    qtbot.waitUntil(timeline.value_rows.hasFocus, timeout=WAIT)
 
 
 @pytest.fixture
@@ -101,7 +102,7 @@ def test_copied_keys_are_pasted_with_the_first_one_on_the_playhead(
     view_state.select(frozenset({"shape-2"}))
     view_state.set_frame(1001)
     timeline.value_rows.setFocus()
-    qtbot.waitUntil(timeline.value_rows.hasFocus)
+    qtbot.waitUntil(timeline.value_rows.hasFocus, timeout=WAIT)
     act[PASTE]()  # into the one that is selected, whose opacity never varied
     assert fades(document.project, "shape-2") == {1001: 0.2, 1011: 0.8}
     assert document.undo_stack.undoText() == "Paste keys"
@@ -119,7 +120,7 @@ def test_copied_keys_are_pasted_into_a_shape_that_never_varied(
     timeline.value_rows.verbs.select_all()
     act[COPY]()
     timeline.rows.setFocus()
-    qtbot.waitUntil(timeline.rows.hasFocus)
+    qtbot.waitUntil(timeline.rows.hasFocus, timeout=WAIT)
     view_state.select(frozenset({"shape-2"}))
     view_state.set_frame(1001)
     act[PASTE]()

@@ -17,6 +17,7 @@ from app.timeline.timeline import Timeline
 from app.timeline.values.rows import MOST
 from roam_core.roto import Animated, Interpolation, Layer, RotoShape, ValueKey, edit
 from tests.gui.timeline.places import SQUARE, place, x_of
+from tests.gui.waiting import WAIT
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -29,7 +30,7 @@ def keyed(qtbot: QtBot, timeline: Timeline, document: Document) -> RotoShape:
     """The lower shape with an opacity and a feather that vary."""
     shape = replace(document.project.shape("shape-1"), opacity=FADES, feather=SOFTENS)
     document.apply("Fade", document.project.with_shape(shape))
-    qtbot.waitUntil(timeline.value_rows.isVisible)
+    qtbot.waitUntil(timeline.value_rows.isVisible, timeout=WAIT)
     return shape
 
 
@@ -60,7 +61,7 @@ def test_rows_come_and_go_with_what_varies(
     view_state.select(frozenset({"shape-2"}))
     assert not timeline.value_rows.isVisible()
     view_state.select(frozenset())
-    qtbot.waitUntil(timeline.value_rows.isVisible)
+    qtbot.waitUntil(timeline.value_rows.isVisible, timeout=WAIT)
     document.undo_stack.undo()
     assert not timeline.value_rows.isVisible()
 
@@ -122,7 +123,7 @@ def test_keys_are_deleted_nudged_and_bent_by_keys_and_actions(
 ) -> None:
     timeline.activateWindow()
     timeline.value_rows.setFocus()
-    qtbot.waitUntil(timeline.value_rows.hasFocus)
+    qtbot.waitUntil(timeline.value_rows.hasFocus, timeout=WAIT)
     timeline.values.select(frozenset({("shape-1", "opacity", 1015)}))
     qtbot.keyClick(timeline.value_rows, Qt.Key.Key_Right, Qt.KeyboardModifier.AltModifier)
     assert value(document).frames == (1005, 1016, 1025)
@@ -210,7 +211,7 @@ def test_every_value_that_varies_has_a_row_and_what_has_no_room_scrolls(
     timeline.resize(1100, 220)
     room.verticalScrollBar().setValue(room.verticalScrollBar().maximum())
     last = QPoint(round(x_of(timeline, 1015)), band.height() - ROW // 2)
-    qtbot.waitUntil(lambda: band.visibleRegion().contains(last))
+    qtbot.waitUntil(lambda: band.visibleRegion().contains(last), timeout=WAIT)
     send(timeline, QEvent.Type.MouseButtonPress, last)
     send(timeline, QEvent.Type.MouseButtonRelease, last)
     assert timeline.values.places == {(band.rows()[-1].item.id, "opacity", 1015)}

@@ -17,9 +17,9 @@ from app.tools.draw.magnetic import MagneticTool
 from roam_core.roto import Origin
 from tests.gui.hand import CTRL, Hand, Spot
 from tests.gui.tools.conftest import OnlyShape
+from tests.gui.waiting import WAIT
 
 CENTRE, RADIUS = (100.0, 75.0), 50.0
-WAIT = 20_000
 RETURN, ESCAPE, BACKSPACE = Qt.Key.Key_Return, Qt.Key.Key_Escape, Qt.Key.Key_Backspace
 
 
@@ -221,7 +221,7 @@ def test_clicks_on_one_spot_make_no_shape(
 ) -> None:
     for _ in range(4):
         hand.click((60.0, 60.0))
-        qtbot.waitUntil(lambda: magnetic(canvas).legs[-1].wire is not None)
+        qtbot.waitUntil(lambda: magnetic(canvas).legs[-1].wire is not None, timeout=WAIT)
     hand.key(key)
     assert not magnetic(canvas).legs
     assert not document.project.shapes

@@ -21,9 +21,9 @@ from roam_core.proposal.assist import cut_out
 from roam_core.roto import Clip, Project, RotoShape
 from tests.gui.hand import CTRL, SHIFT, Hand
 from tests.gui.tools.conftest import OnlyShape
+from tests.gui.waiting import WAIT
 
 CENTRE, RADIUS = (100.0, 75.0), 40.0
-WAIT = 20_000
 
 
 def disc(scale: float = 1.0) -> np.ndarray:

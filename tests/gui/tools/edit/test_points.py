@@ -22,9 +22,10 @@ from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import DOUBTFUL
 from roam_core.roto import Clip, Layer, Project, edit
 from tests.gui.hand import Hand
+from tests.gui.waiting import WAIT
 from tests.unit.motion import test_plane_track as board
 
-KIND, LAST, WAIT = PlaneMotion.SIMILARITY, 6, 20_000
+KIND, LAST = PlaneMotion.SIMILARITY, 6
 MARKS = ((120.0, 100.0), (185.0, 140.0))
 """On the board on frame 1."""
 
