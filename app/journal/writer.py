@@ -9,6 +9,7 @@ import queue
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -94,6 +95,7 @@ class JournalWriter:
         self._queue: queue.SimpleQueue[object] = queue.SimpleQueue()
         self._open: _Open | None = None
         self._superseded: list[tuple[_Open, str]] = []
+        self._broken: list[Path] = []
         self._beginning = Beginning(Project())
         self._waiting: _State | None = None
         self._is_refused = self._is_told = False
@@ -204,6 +206,7 @@ class JournalWriter:
             self._refuse(error)
             if self._open is not None and self._open.is_broken:
                 self._open.close()
+                self._broken.append(self._open.path)
                 self._open = None  # the next try begins another file
         else:
             self._waiting = None
@@ -213,9 +216,14 @@ class JournalWriter:
             self._end_superseded()
 
     def _end_superseded(self) -> None:
+        """End the journals whose work lies elsewhere now; of one that broke nothing more can be written into it."""
         for journal, why in self._superseded:
             _ended(journal, why)
-        self._superseded = []
+        for path in self._broken:
+            with suppress(OSError):
+                if path.exists():
+                    path.with_suffix(RECOVERED).touch()
+        self._superseded, self._broken = [], []
 
     def _refuse(self, error: Exception) -> None:
         self._is_refused = True

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, Never
 
 from roam_core.cli.lines import print_text
+
+FRAMES_BELOW_ZERO = re.compile(r"-\d+[-,x]-?\d[-,x\d]*")
+"""Frames of which the first is below 0: `-3--1`, `-3-12x5`, `-3,7`. A number alone argparse knows itself."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -25,7 +29,7 @@ class Parser(argparse.ArgumentParser):
         What follows a `--` are no options: argparse forgets that where the two are mixed.
         """
         end = argv.index("--") if "--" in argv else len(argv)
-        before, after = list(argv[:end]), argv[end + 1 :]
+        before, after = list(_with_frames(argv[:end])), argv[end + 1 :]
         self._dashed = next((word for word in before if word.startswith("-") and os.path.lexists(word)), "")
         return self.parse_intermixed_args([*before, *(f"./{word}" if word.startswith("-") else word for word in after)])
 
@@ -39,3 +43,16 @@ class Parser(argparse.ArgumentParser):
             print_text(message)
         else:
             super()._print_message(message, file)
+
+
+def _with_frames(words: Sequence[str]) -> Iterator[str]:
+    """Words of which an option and the frames below 0 that follow it are one: argparse takes these for an option."""
+    waiting = iter(words)
+    for word in waiting:
+        follows = next(waiting, None) if word == "--frames" else None
+        if follows is None:
+            yield word
+        elif FRAMES_BELOW_ZERO.fullmatch(follows):
+            yield f"{word}={follows}"
+        else:
+            yield from (word, follows)

@@ -165,3 +165,15 @@ def test_boil_is_measured_by_the_picture_where_that_is_asked_for(roam: Roam, pro
 def test_options_may_stand_between_the_project_and_what_is_written(roam: Roam, project: Path, tmp_path: Path) -> None:
     assert roam("review", project, "--sheet", tmp_path / "sheet.png").status == 0
     assert (tmp_path / "sheet.png").exists()
+
+
+@pytest.mark.parametrize(("words", "count"), [("-3--1", 3), ("-4,-2", 2), ("-5-0x5", 2)])
+def test_frames_below_zero_follow_their_option(
+    roam: Roam, project: Path, plate: Plate, tmp_path: Path, words: str, count: int
+) -> None:
+    for frame in SHOT.frames:
+        (plate.folder / f"plate.{frame}.png").rename(plate.folder / f"plate.{frame - 1006}.png")
+    assert roam("shift", project).status == 0
+    done = roam("review", project, tmp_path / "out", "--frames", words)
+    assert done.status == 0, done.err
+    assert len(list((tmp_path / "out").iterdir())) == count
