@@ -17,6 +17,7 @@ from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
+from roam_core.roto.control_points import points_of
 from roam_core.roto.following import followed, moving_layer, with_moving_layer, with_points
 from roam_core.roto.point_order import is_renumbered
 from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
@@ -61,6 +62,8 @@ class _Run:
     """How the layer moved before the run; None where it made the layer, or moves points."""
     replaced: Mapping[str, Keyframe | None] = field(default_factory=dict)
     """Of each shape whose points it moves what lay on the frame reached, where the run put something else."""
+    carried: TrackPoints | None = None
+    """The track points as the run showed them last."""
 
     @property
     def shape_ids(self) -> tuple[str, ...]:
@@ -160,8 +163,9 @@ class PlanarTrack(QObject):
             moved = partial(_with_vertices, run, found)
             run.replaced = _replaced(run, self._document.project, moved(self._document.project), frame)
             self._document.amend(tr("Point track"), moved, run.merge_key, keeps_undone=run.keeps_undone)
-            if run.points is not None:
-                self._view.track_points = run.points.carried(found.matrix, frame)
+            # Points that the artist put, moved or took away meanwhile are another run's.
+            if run.points is not None and self._view.track_points in (run.points, run.carried):
+                self._view.track_points = run.carried = run.points.carried(found.matrix, frame)
         else:
             change = _following(run, self._document.project, found)
             if run.reached is None and self._document.project.has(run.layer_id):
@@ -306,10 +310,12 @@ def _with_vertices(run: _Run, found: Found, project: Project) -> Project:
         if not project.has(shape_id):
             continue
         shape = project.shape(shape_id)
-        start, points = shape.at(found.start).points, shape.at(found.frame).points.copy()
+        # Of a B-spline the chosen ones are control points: the curve's own points are not the artist's to move.
+        start, points = (shape.at(frame).control_points.copy() for frame in (found.start, found.frame))
         chosen = sorted(index for each, index in run.vertices if each == shape_id and index < len(points))
         points[chosen] = projective.apply(found.matrix, start[chosen])
-        project = project.with_shape(edit.set_key(shape, found.frame, points))
+        after = points_of(points, shape.spline, shape.closed)
+        project = project.with_shape(edit.set_key(shape, found.frame, after))
     return project
 
 

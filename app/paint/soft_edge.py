@@ -47,8 +47,9 @@ def offset(line: Array, width: float) -> Array:
     place, share = _spread((np.abs(turn) / TURN).astype(np.intp) + 2)
     angle = before[place] + turn[place] * share
     found = line[place] + width * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    gaps = ((found[:, None] - line) ** 2).sum(axis=2).min(axis=1)
-    return np.asarray(found[gaps >= (NEARER * width) ** 2])
+    from scipy.spatial import cKDTree  # large: only where a shape has an even soft edge
+
+    return np.asarray(found[cKDTree(line).query(found)[0] >= NEARER * abs(width)])
 
 
 def _divided(line: Array, step: float) -> Array:

@@ -223,7 +223,7 @@ class Marquee(Gesture):
         super().__init__(document, view_state, pressed)
         self._removes = pressed.holds(Modifier.ControlModifier) and not pressed.holds(Modifier.AltModifier)
         self._keeps = self._removes or pressed.holds(Modifier.ShiftModifier)
-        self._held = view_state.selection
+        self._held, self._layers = view_state.selection, view_state.layers
         self._before = self._held if self._keeps else Selection()
 
     def drag(self, pointer: Pointer) -> None:
@@ -232,13 +232,18 @@ class Marquee(Gesture):
         self.view_state.select(self._before.shapes, points)
 
     def click(self) -> None:
-        """Nothing stays selected, no empty layer either: what is drawn next would come into it."""
+        """Nothing stays selected, no empty layer either: what is drawn next would come into it.
+
+        A press with Ctrl and Alt was to insert a point, and missed: what is selected stays in the hand.
+        """
+        if self.pressed.holds(INSERT):
+            return
         layers = None if self._keeps else frozenset[str]()
         self.view_state.select(self._before.shapes, self._before.points, layers)
 
     def drop(self) -> None:
         held = pruned(self._held, self.document.project)
-        self.view_state.select(held.shapes, held.points)
+        self.view_state.select(held.shapes, held.points, self._layers if held == self._held else None)
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self.is_dragging:
@@ -265,11 +270,6 @@ class Lasso(Marquee):
         if pointer.screen_distance(self._line[-1]) >= LASSO_STEP:
             self._line.append(pointer.position)
         super().drag(pointer)
-
-    def click(self) -> None:
-        """A press with Ctrl and Alt was to insert a point, and missed: what is selected stays in the hand."""
-        if not self.pressed.holds(INSERT):
-            super().click()
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self.is_dragging:

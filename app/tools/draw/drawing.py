@@ -26,7 +26,7 @@ from ...translation import tr
 from ..gestures import DRAG_DISTANCE
 from ..hit_test import REACH
 from ..tool import Pointer
-from .placing import FINISH_KEYS, TAKE_BACK_KEYS, PlacingTool
+from .placing import FINISH_KEYS, TAKE_BACK_KEYS, TOO_FEW, PlacingTool
 
 
 class DrawingTool(PlacingTool):
@@ -181,12 +181,7 @@ class DrawingTool(PlacingTool):
 
     def _finish_closed(self) -> None:
         if self._place_count < edit.MIN_POINTS_CLOSED:
-            self.view_state.say(
-                tr(
-                    "A closed shape needs at least {min_points_closed} points; click to place more.",
-                    min_points_closed=edit.MIN_POINTS_CLOSED,
-                )
-            )
+            self.view_state.say(tr(TOO_FEW, min_points_closed=edit.MIN_POINTS_CLOSED))
         else:
             self._finish(closed=True)
 

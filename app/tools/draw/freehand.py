@@ -44,7 +44,7 @@ class FreehandTool(Tool):
         super().__init__(document, view_state)
         self._stroke: list[tuple[float, float]] = []
         self._pointer: Pointer | None = None
-        self._fit = StrokeFit(TOLERANCE)
+        self._fit, self._pressure = StrokeFit(TOLERANCE), 1.0
         self._frame = 0
 
     @property
@@ -78,20 +78,21 @@ class FreehandTool(Tool):
 
     def press(self, pointer: Pointer) -> None:
         self._stroke, self._pointer, self._frame = [pointer.position], pointer, self.view_state.frame
-        # By the pressure as it begins: a fit that changed on the way would change what is drawn already.
-        self._fit = StrokeFit(TOLERANCE * LOOSEST ** (1.0 - pointer.pressure))
+        self._press_harder(pointer.pressure)
 
     def drag(self, pointer: Pointer) -> None:
         if self._stroke and pointer.position != self._stroke[-1]:
             self._stroke.append(pointer.position)
             self._pointer = pointer
+            if pointer.pressure > self._pressure and self._is_short(pointer):
+                self._press_harder(pointer.pressure)
 
     def release(self, pointer: Pointer) -> None:
         self.drag(pointer)
         if not self._stroke:
             return
         closed, points = self._closes(), self.points
-        is_slip = polyline.length(self._on_screen(pointer), closed=False) < LEAST_LENGTH
+        is_slip = self._is_short(pointer)
         self.drop()
         if is_slip:
             self.view_state.say(tr(self.hint))
@@ -111,6 +112,14 @@ class FreehandTool(Tool):
         marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
         start = viewport.to_widget(*self._stroke[0])
         marks.anchor(painter, start, colour, round_=True, filled=closes, grown=closes)
+
+    def _press_harder(self, pressure: float) -> None:
+        # By the hardest pressure as it begins, for a pen comes down lightly: a fit that changed on the way would change
+        # what is drawn already.
+        self._pressure, self._fit = pressure, StrokeFit(TOLERANCE * LOOSEST ** (1.0 - pressure))
+
+    def _is_short(self, pointer: Pointer) -> bool:
+        return polyline.length(self._on_screen(pointer), closed=False) < LEAST_LENGTH
 
     def _on_screen(self, pointer: Pointer) -> Array:
         """The stroke `(K, 2)` in screen pixels from the picture's corner."""

@@ -12,6 +12,7 @@ from PySide6.QtGui import QPainter, QPainterPath
 
 from roam_core.arrays import Array
 from roam_core.geometry.stroke import StrokeFit
+from roam_core.roto import edit
 
 from ...features.verbs.finishing import finish_shape, next_colour
 from ...jobs.picture_work import Shown
@@ -24,7 +25,7 @@ from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..hit_test import REACH
 from ..tool import Modifier, Pointer
-from .placing import FINISH_KEYS, TAKE_BACK_KEYS, PlacingTool
+from .placing import FINISH_KEYS, TAKE_BACK_KEYS, TOO_FEW, PlacingTool
 
 if TYPE_CHECKING:
     from roam_core.proposal.assist.livewire import LiveWire
@@ -80,7 +81,7 @@ class MagneticTool(PlacingTool):
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
         self._legs: list[Leg] = []
-        self._pixel = np.ones(2)
+        self._pixel = self._finest = np.ones(2)
         self._shown: Shown | None = None
         self._scale = np.ones(2)
         self._frame = 0
@@ -140,7 +141,8 @@ class MagneticTool(PlacingTool):
     def take_back(self) -> bool:
         if not self._legs:
             return False
-        self._legs.pop()
+        if self._closing is not False:  # what was left open waits without the leg that followed the pointer
+            self._legs.pop()
         if self._legs:
             start = self._legs.pop().start
             self._closing = None
@@ -157,6 +159,8 @@ class MagneticTool(PlacingTool):
 
     def _feel(self, pointer: Pointer) -> None:
         self._hover, self._pixel = pointer, np.array(pointer.pixel)
+        # The nearest look counts for the fit: who steps back to close the shape keeps what was laid closer by.
+        self._finest = np.minimum(self._finest, self._pixel) if self._legs else self._pixel
 
     def _begin(self, pointer: Pointer) -> None:
         shown = self.pictures.shown if self.pictures is not None else None
@@ -227,6 +231,9 @@ class MagneticTool(PlacingTool):
         if self._is_on_one_spot:
             self.drop()
             return
+        if closed and len({leg.start for leg in self._legs}) < edit.MIN_POINTS_CLOSED:
+            self.view_state.say(tr(TOO_FEW, min_points_closed=edit.MIN_POINTS_CLOSED))
+            return
         self._closing = closed
         if closed:
             self._legs[-1].end = self._legs[0].start
@@ -242,7 +249,7 @@ class MagneticTool(PlacingTool):
 
     def _points(self, paths: list[Array], closed: bool) -> Array:
         """The spline `(P, 3, 2)` of these lines, one after the other; `closed` where the last ends at the first."""
-        line, unit = np.vstack([path[k > 0 :] for k, path in enumerate(paths)]), np.maximum(self._pixel, self._scale)
+        line, unit = np.vstack([path[k > 0 :] for k, path in enumerate(paths)]), np.maximum(self._finest, self._scale)
         return self._fit.points((line[:-1] if closed else line) / unit, closed=closed) * unit
 
     def _snapped(self, pointer: Pointer) -> Spot:

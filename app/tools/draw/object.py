@@ -46,7 +46,14 @@ class ObjectTool(Tool):
         super().__init__(document, view_state)
         self._box: tuple[Pointer, Pointer] | None = None
         self._marks: list[tuple[Spot, bool]] = []
+        self._frame = 0
         self._job: Job | None = None
+
+    def refresh(self) -> None:
+        """Marks say what is the object in the picture on which they were made, not where it is on another frame."""
+        if self._marks and self._job is None and self.view_state.frame != self._frame:
+            self._marks = []
+            self.view_state.say(tr(self.hint))
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -84,6 +91,7 @@ class ObjectTool(Tool):
             return
         self._box = None
         outside = pointer.holds(Modifier.ControlModifier)
+        self._frame = self.view_state.frame
         self._marks.append((box[0].position, not outside))
         if outside or pointer.holds(Modifier.ShiftModifier):
             self.view_state.say(tr("Click or box the object to find it, Return finds what is marked."))

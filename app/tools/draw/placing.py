@@ -8,12 +8,13 @@ from PySide6.QtCore import Qt
 
 from ...model.document import Document
 from ...model.view_state import ViewState
-from ...translation import tr
+from ...translation import N_, tr
 from ..tool import Pointer, Tool
 
 FINISH_KEYS = frozenset({"Return", "Enter"})
 TAKE_BACK_KEYS = frozenset({"Backspace", "Del", "Ctrl+Z"})
 LEAVE_KEYS = frozenset({"Esc"})
+TOO_FEW = N_("A closed shape needs at least {min_points_closed} points; click to place more.")
 
 
 class PlacingTool(Tool, ABC):

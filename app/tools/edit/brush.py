@@ -108,11 +108,17 @@ class BrushDrag(Edit):
 
     def __init__(self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab) -> None:
         super().__init__(document, view_state, pressed, grab, tr("Reshape"))
+        self._pressure = pressed.pressure
+
+    def move(self, pointer: Pointer) -> None:
+        # The hardest press counts: a pen that is lifted presses less and less before it is up.
+        self._pressure = max(self._pressure, pointer.pressure)
+        super().move(pointer)
 
     @property
     def radius(self) -> float:
         """How far the brush reaches, heights of an image pixel."""
-        return self.view_state.editing.modes.brush_radius * max(self.last.pressure, LIGHTEST)
+        return self.view_state.editing.modes.brush_radius * max(self._pressure, LIGHTEST)
 
     @property
     def weights(self) -> dict[str, Array]:

@@ -41,6 +41,7 @@ class SelectTool(GestureTool):
         return self._cursor
 
     def press(self, pointer: Pointer) -> None:
+        self._pressed = ""
         if pointer.holds(INSERT) and self._insert_point(pointer):
             return
         found = None if pointer.holds(INSERT) else self._hit(pointer)

@@ -120,7 +120,8 @@ class TransformTool(SelectTool):
     def box(self, pixel: tuple[float, float]) -> Box | None:
         """The box about the selection on the present frame, or None where nothing can be transformed."""
         seen = self._look()
-        if seen != self._seen:
+        zoomed = self._box is not None and self._box.pixel not in (None, pixel)
+        if seen != self._seen or zoomed:
             stays = self._seen is not None and self._box is not None and seen[1] == self._seen[1]
             pivot = self._box.pivot if self._box and stays else CENTRE
             self._box, self._seen = self._around_selection(pixel, pivot), seen

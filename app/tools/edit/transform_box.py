@@ -77,6 +77,8 @@ class Box:
 
     frame: Array
     pivot: Vector = CENTRE
+    pixel: Vector | None = None
+    """That of the zoom by which a side without a length got one; None where both have their own."""
 
     @classmethod
     def around(cls, low: Vector, high: Vector, pixel: Vector, pivot: Vector = CENTRE) -> Box:
@@ -85,7 +87,8 @@ class Box:
         least = np.multiply(LEAST_SIDE, pixel)
         thin = size < 1e-6
         corner, size = np.where(thin, corner - least / 2, corner), np.where(thin, least, size)
-        return cls(np.array([[size[0], 0.0, corner[0]], [0.0, size[1], corner[1]], [0.0, 0.0, 1.0]]), pivot)
+        frame = np.array([[size[0], 0.0, corner[0]], [0.0, size[1], corner[1]], [0.0, 0.0, 1.0]])
+        return cls(frame, pivot, pixel if thin.any() else None)
 
     @property
     def is_pinned(self) -> bool:
