@@ -47,6 +47,11 @@ class Repaint:
         self._frame = frame
         self._update(area)
 
+    def everything(self, project: Project, frame: int) -> None:
+        """All is painted again: the next drag starts from this."""
+        self._project, self._frame = project, frame
+        self._canvas.update()
+
     def follow_tool(self, tool: Tool, viewport: Viewport, hovered: Hover, pointer: QPointF) -> None:
         """The tool was given the pointer: its own marks, and the mark under the pointer, may be others."""
         marks, area = _recorded(tool, viewport)

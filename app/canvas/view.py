@@ -21,6 +21,7 @@ from ..model.shown import selection_bounds
 from ..model.view_state import Selection, ViewState
 from ..model.viewing import Viewing, ViewMode
 from ..paint.feather import paint_feather
+from ..paint.viewport import Viewport
 from ..tools.edit.point_actions import PointActions
 from ..tools.in_hand import ToolInHand
 from ..tools.menu_place import taken_up
@@ -33,7 +34,7 @@ from .magnifier import Magnifier, Scene
 from .plate.stage import Stage
 from .pointed import PointedWidget
 from .repaint import Repaint
-from .stabiliser import Shift, Stabiliser
+from .stabiliser import Stabiliser
 from .view_snapshot import SnapshotPainter, ViewSnapshot
 from .wipe import Wipe
 from .words import Words
@@ -194,7 +195,7 @@ class CanvasView(PointedWidget):
     def _pull(self, _ids: object = None) -> None:
         """The project changed."""
         self._prepare()
-        self.update()
+        self._repaint.everything(self._project(), self._view_state.frame)
 
     def _prepare(self) -> None:
         """Nothing may stay selected or grabbed that is gone."""
@@ -216,12 +217,11 @@ class CanvasView(PointedWidget):
         self.stabiliser.follow()
         self.update()
 
-    def go_along(self, shift: Shift) -> Shift:
+    def set_viewport(self, viewport: Viewport) -> None:
         """Beyond that, another pixel lies under a pointer that stands still."""
-        went = super().go_along(shift)
+        super().set_viewport(viewport)
         if self._pointer is not None:
             self.pointer_moved.emit(self.widget_to_image(self._pointer))
-        return went
 
     def _begin_anew(self) -> None:
         """Another project was opened."""
@@ -261,10 +261,11 @@ class CanvasView(PointedWidget):
     def _snapshot(self) -> ViewSnapshot:
         """What is shown now."""
         project, frame, image, viewing = self._project(), self._view_state.frame, self._image_size(), self.viewing
-        below = self.stage.below(project, frame, image)
+        below, whole = self.stage.below(project, frame, image), self.stage.is_whole(project, frame)
         edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
         look = viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges
-        return ViewSnapshot(below, image, *look, self._view_state.solo.told(project), self.stabiliser.travelled)
+        alone, chosen = self._view_state.solo.told(project), self._view_state.selection
+        return ViewSnapshot(below, image, *look, alone, self.stabiliser.travelled, whole, chosen)
 
     def _scene(self) -> Scene | None:
         """What is to be shown magnified of what is shown now."""
@@ -282,7 +283,7 @@ class CanvasView(PointedWidget):
         if (pinned := self.wipe.pinned) is not None:
             painter.setClipRect(self.wipe.left(size) & QRectF(event.rect()))
             there = viewport.with_picture_moved(self.stabiliser.aside(pinned.travelled, pinned.frame))
-            self._pinned.paint(painter, pinned, there, ratio, Selection())
+            self._pinned.paint(painter, pinned, there, ratio, Selection(), whose=pinned.chosen)
             right = QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0)
             painter.setClipRect(right & QRectF(event.rect()))
         self._present.paint(painter, snapshot, viewport, ratio, view.selection, view.hovered)
@@ -308,8 +309,7 @@ class CanvasView(PointedWidget):
             and event.type() is QEvent.Type.ShortcutOverride
             and (self._is_pressed or key_name(event) in self.tool.claimed_keys)
         ):
-            # The key comes to `keyPressEvent` instead of the window's shortcut: while something is in the hand, keys
-            # other than the tool's own mean nothing.
+            # It comes to `keyPressEvent`, not to the window's shortcut: while something is held, others mean nothing.
             event.accept()
             return True
         return super().event(event)
@@ -337,7 +337,7 @@ class CanvasView(PointedWidget):
             self._press(event, self.tool.press)
 
     def _move(self, event: QMouseEvent) -> None:
-        position = event.position()
+        self._pointer = position = event.position()
         if self.is_panning:
             self.pan(event)
             return

@@ -36,6 +36,8 @@ class ViewSnapshot:
     alone : the names of what is soloed; empty where nothing is.
     edges : of shapes whose outlines are drawn by what kind of edge they are, by their ids.
     travelled : how far a stabilised view had gone along with what it follows, image pixels.
+    is_whole : whether the picture or matte below is that of the frame, and none of before in its place.
+    chosen : what was selected: whose ghosts the onion skin shows.
     """
 
     below: Below
@@ -48,6 +50,8 @@ class ViewSnapshot:
     edges: Mapping[str, Edges] = field(default_factory=dict)
     alone: str = ""
     travelled: Travel = STANDING
+    is_whole: bool = True
+    chosen: Selection = field(default_factory=Selection)
 
 
 class SnapshotPainter:
@@ -69,8 +73,10 @@ class SnapshotPainter:
         ratio: float,
         selection: Selection,
         hover: Hover = None,
+        whose: Selection | None = None,
     ) -> None:
-        """Paint over the whole widget; only inside of the painter's clip."""
+        """Paint over the whole widget; only inside of the painter's clip. `whose` ghosts: None for the selection's."""
+        whose = selection if whose is None else whose
         self._backdrop.paint(painter, snapshot.below, viewport, snapshot.image, ratio)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if not snapshot.shows_shapes:
@@ -78,7 +84,5 @@ class SnapshotPainter:
         if snapshot.mode is ViewMode.CONFIDENCE:
             paint_confidence(painter, viewport, snapshot.project, snapshot.frame)
         elif snapshot.mode is ViewMode.ONION:
-            paint_onion(
-                painter, viewport, snapshot.project, snapshot.frame, selection, snapshot.onion, self._shapes.paths
-            )
+            paint_onion(painter, viewport, snapshot.project, snapshot.frame, whose, snapshot.onion, self._shapes.paths)
         self._shapes.paint(painter, viewport, snapshot.project, snapshot.frame, selection, hover, snapshot.edges)

@@ -21,6 +21,7 @@ HANDLE = QSizeF(11.0, 7.0)
 
 
 NOTHING = N_("There is nothing to compare yet; open a clip first.")
+NOT_YET = N_("The picture of this frame is still being made; pin it once it is there.")
 
 
 class Wipe(QObject):
@@ -58,6 +59,8 @@ class Wipe(QObject):
         snapshot = self._present()
         if snapshot.image is None:
             self._say(tr(NOTHING))
+        elif not snapshot.is_whole:
+            self._say(tr(NOT_YET))
         else:
             self.pinned = snapshot
         self.changed.emit()

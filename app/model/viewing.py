@@ -93,11 +93,15 @@ class BackgroundKind(StrEnum):
 
 @dataclass(frozen=True)
 class Background:
-    """What a cut-out lies on: a `colour` `#rrggbb`, a checkerboard, or the image in the file `image`."""
+    """What a cut-out lies on: a `colour` `#rrggbb`, a checkerboard, or the image in the file `image`.
+
+    `choice` counts how often an image was chosen: the same file, chosen again, is read again.
+    """
 
     kind: BackgroundKind = BackgroundKind.CHECKER
     colour: str = "#808080"
     image: str = ""
+    choice: int = 0
 
 
 class Viewing(QObject):
@@ -266,7 +270,7 @@ class Viewing(QObject):
         views = {config: list(view) for config, view in self._views.items()}
         return {
             "onion": asdict(self._onion),
-            "ground": asdict(self._background),
+            "ground": asdict(replace(self._background, choice=0)),
             "overlays": overlays,
             "stabilised": stabilised,
             "views": views,

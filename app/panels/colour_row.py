@@ -30,6 +30,7 @@ class ColourRow(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown: Colour = PALETTE[0]
+        self._framed: Colour | None = PALETTE[0]
         self.group = QButtonGroup(self)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -65,13 +66,13 @@ class ColourRow(QWidget):
         if is_other and colour is not None:
             other.setIcon(style.swatch(colour, 12))
         self.group.setExclusive(True)
-        self._shown = colour or self._shown
+        self._shown, self._framed = colour or self._shown, colour
 
     def _choose(self, index: int) -> None:
         if index != OTHER:
             self.picked.emit(PALETTE[index])
             return
-        self.show_colour(self._shown)  # nothing is chosen yet
+        self.show_colour(self._framed)  # nothing is chosen yet
         dialog = QColorDialog(QColor.fromRgbF(*self._shown), self)
         dialog.setWindowTitle(tr("Colour of the outline"))
         dialog.setOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)

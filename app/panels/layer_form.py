@@ -16,11 +16,12 @@ from roam_core.roto.value_keys import with_value
 
 from .. import style
 from ..model.document import Document
+from ..model.reasons import LOCKED_STAYS
 from ..model.view_state import ViewState
 from ..translation import tr
 from ..widgets.controls import dense_form, form_label
 from ..widgets.fields import BlendBox, NameField, NumberField, ScrubLabel, SwitchBox, shared
-from .value_key import ValueKeyButton, ValueVerb, keyed_row
+from .value_key import KeyedFrame, ValueKeyButton, ValueVerb, keyed_row
 
 FREE_OF_LOCKS = {"visible", "locked"}
 """What can be changed on a locked layer."""
@@ -42,6 +43,7 @@ class LayerForm(QWidget):
         self.blend.picked.connect(lambda mode: self.push(tr("Layer blend"), blend=mode))
         form.addRow(form_label(tr("Blend")), self.blend)
         self.opacity = NumberField(0.0, 100.0, suffix=" %", tip=tr("Of the joint matte of all that lies in the layer"))
+        self._begun = KeyedFrame(self.opacity, view_state)
         self.opacity.edited.connect(self._push_opacity)
         self.opacity_key = ValueKeyButton()
         self.opacity_key.acted.connect(
@@ -87,10 +89,12 @@ class LayerForm(QWidget):
             if (works_locked or not project.is_locked(layer.id)) and verb(layer) != layer:
                 project = project.map_item(layer.id, verb)
         self._document.apply(text, project, merge_key)
+        if not works_locked and any(project.is_locked(layer.id) for layer in self.layers):
+            self._view.say(tr(LOCKED_STAYS))
         self._pull()
 
     def _push_opacity(self, percent: float, merge_key: str) -> None:
-        frame = self._view.frame
+        frame = self._begun.of(merge_key)
         self._push_value(tr("Layer opacity"), lambda value: set_at(value, frame, percent / 100), merge_key)
 
     def _push_value(self, text: str, verb: ValueVerb, merge_key: str = "") -> None:
@@ -141,7 +145,8 @@ class LayerForm(QWidget):
         self.name.show_name(*((layers[0].name,) if is_one else ("", tr("{count} layers", count=len(layers)))))
         self.name.setEnabled(is_one and is_free)
         self.blend.show_mode(shared(layer.blend for layer in layers))
-        self.opacity.show_value(shared(layer.opacity_at(self._view.frame) * 100 for layer in layers))
+        shown = [layer.opacity_at(self._view.frame) * 100 for layer in layers]
+        self.opacity.show_value(shared(shown), shown[0])
         self.opacity_key.show_values([layer.opacity for layer in layers], self._view.frame)
         for name, box in (("visible", self.visible), ("locked", self.locked), ("invert", self.invert)):
             box.show_value(shared(getattr(layer, name) for layer in layers))

@@ -105,6 +105,8 @@ class ObjectForm(QWidget):
         level = shared(shape.depth_at(self._view.frame) for shape in shapes)
         with QSignalBlocker(self.level):
             self.level.setCurrentIndex(-1 if level is None else self.level.findData(level))
+        # A file may hold a level that is not among those to choose from.
+        self.level.setPlaceholderText(tr(MIXED) if level is None else _level_word(level))
         self.level.setToolTip(f"{tr(DEPTH_TIP)}{_told(shapes)}")
         self.attached.show_value(shared(shape.attached for shape in shapes))
         is_free = any(not self._document.project.is_locked(shape.id) for shape in shapes)

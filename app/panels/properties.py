@@ -34,7 +34,7 @@ from ..widgets.fields import BlendBox, NameField, NumberField, ScrubLabel, Switc
 from .colour_row import ColourRow
 from .layer_form import LayerForm
 from .object_form import ObjectForm
-from .value_key import ValueKeyButton, keyed_row
+from .value_key import KeyedFrame, ValueKeyButton, keyed_row
 
 NOTHING = N_("Select a shape to see its properties.")
 FREE_OF_LOCKS = {"visible", "locked"}
@@ -198,7 +198,7 @@ class PropertiesPanel(QWidget):
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(field, 1)
         box.addWidget(here)
-        self._fields.append(Field(row, lambda shapes: field.show_value(shared(get(shape) for shape in shapes))))
+        self._fields.append(Field(row, lambda shapes: field.show_value(shared(map(get, shapes)), get(shapes[0]))))
         field.edited.connect(lambda value, key: self._push_frame(verb, int(value), key))
         self._form.addRow(ScrubLabel(label, field), row)
         self._lifetime_rows.append(row)
@@ -216,7 +216,11 @@ class PropertiesPanel(QWidget):
         get: Callable[[RotoShape], float],
         put: Callable[[RotoShape, float], RotoShape],
     ) -> None:
-        self._add_row(ScrubLabel(label, field), field, lambda shapes: field.show_value(shared(map(get, shapes))))
+        def show(shapes: Shapes) -> None:
+            values = [get(shape) for shape in shapes if put(shape, get(shape)) is not shape] or list(map(get, shapes))
+            field.show_value(shared(values), values[0])
+
+        self._add_row(ScrubLabel(label, field), field, show)
         field.edited.connect(lambda value, key: self.push_each(label, lambda shape: put(shape, value), key))
 
     def _add_value(self, name: str, label: str, field: NumberField, button: ValueKeyButton, unit: float = 1.0) -> None:
@@ -224,15 +228,19 @@ class PropertiesPanel(QWidget):
 
         def show(shapes: Shapes) -> None:
             values, frame = [getattr(shape, name) for shape in shapes], self._view.frame
-            field.show_value(shared(value_at(value, frame) * unit for value in values))
+            numbers = [value_at(value, frame) * unit for value in values]
+            field.show_value(shared(numbers), numbers[0])
             button.show_values(values, frame)
 
-        def put(shape: RotoShape, number: float) -> RotoShape:
-            return set_value(shape, name, self._view.frame, number / unit)
+        begun = KeyedFrame(field, self._view)
+
+        def push(number: float, key: str) -> None:
+            frame = begun.of(key)
+            self.push_each(label, lambda shape: set_value(shape, name, frame, number / unit), key)
 
         self._values.append(name)
         self._add_row(ScrubLabel(label, field), keyed_row(field, button), show)
-        field.edited.connect(lambda number, key: self.push_each(label, lambda shape: put(shape, number), key))
+        field.edited.connect(push)
         button.acted.connect(
             lambda text, verb: self.push_each(f"{label}: {text}", lambda shape: with_value(shape, name, verb))
         )

@@ -107,7 +107,7 @@ class ReviewPanel(QWidget):
             column.addWidget(part)
 
     def _write(self, frame: int, text: str) -> None:
-        """Put a note on a frame, or take it away; a mark that the artist set stays without its note."""
+        """Put a note on a frame; an emptied one goes away with its mark."""
         project = self._document.project
         mark = timing.mark_at(project, frame)
         if text == (mark.text if mark is not None else ""):
@@ -229,8 +229,10 @@ class NoteField(QPlainTextEdit):
     def event(self, event: QEvent) -> bool:
         # Keys of the whole window, such as Esc for stopping, belong to the field while it is typed into.
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            event.accept()
-            return True
+            is_done = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+            if is_done or not event.modifiers() & Qt.KeyboardModifier.ControlModifier:  # Ctrl+S is the window's
+                event.accept()
+                return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

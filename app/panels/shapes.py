@@ -115,7 +115,7 @@ class ShapeTree(QTreeWidget):
         super().__init__(parent)
         self._document, self._view = document, view_state
         self._shown: object = None
-        self._is_pushing = False
+        self._is_pushing = self._is_switching = False
         self._text, self._folded_before = "", frozenset[str]()
         self.found = Found()
         """What the search leaves in sight; all where nothing is searched for."""
@@ -238,6 +238,8 @@ class ShapeTree(QTreeWidget):
                 continue
             row = QTreeWidgetItem(parent)
             dress_row(row, child)
+            if self._document.project.is_locked(child.id):
+                row.setFlags(row.flags() & ~Qt.ItemFlag.ItemIsEditable)
             if child.id in self.found.holders:  # selected it would stand for all in it
                 row.setFlags(row.flags() & ~(Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsDragEnabled))
             if isinstance(child, Layer):
@@ -318,6 +320,7 @@ class ShapeTree(QTreeWidget):
         """On solo, eye or lock: switch it, and those of all selected rows with it; what is selected stays so."""
         spot = event.position().toPoint()
         row, column = self.itemAt(spot), self.columnAt(spot.x())
+        self._is_switching = row is not None and column in SWITCHES
         if row is None or column not in SWITCHES or event.button() is not Qt.MouseButton.LeftButton:
             super().mousePressEvent(event)
             if row is not None and self.selected_beside:
@@ -329,6 +332,11 @@ class ShapeTree(QTreeWidget):
             switch_solo(self._document, self._view, pressed, others)
         else:
             toggle(self._document, "visible" if column == EYE else "locked", [pressed, *others])
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """A press on a switch begins no drag, and selects nothing on its way."""
+        if not (self._is_switching and event.buttons()):
+            super().mouseMoveEvent(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Two quick presses on one of these are two presses."""

@@ -14,8 +14,9 @@ from roam_core.roto.animated import Animatable
 from roam_core.roto.value_keys import Keying, bent, interpolated, keyed, keying, leading_key, still, unkeyed
 
 from .. import style
+from ..model.view_state import ViewState
 from ..translation import N_, tr
-from ..widgets.fields import NumberField, shared
+from ..widgets.fields import NumberField, means_what_was_shown, shared
 
 ValueVerb = Callable[[Animatable], Animatable]
 
@@ -98,8 +99,8 @@ class ValueKeyButton(QToolButton):
             action.setChecked(kind is way and not is_bent)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)  # takes what is typed
         self._takes_new = self._is_new
-        super().mousePressEvent(event)
 
     # ---- the rest is private
 
@@ -129,6 +130,20 @@ class ValueKeyButton(QToolButton):
         self.menu_of_keys.popup(self.mapToGlobal(place))
 
 
+class KeyedFrame:
+    """The frame that numbers of a field mean: of what is typed or dragged the one on which that began."""
+
+    def __init__(self, field: NumberField, view_state: ViewState) -> None:
+        self._view, self._begun = view_state, view_state.frame
+        field.taken.connect(self._note)
+
+    def of(self, merge_key: str) -> int:
+        return self._begun if means_what_was_shown(merge_key) else self._view.frame
+
+    def _note(self) -> None:
+        self._begun = self._view.frame
+
+
 def keyed_row(field: NumberField, button: ValueKeyButton) -> QWidget:
     """A field with its button beside it, as one row of a form."""
     row = QWidget()
@@ -137,6 +152,7 @@ def keyed_row(field: NumberField, button: ValueKeyButton) -> QWidget:
     box.setSpacing(4)
     box.addWidget(field, 1)
     box.addWidget(button)
+    button.pressed.connect(field.clearFocus)  # a press gives it no keyboard, and would leave what is typed
     field.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
     field.customContextMenuRequested.connect(partial(_popup, field, button))
     return row

@@ -319,7 +319,17 @@ class MainWindow(QMainWindow):
             self.playback,
         ):
             handlers |= part.handlers()
+        handlers |= {name: self._with_typed(call) for name, call in handlers.items() if name.startswith("file.")}
         return self.timeline.taking_over(handlers)
+
+    def _with_typed(self, handler: Callable[[], object]) -> Callable[[], object]:
+        """The same, once what is being typed is taken: it belongs to what is saved and exported."""
+
+        def act() -> None:
+            end_typing(self)
+            handler()
+
+        return act
 
     # ---- settings
 

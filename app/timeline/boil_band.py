@@ -41,6 +41,7 @@ class BoilBand(TippedWidget):
         super().__init__(parent)
         self._document, self._axis, self._boil = document, axis, boil_of_document(document)
         self._most = np.empty((0, 2))
+        self._scrubs = False
         self.setFixedHeight(HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         for signal in (document.changed, document.replaced, axis.view_state.selection_changed, self._boil.changed):
@@ -73,11 +74,13 @@ class BoilBand(TippedWidget):
     # ---- events
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
-            self._axis.scrub(event.position().x())
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._scrubs = event.position().x() >= LABEL_WIDTH
+            if self._scrubs:
+                self._axis.scrub(event.position().x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if event.buttons() & Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
+        if event.buttons() & Qt.MouseButton.LeftButton and self._scrubs:
             self._axis.scrub(event.position().x())
 
     def wheelEvent(self, event: QWheelEvent) -> None:

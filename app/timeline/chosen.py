@@ -44,6 +44,10 @@ class ChosenPlaces(QObject, Generic[P]):
             self._places = places
             self.changed.emit()
 
+    def restore(self, places: frozenset[P]) -> None:
+        """Choose again what was chosen before; an undo meanwhile may have taken some of it away."""
+        self.select(places & self.places_in(self._document.project))
+
     def clear(self) -> None:
         self.select(frozenset())
 

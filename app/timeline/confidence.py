@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from roam_core.arrays import Array
 from roam_core.params import DOUBTFUL
+from roam_core.roto import Keyframe, RotoShape
 
 from .. import style
 from ..features.tracking import doubt_sentence, doubtful_points
@@ -186,7 +187,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         distances = [
             (abs(key.confidence - value), shape_id)
             for shape_id in self._shown()
-            if (key := project.shape(shape_id).key_at(view.frame)) is not None and key.confidence is not None
+            if (key := self._told(project.shape(shape_id), view.frame)) is not None and key.confidence is not None
         ]
         if distances:
             _, shape_id = min(distances)
@@ -209,11 +210,15 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         known = sorted(
             (key.confidence, shape.name)
             for shape in shapes
-            if (key := shape.key_at(frame)) is not None and key.confidence is not None
+            if (key := self._told(shape, frame)) is not None and key.confidence is not None
         )
         lines = [f"{number(value, '.2f')}  {name}" for value, name in known[:TOLD]]
         more = [tr("and {count} more", count=len(known) - TOLD)] if len(known) > TOLD else []
         return "\n".join([tr("Frame {frame}", frame=frame), *(lines or [tr("Nothing is tracked here")]), *more])
+
+    def _told(self, shape: RotoShape, frame: int) -> Keyframe | None:
+        """The key whose confidence the shape's line shows on a frame; no line runs where it does not exist."""
+        return shape.key_at(frame) if frame in self._marks(shape).confidence[:, 0] else None
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x() + LABEL_WIDTH)

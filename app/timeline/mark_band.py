@@ -56,6 +56,7 @@ class MarkBand(TippedWidget):
 
     def edit(self, frame: int) -> None:
         """Show the field in which the mark of a frame is named, beside its flag."""
+        self.field.keep()  # the note of another frame may be half typed
         mark = timing.mark_at(self._document.project, frame)
         if mark is not None:
             left = min(self._axis.scale.x(frame) + FLAG + 2, self.width() - FIELD_WIDTH - 2)
@@ -64,14 +65,16 @@ class MarkBand(TippedWidget):
     def rename(self, frame: int, text: str) -> None:
         """Put another word on the mark of a frame."""
         mark = timing.mark_at(self._document.project, frame)
-        if mark is not None and mark.text != text:
+        if mark is not None and mark.text and not text:
+            self._document.apply(tr("Remove note"), timing.remove_mark(self._document.project, frame))
+        elif mark is not None and mark.text != text:
             self._document.apply(tr("Write note"), timing.set_mark(self._document.project, frame, text))
 
     def mark_at(self, x: float) -> Mark | None:
         """The mark near a pixel, or None."""
         near = [(abs(self._axis.scale.x(mark.frame) - x), mark.frame, mark) for mark in self._document.project.marks]
         distance, _, mark = min(near, default=(GRAB + 1, 0, None))
-        return mark if distance <= GRAB else None
+        return mark if distance <= GRAB and x >= LABEL_WIDTH else None
 
     # ---- events
 
@@ -211,7 +214,7 @@ class MarkField(QLineEdit):
         self.setPlaceholderText(tr("a note on this frame"))
         self.setAccessibleName(self.placeholderText())
         self.setVisible(False)
-        self.editingFinished.connect(self._keep)
+        self.editingFinished.connect(self.keep)
 
     def begin(self, mark: Mark, left: float) -> None:
         """Ask for the word of a mark, `left` pixels from the band's edge."""
@@ -240,7 +243,8 @@ class MarkField(QLineEdit):
         self._is_asking = False
         self.setVisible(False)
 
-    def _keep(self) -> None:
+    def keep(self) -> None:
+        """Take what is typed, if anything is, and be done."""
         # Hiding the field takes its focus away, and so ends the typing once more.
         if self._is_asking:
             self._is_asking = False

@@ -31,7 +31,11 @@ class RangeHandles:
 
     def at(self, position: QPointF) -> End | None:
         """The bracket under a position; the one on the inner side where they lie close together."""
-        if not self._axis.has_clip or not self._top <= position.y() <= self._bottom:
+        if (
+            not self._axis.has_clip
+            or position.x() < self._axis.scale.left
+            or not self._top <= position.y() <= self._bottom
+        ):
             return None
         left, right = self._edges()
         near = [

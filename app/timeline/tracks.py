@@ -36,6 +36,7 @@ class TrackBand(RowBand[Layer]):
 
     def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
         super().__init__(document, axis, parent)
+        self._scrubs = False
         self.pull()
 
     def rows(self) -> list[Layer]:
@@ -62,6 +63,7 @@ class TrackBand(RowBand[Layer]):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         at, key = event.position(), self.adjust_key_at(event.position())
+        self._scrubs = event.button() == Qt.MouseButton.LeftButton and at.x() >= LABEL_WIDTH
         if event.button() == Qt.MouseButton.RightButton and key is not None:
             if self._document.project.is_locked(key[0].id):
                 self._axis.view_state.say(
@@ -80,7 +82,7 @@ class TrackBand(RowBand[Layer]):
             self._axis.scrub(at.x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if event.buttons() & Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
+        if event.buttons() & Qt.MouseButton.LeftButton and self._scrubs:
             self._axis.scrub(event.position().x())
 
     def tip_at(self, at: QPointF) -> str:

@@ -7,7 +7,7 @@ from itertools import count
 from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QLineEdit, QWidget
 
 from roam_core.roto import BlendMode
@@ -42,6 +42,16 @@ MEANINGS = {
 
 Value = TypeVar("Value")
 _gestures = count(1)
+_DRAG = "drag"
+"""How merge keys of drags begin."""
+
+
+def means_what_was_shown(merge_key: str) -> bool:
+    """Whether a number of that merge key was typed or dragged, and means what was shown as that began.
+
+    A step means what is shown now.
+    """
+    return not merge_key or merge_key.startswith(_DRAG)
 
 
 def shared(values: Iterable[Value]) -> Value | None:
@@ -60,15 +70,18 @@ class NumberField(QDoubleSpinBox):
     """
 
     edited = Signal(float, str)
+    taken = Signal()
+    """Typing, or a drag of the label, begins: what comes of it means what is shown now."""
 
     def __init__(
         self, low: float, high: float, *, suffix: str = "", decimals: int = 0, step: float = 1.0, tip: str = ""
     ) -> None:
         super().__init__()
-        self._mixed, self._typed = False, False
+        self._mixed = self._typed = self._is_begun = False
         self._words, self._merge_key = suffix, ""
         self._held: float | None = 0.0
         """The value that holds, whatever is being typed; None where several differ."""
+        self._low, self._high = low, high
         self.setRange(low, high)
         self.setDecimals(decimals)
         self.setSingleStep(step)
@@ -83,20 +96,30 @@ class NumberField(QDoubleSpinBox):
         self.lineEdit().textEdited.connect(self._note_typing)
         self.editingFinished.connect(self._push_typed)
 
-    def show_value(self, value: float | None) -> None:
-        """Show a value, or that several differ (None). What is being typed stays."""
+    def show_value(self, value: float | None, begin: float | None = None) -> None:
+        """Show a value, or that several differ (None); then `begin` is where steps and drags begin. What is being typed
+        stays.
+        """
         self._held = value
         if is_being_typed(self.lineEdit()):
             return
         with QSignalBlocker(self):
             self._mixed, self._typed = value is None, False
             self.setSuffix("" if value is None else self._words)
-            self.setValue(self.value() if value is None else value)
+            known = value if value is not None else begin
+            if known is not None:
+                self.setRange(min(self._low, known), max(self._high, known))  # files may hold more than is given here
+                self.setValue(known)
             self.lineEdit().setText(self.text() if value is not None else "")
 
     @property
     def is_mixed(self) -> bool:
         return self._mixed
+
+    def begin_drag(self) -> None:
+        """The label is dragged from now on: a change of its own, and of what is shown now."""
+        self._merge_key = f"{_DRAG} {next(_gestures)}"
+        self.taken.emit()
 
     def begin_gesture(self) -> None:
         """What is stepped or dragged from now on is a change of its own."""
@@ -111,7 +134,7 @@ class NumberField(QDoubleSpinBox):
 
     def forget_typing(self) -> None:
         """What was typed is no value to give: it meant what is no longer shown."""
-        self._typed = False
+        self._typed = self._is_begun = False
         self.lineEdit().setModified(False)
 
     def take_back(self) -> None:
@@ -123,6 +146,15 @@ class NumberField(QDoubleSpinBox):
 
     def textFromValue(self, value: float) -> str:
         return "" if self._mixed else super().textFromValue(value)
+
+    def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
+        """Point and comma both part the decimals, whatever the language's is: no number here has groups."""
+        if not self.decimals():
+            return super().validate(text, position)
+        body = text.removesuffix(self._words) if self._words else text
+        point = self.locale().decimalPoint()
+        body = body.replace(".", point).replace(",", point)
+        return super().validate(body + text[len(body) :], position)
 
     def stepBy(self, steps: int) -> None:
         self._mixed = False
@@ -151,7 +183,11 @@ class NumberField(QDoubleSpinBox):
         super().focusInEvent(event)
 
     def _note_typing(self, text: str) -> None:
-        self._typed = bool(text.removesuffix(self._words).strip())
+        if not self._is_begun:
+            self._is_begun = True
+            self.taken.emit()
+        # What is no number yet, as a lone sign, is none to give.
+        self._typed = bool(text.removesuffix(self._words).strip()) and self.lineEdit().hasAcceptableInput()
 
     def _push_typed(self) -> None:
         was_typed = self._typed
@@ -198,8 +234,9 @@ class NameField(QLineEdit):
         self.setText(self._held)
 
     def _push(self) -> None:
+        was_typed = self.isModified()
         self.setModified(False)
-        self.named.emit(self.text().strip())
+        self.named.emit(self.text().strip() if was_typed else self._held)
 
 
 class ScrubLabel(QLabel):
@@ -219,7 +256,7 @@ class ScrubLabel(QLabel):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton and self._field.isEnabled():
             self._last, self._reached = event.position().x(), self._field.value()
-            self._field.begin_gesture()
+            self._field.begin_drag()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._last is None:

@@ -9,6 +9,8 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractSlider, QApplication, QComboBox, QScrollArea, QWidget
 from shiboken6 import isValid
 
+from .floating import FloatingWindow
+
 Control = QAbstractButton | QComboBox | QAbstractSlider
 """What has keys of its own while it has the keyboard, and takes it by Tab alone, never by a click."""
 
@@ -43,6 +45,7 @@ class KeyboardReach(QObject):
         key, has_keys = event.key(), not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         if event.type() == QEvent.Type.ShortcutOverride:
             if key == _KEY.Key_Escape:
+                self._viewer.activateWindow()
                 self._viewer.setFocus()
             elif has_keys and key in _keys_of(self._control):
                 event.accept()
@@ -59,7 +62,9 @@ class KeyboardReach(QObject):
         if self._control is not None and isValid(self._control):
             self._control.removeEventFilter(self)
         self._control = None
-        if isinstance(now, Control) and now.window() is self._viewer.window():
+        main, window = self._viewer.window(), None if now is None else now.window()
+        is_part = isinstance(window, FloatingWindow) and window.parentWidget() is main
+        if isinstance(now, Control) and (window is main or is_part):
             self._control = now
             now.installEventFilter(self)
 
@@ -70,6 +75,7 @@ class KeyboardReach(QObject):
         for steps in range(1, len(self._parts) + 1):
             part = self._parts[(here + steps * step) % len(self._parts)]
             if (found := next(reachable(part), None)) is not None:
+                found.activateWindow()
                 found.setFocus(Qt.FocusReason.TabFocusReason)
                 _bring_into_sight(found)
                 return

@@ -5175,6 +5175,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Maske {path} hat {width}x{height} Pixel, der Clip {clip_width}x{clip_height}; eine Maske des Startframes in der Größe des Clips angeben.</translation>
     </message>
     <message>
+        <source>The matte could not be rendered</source>
+        <translation>Die Matte konnte nicht gerendert werden</translation>
+    </message>
+    <message>
         <source>The matte is what lies outside of the shape</source>
         <translation>Die Matte ist, was außerhalb der Form liegt</translation>
     </message>
@@ -5265,6 +5269,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The picture alone; Esc leaves</source>
         <translation>Nur das Bild; Esc verlässt es</translation>
+    </message>
+    <message>
+        <source>The picture of this frame is still being made; pin it once it is there.</source>
+        <translation>Das Bild dieses Frames entsteht noch; vergleichen Sie damit, sobald es da ist.</translation>
     </message>
     <message>
         <source>The pixel under the pointer; the values are the plate&apos;s own, before exposure and gamma</source>

@@ -20,6 +20,9 @@ SQUARE = 12
 """Side of the checkerboard's squares, in widget units."""
 CHECKERS = QColor("#4a4a4a"), QColor("#6a6a6a")
 
+_Choice = tuple[str, int]
+"""The file of a picture, and how often one had been chosen: who chooses the same file again has made another of it."""
+
 
 class BackgroundLayer(QObject):
     """Gives what to paint under a cut-out.
@@ -32,15 +35,15 @@ class BackgroundLayer(QObject):
 
     ready = Signal()
     refused = Signal(str)
-    _read = Signal(str, object)
+    _read = Signal(object, object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._picture: tuple[str, Picture | None] = ("", None)
+        self._picture: tuple[_Choice, Picture | None] = (("", 0), None)
         # One brush for good: another one, though it looks alike, would be another background to paint.
         self._checkers = checkerboard()
         self._thread: threading.Thread | None = None
-        self._wanted = ""
+        self._wanted: _Choice = ("", 0)
         self._read.connect(self._take)
 
     def of(self, background: Background) -> Picture | QBrush:
@@ -49,12 +52,13 @@ class BackgroundLayer(QObject):
             return QBrush(QColor(background.colour))
         if background.kind is BackgroundKind.CHECKER:
             return self._checkers
-        if background.image != self._wanted:
-            self._wanted = background.image
+        choice = background.image, background.choice
+        if choice != self._wanted:
+            self._wanted = choice
             if self._thread is None:
                 self._start()
-        path, picture = self._picture
-        return picture if picture is not None and path == background.image else self._checkers
+        held, picture = self._picture
+        return picture if picture is not None and held == choice else self._checkers
 
     def close(self) -> None:
         """Wait for the picture that is being read."""
@@ -65,22 +69,22 @@ class BackgroundLayer(QObject):
         self._thread = threading.Thread(target=self._work, args=(self._wanted,), name="ground")
         self._thread.start()
 
-    def _work(self, path: str) -> None:
+    def _work(self, choice: _Choice) -> None:
         """On a thread of its own: the signal brings the result back to the window's."""
         found: UInt8 | str = ""
         try:
-            found = _read(Path(path))
+            found = _read(Path(choice[0]))
         except RoamError as error:
             found = sentence_of(error)
         finally:  # after any other error, too, which goes its own way: the next picture has to be read
-            self._read.emit(path, found)
+            self._read.emit(choice, found)
 
-    def _take(self, path: str, found: UInt8 | str) -> None:
+    def _take(self, choice: _Choice, found: UInt8 | str) -> None:
         self._thread = None
-        self._picture = path, None if isinstance(found, str) else Picture(found)
+        self._picture = choice, None if isinstance(found, str) else Picture(found)
         if isinstance(found, str) and found:
             self.refused.emit(found)
-        if path != self._wanted:
+        if choice != self._wanted:
             self._start()
         self.ready.emit()
 

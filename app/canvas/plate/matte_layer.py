@@ -52,6 +52,8 @@ class MatteLayer(QObject):
         self._running: MatteRequest | None = None
         self._waiting: MatteRequest | None = None
         self._thread: threading.Thread | None = None
+        self._is_dropped = False
+        """Whether what is being rendered is of a project that is shown no more."""
         self._rendered.connect(self._take)
         self.pixels: UInt8 | None = None
         """The last matte, (h, w), or the plate cut out by it, (h, w, 4); read-only. None where that failed."""
@@ -65,6 +67,21 @@ class MatteLayer(QObject):
             self._waiting = None if request.is_same(self._running) else request
         elif not request.is_same(self._shown):
             self._start(request)
+
+    def holds(self, project: Project, frame: int, cuts_out: bool) -> bool:
+        """Whether this is what was rendered last."""
+        shown = self._shown
+        return (
+            shown is not None
+            and shown.project is project
+            and shown.frame == frame
+            and cuts_out == (shown.plate is not None)
+        )
+
+    def forget(self) -> None:
+        """Another project: what is being rendered is nobody's."""
+        self._waiting = self._shown = None
+        self._is_dropped = self._running is not None
 
     def close(self) -> None:
         """Wait for the matte under work, and forget what waits."""
@@ -90,11 +107,14 @@ class MatteLayer(QObject):
             self._rendered.emit(request, pixels)
 
     def _take(self, request: MatteRequest, pixels: UInt8 | None) -> None:
-        self.pixels, self.plate, self._shown, self._running = pixels, request.plate, request, None
+        self._running, is_dropped, self._is_dropped = None, self._is_dropped, False
+        if not is_dropped:
+            self.pixels, self.plate, self._shown = pixels, request.plate, request
         waiting, self._waiting = self._waiting, None
         if waiting:
             self._start(waiting)
-        self.ready.emit()
+        if not is_dropped:
+            self.ready.emit()
 
 
 def cut_out(plate: UInt8, matte: UInt8) -> UInt8:

@@ -14,10 +14,10 @@ from ...translation import number
 from .picture import Picture, in_sight
 
 GRID_ABOVE = 8.0
-"""Above this zoom (widget units for a pixel) a grid shows the pixels' borders."""
+"""Above this zoom (the screen's own pixels for one of the picture) a grid shows the pixels' borders."""
 
 VALUES_ABOVE = 44.0
-"""Above this zoom the values are written into the pixels: three lines of small figures have room."""
+"""Above this zoom (widget units for a pixel) the values are written into the pixels: three lines of figures fit."""
 
 GRID_COLOURS = QColor(0, 0, 0, 70), QColor(255, 255, 255, 50)
 """A dark line and a bright one beside it: one of them is seen on any plate."""
@@ -37,7 +37,7 @@ def paint_pixel_marks(painter: QPainter, viewport: Viewport, picture: Picture, s
     columns, rows = picture.size.width(), picture.size.height()
     across = viewport.scale * viewport.pixel_aspect * size.width() / columns
     down = viewport.scale * size.height() / rows
-    if min(across, down) < GRID_ABOVE:
+    if min(across, down) * painter.device().devicePixelRatioF() < GRID_ABOVE:
         return
     window = painter.clipBoundingRect() if painter.hasClipping() else QRectF(painter.window())
     left, right = in_sight(viewport.x, across, int(columns), window.width())

@@ -45,6 +45,7 @@ class Stage(QObject):
         self.missing: int | None = None
         self._mattes: dict[bool, Picture] = {}
         """The newest matte and cut-out, the latter under True."""
+        self._has_failed = False
         self.matte.ready.connect(self._take_matte)
         self.background.ready.connect(self.changed)
 
@@ -58,6 +59,7 @@ class Stage(QObject):
         """Another project was opened."""
         self.picture = self.frame = self.missing = None
         self._mattes.clear()
+        self.matte.forget()
         self.changed.emit()
 
     def close(self) -> None:
@@ -83,9 +85,19 @@ class Stage(QObject):
         nothing = marks.EMPTY_PLATE if cuts_out else marks.EMPTY_MATTE
         return Below(self._mattes.get(cuts_out, nothing), self._viewing.look, background)
 
+    def is_whole(self, project: Project, frame: int) -> bool:
+        """Whether what lies below the shapes is of this frame, and nothing of before in its place."""
+        mode = self._viewing.mode
+        cuts_out = mode is ViewMode.CUTOUT
+        if mode in OF_MATTE and not (cuts_out and self.missing == frame):
+            return self.matte.holds(project, frame, cuts_out)
+        return self.frame in (None, frame)
+
     def shown_picture(self) -> Picture | None:
         """The picture whose pixels the view shows, or None while there is none."""
         mode = self._viewing.mode
+        if mode is ViewMode.CUTOUT and self.missing is not None:
+            return None
         return self._mattes.get(mode is ViewMode.CUTOUT) if mode in OF_MATTE else self.picture
 
     def emptiness(self, lacks_plate: bool = False) -> str:
@@ -96,6 +108,8 @@ class Stage(QObject):
                 return tr(LOST)
             if self.missing is not None:
                 return tr("frame {frame} is missing or damaged", frame=self.missing)
+        if mode in OF_MATTE and self.shown_picture() is None and self._has_failed:
+            return tr("The matte could not be rendered")
         if mode in OF_MATTE and self.shown_picture() is None:
             return tr("Cutting out …") if mode is ViewMode.CUTOUT else tr("Rendering the matte …")
         return ""
@@ -107,6 +121,7 @@ class Stage(QObject):
             self.matte.request(project, frame, size, self.picture)
 
     def _take_matte(self) -> None:
+        self._has_failed = self.matte.pixels is None
         if (pixels := self.matte.pixels) is not None:
             plate = self.matte.plate
             self._mattes[plate is not None] = Picture(pixels) if plate is None else plate.cut_out(pixels)

@@ -23,7 +23,8 @@ class Readout(QLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.setToolTip(tr("The pixel under the pointer; the values are the plate's own, before exposure and gamma"))
         canvas.pointer_moved.connect(self._follow)
-        canvas.stage.changed.connect(self._pull)
+        for signal in (canvas.stage.changed, canvas.view_changed):  # another view shows another picture
+            signal.connect(self._pull)
 
     @property
     def widest(self) -> int:

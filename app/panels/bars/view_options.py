@@ -97,7 +97,8 @@ class BackgroundForm(QWidget):
         start = str(Path(self._viewing.background.image).parent) if self._viewing.background.image else ""
         path, _ = QFileDialog.getOpenFileName(self, tr("Picture under the cut-out"), start, tr(IMAGES))
         if path:
-            self._viewing.set_background(kind=BackgroundKind.IMAGE, image=path)
+            again = self._viewing.background.choice + 1
+            self._viewing.set_background(kind=BackgroundKind.IMAGE, image=path, choice=again)
 
     def _pull(self) -> None:
         background = self._viewing.background

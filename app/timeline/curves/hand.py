@@ -130,7 +130,7 @@ class CurveHand:
     def cancel(self) -> None:
         """Let go and leave everything as it was before the press."""
         if self._start is not None:
-            self._chosen.select(self._before)
+            self._chosen.restore(self._before)
             self._forget()
 
     # ---- the rest is private

@@ -126,7 +126,7 @@ class KeyHand:
     def cancel(self) -> None:
         """Let go and leave everything as it was before the press."""
         if self._start is not None:
-            self._keys.select(self._before)
+            self._keys.restore(self._before)
             self._forget()
 
     # ---- the rest is private
