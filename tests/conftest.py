@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,6 +11,12 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from roam_core.cli.stopping import STOPPING
+
+OF_A_MACHINE = ("LANG", "LC_", "OCIO", "ROAM_", "QT_SCALE", "QT_SCREEN_SCALE", "QT_FONT_DPI")
+# An artist's desktop and a studio's colours are not what is tested: tests are the same in every language, at any scale.
+for name in [name for name in os.environ if name.startswith(OF_A_MACHINE)]:
+    del os.environ[name]
+os.environ["LANG"] = "C.UTF-8"
 
 # No test is timed, and a suite that passes here passes elsewhere: the same examples everywhere.
 settings.register_profile("suite", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
@@ -23,7 +23,7 @@ from roam_core.roto.point_order import is_renumbered
 from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
 
 from ..model.document import Document
-from ..model.track_points import TrackPoints
+from ..model.track_points import Spot, TrackPoints
 from ..model.view_state import ViewState
 from ..translation import tr
 from .runner import Ending, Job, Report, Runner
@@ -62,8 +62,8 @@ class _Run:
     """How the layer moved before the run; None where it made the layer, or moves points."""
     replaced: Mapping[str, Keyframe | None] = field(default_factory=dict)
     """Of each shape whose points it moves what lay on the frame reached, where the run put something else."""
-    carried: TrackPoints | None = None
-    """The track points as the run showed them last."""
+    shown: tuple[Spot, ...] = ()
+    """Where the run showed the track points last."""
 
     @property
     def shape_ids(self) -> tuple[str, ...]:
@@ -163,9 +163,8 @@ class PlanarTrack(QObject):
             moved = partial(_with_vertices, run, found)
             run.replaced = _replaced(run, self._document.project, moved(self._document.project), frame)
             self._document.amend(tr("Point track"), moved, run.merge_key, keeps_undone=run.keeps_undone)
-            # Points that the artist put, moved or took away meanwhile are another run's.
-            if run.points is not None and self._view.track_points in (run.points, run.carried):
-                self._view.track_points = run.carried = run.points.carried(found.matrix, frame)
+            if run.points is not None:
+                self._carry_points(run, run.points.places, run.points.carried(found.matrix, frame))
         else:
             change = _following(run, self._document.project, found)
             if run.reached is None and self._document.project.has(run.layer_id):
@@ -187,6 +186,13 @@ class PlanarTrack(QObject):
                     confidence=found.confidence,
                 )
             )
+
+    def _carry_points(self, run: _Run, first: tuple[Spot, ...], carried: TrackPoints) -> None:
+        """Show the track points where they are now; those that the artist put, moved or took away are another run's."""
+        now = self._view.track_points
+        if now.places in (first, run.shown):
+            run.shown = carried.places
+            self._view.track_points = replace(now, frame=carried.frame, places=carried.places)
 
     def _guard(self, _ids: frozenset[str]) -> None:
         """An edit or undo that takes the layer or a shape away, or the motion back, ends the run; so does a lock."""

@@ -243,7 +243,8 @@ class Marquee(Gesture):
 
     def drop(self) -> None:
         held = pruned(self._held, self.document.project)
-        self.view_state.select(held.shapes, held.points, self._layers if held == self._held else None)
+        layers = frozenset(layer_id for layer_id in self._layers if self.document.project.has(layer_id))
+        self.view_state.select(held.shapes, held.points, layers if held == self._held else None)
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self.is_dragging:

@@ -13,7 +13,7 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from PySide6.QtCore import QCoreApplication, QEvent, QThread, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QThread, QTimer
 from PySide6.QtWidgets import QApplication, QComboBox
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
@@ -39,6 +39,7 @@ def qapp_cls() -> type[QApplication]:
 @pytest.fixture(scope="session", autouse=True)
 def first_things(qapp: QApplication) -> None:
     """What the program does as it starts: Qt makes fonts and the parts of its style; kernels are loaded."""
+    QLocale.setDefault(QLocale.c())  # macOS asks its settings, not the environment
     bezier.flatten(np.array([[[0.0, 0.0]] * 3, [[9.0, 0.0]] * 3, [[9.0, 9.0]] * 3]))
     box = QComboBox()
     box.addItem("first")

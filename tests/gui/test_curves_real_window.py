@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +15,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Animated, ValueKey, edit, file
 from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, write_clip
-from tests.gui.x_window import NEEDS_SCREEN, WINDOW, Screen, program_on, screen, until
+from tests.gui.x_window import NEEDS_SCREEN, WINDOW, Screen, program_on, rest, screen, until
 
 __all__ = ["screen"]
 
@@ -81,7 +80,7 @@ def test_a_key_is_dragged_and_its_tangent_turned(
     with program_on(screen, project_path) as program:
         screen.do("mousemove", WINDOW[0] // 3, WINDOW[1] // 3)
         screen.key("f", "shift+t")
-        time.sleep(2.0)  # the window lays itself out
+        rest()  # the window lays itself out
         screen.click(*places["beside"])
         drag(screen, places["key"], places["there"])
         screen.key("ctrl+s")

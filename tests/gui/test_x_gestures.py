@@ -15,7 +15,7 @@ from PySide6.QtCore import QSettings
 
 from roam_core.roto import Layer, Project, RotoShape, edit, file
 from tests.gui.windows import COUNT, FIRST, SIZE
-from tests.gui.x_window import NEEDS_SCREEN, PATIENCE, WINDOW, Screen, program_on, screen, until
+from tests.gui.x_window import NEEDS_SCREEN, PATIENCE, WINDOW, Screen, program_on, rest, screen, until
 
 pytestmark = NEEDS_SCREEN
 __all__ = ["screen"]
@@ -89,7 +89,7 @@ def project_path(tmp_path: Path) -> Path:
 def test_a_session_of_gestures(screen: Screen, project_path: Path, tmp_path: Path) -> None:
     with program_on(screen, project_path) as program:
         artist = Artist(screen, program, project_path)
-        time.sleep(1.0)  # the picture comes
+        rest()  # the picture comes
         take_the_next_shape_below(artist)
         open_a_menu(artist)
         type_a_frame(artist)
@@ -128,7 +128,7 @@ def open_a_menu(artist: Artist) -> None:
     artist.screen.click(*at(np.array([125.0, 110.0])))
     x, y = at(SQUARE[1])
     artist.screen.do("mousemove", round(x), round(y), "click", 3)
-    time.sleep(0.5)
+    rest()
     artist.screen.key("Down", "Return")
     artist.over_viewer()
 
@@ -164,7 +164,7 @@ def track_the_surface(artist: Artist) -> None:
 def draw_in_full_screen(artist: Artist) -> None:
     """The picture is as large as the window; a shape is drawn on it, and Esc leaves."""
     artist.screen.key("F11")
-    time.sleep(0.5)
+    rest()  # all is laid out: the clicks mean the picture's new places
     artist.screen.key("f", "p")
     for corner in TRIANGLE:
         artist.screen.click(*at(corner, WHOLE))
@@ -173,7 +173,7 @@ def draw_in_full_screen(artist: Artist) -> None:
     (drawn,) = [shape for shape in found.shapes if shape.name not in ("lower", "upper")]
     np.testing.assert_allclose(drawn.at(FIRST).anchors, TRIANGLE, atol=1.5)
     artist.screen.key("Escape")
-    time.sleep(0.5)
+    rest()
 
 
 def float_a_panel(artist: Artist) -> None:

@@ -60,7 +60,7 @@ def opened_window(
     window = MainWindow(state, personal)
     window.resize(1000, 700)
     try:
-        with qtbot.waitExposed(window):
+        with qtbot.waitExposed(window, timeout=WAIT):
             window.show()
         if path is not None:
             with qtbot.waitSignal(window.reader.picture, timeout=WAIT):

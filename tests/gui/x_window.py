@@ -11,11 +11,12 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import psutil
 import pytest
 
 from scripts.virtual_display import virtual_display
@@ -59,11 +60,28 @@ class Screen:
         """The left button held down through all places."""
         for index, (x, y) in enumerate(spots):
             self.do("mousemove", round(x), round(y), *(("mousedown", 1) if index == 0 else ()))
-            time.sleep(0.05)
+            rest()  # of several moves that wait, Qt hands on the last
         self.do("mouseup", 1)
 
     def key(self, *keys: str) -> None:
         self.do("key", "--delay", 60, *keys)
+
+
+def rest() -> None:
+    """Wait until all that was started here, server and program, has done what came so far: no thread works any more."""
+    deadline, calm = time.monotonic() + PATIENCE, 0
+    while calm < 5 and time.monotonic() < deadline:
+        calm = 0 if _is_any_at_work() else calm + 1
+        time.sleep(0.01)
+
+
+def _is_any_at_work() -> bool:
+    for each in psutil.Process().children(recursive=True):
+        for stat in Path(f"/proc/{each.pid}/task").glob("*/stat"):
+            with suppress(OSError):
+                if stat.read_text().rpartition(")")[2].split()[0] in "RD":
+                    return True
+    return False
 
 
 def until(condition: Callable[[], bool], what: str, program: subprocess.Popen[bytes]) -> None:

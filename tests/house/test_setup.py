@@ -56,3 +56,47 @@ def test_in_a_folder_that_was_moved_everything_is_installed_anew(checkout: Path)
     said = steps(moved)
     assert 'test -z "yes" && test -x .venv/bin/python; } || python3 -m venv --clear .venv' in said
     assert "pip install" in said
+
+
+NEEDS_SHELL = pytest.mark.skipif(os.name == "nt", reason="Windows needs no system libraries")
+
+
+@pytest.fixture
+def programs(tmp_path: Path) -> Path:
+    """A folder of programs that stand in for those of a Debian machine; apt finds another one at work."""
+    folder = tmp_path / "programs"
+    folder.mkdir()
+    stand_in(folder, "dpkg-query", 'printf "install ok installed"')
+    stand_in(folder, "id", "echo 0")
+    stand_in(folder, "apt-get", 'echo "E: Could not get lock" >&2; exit 100')
+    return folder
+
+
+def stand_in(folder: Path, name: str, does: str) -> None:
+    (folder / name).write_text(f"#!/bin/sh\n{does}\n", encoding="utf-8")
+    (folder / name).chmod(0o755)
+
+
+def system_libraries(programs: Path, *words: str) -> tuple[int, str]:
+    """How the script ends, and what it says, with these programs before all others."""
+    environment = os.environ | {"PATH": f"{programs}{os.pathsep}{os.environ['PATH']}"}
+    command = ["sh", str(ROOT / "scripts" / "system-libraries"), *words]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+@NEEDS_SHELL
+@pytest.mark.parametrize("said", ["install ok installed", "install ok installedinstall ok installed"])
+def test_libraries_that_are_there_are_no_matter_for_how_many_architectures(programs: Path, said: str) -> None:
+    stand_in(programs, "dpkg-query", f'printf "{said}"')
+    assert system_libraries(programs, "--test") == (0, "")
+
+
+@NEEDS_SHELL
+def test_where_libraries_cannot_be_installed_they_are_named_and_setup_goes_on(programs: Path) -> None:
+    stand_in(programs, "dpkg-query", 'test "$3" = xdotool || printf "install ok installed"')
+    status, said = system_libraries(programs, "--test")
+    assert status == 0
+    assert "They could not be installed; later:  sudo apt-get install --no-install-recommends xdotool" in said
+    assert system_libraries(programs, "--test", "--or-fail") == (1, said)
+    assert system_libraries(programs) == (0, "")

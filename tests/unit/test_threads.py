@@ -68,7 +68,7 @@ def test_what_is_begun_beside_is_done_by_another_while_one_goes_on(two_threads: 
     may_end = Event()
 
     def work() -> int:
-        assert may_end.wait(30)
+        assert may_end.wait(120)
         return get_ident()
 
     begun = beside(work)

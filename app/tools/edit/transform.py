@@ -70,6 +70,7 @@ class TransformTool(SelectTool):
             self.view_state.set_tool("select")
 
     def press(self, pointer: Pointer) -> None:
+        self._pressed = ""
         box = self.box(pointer.pixel)
         part = box.hit(pointer) if box else None
         if box is None or part is None or pointer.holds(INSERT):
@@ -124,7 +125,11 @@ class TransformTool(SelectTool):
         if seen != self._seen or zoomed:
             stays = self._seen is not None and self._box is not None and seen[1] == self._seen[1]
             pivot = self._box.pivot if self._box and stays else CENTRE
+            kept = self._box.at(self._box.pivot) if self._box and seen == self._seen else None
             self._box, self._seen = self._around_selection(pixel, pivot), seen
+            if self._box and kept is not None:  # only the zoom is another: the pivot stays where it was put
+                u, v = self._box.place((float(kept[0]), float(kept[1]))).tolist()
+                self.put_pivot((u, v))
         return self._box
 
     def put_pivot(self, place: tuple[float, float]) -> None:

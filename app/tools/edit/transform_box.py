@@ -122,7 +122,8 @@ class Box:
     def carried(self, matrix: Array) -> Box:
         """The box carried by `matrix`, `(2, 3)` or `(3, 3)`, its pivot with it."""
         whole = np.vstack([matrix, [0.0, 0.0, 1.0]]) if len(matrix) == 2 else matrix
-        return replace(self, frame=whole @ self.frame)
+        turns = not np.array_equal(whole[:, :2], np.eye(3)[:, :2])  # a box that is turned stays so at every zoom
+        return replace(self, frame=whole @ self.frame, pixel=None if turns else self.pixel)
 
     def stalk(self, pixel: Vector) -> Array:
         """Where the handle that turns the box lies, image pixels: `STALK` beyond the middle of the first side."""

@@ -46,7 +46,7 @@ def dialog(qtbot: QtBot, document: Document, view_state: ViewState, runner: Runn
     view_state.set_play_range(1003, 1006)
     dialog = ExportDialog(document, view_state, Export(document, runner), lambda suffix: tmp_path / f"shot{suffix}")
     qtbot.addWidget(dialog)
-    with qtbot.waitExposed(dialog):
+    with qtbot.waitExposed(dialog, timeout=WAIT):
         dialog.show()
     return dialog
 

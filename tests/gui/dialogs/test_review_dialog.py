@@ -78,7 +78,7 @@ def dialog(
     view_state.set_play_range(1003, 1006)
     dialog = ReviewDialog(document, view_state, job, lambda suffix: tmp_path / f"shot{suffix}")
     qtbot.addWidget(dialog)
-    with qtbot.waitExposed(dialog):
+    with qtbot.waitExposed(dialog, timeout=WAIT):
         dialog.show_for(Output.MOVIE, ViewMode.OVERLAY)
     yield dialog
     plate.opened.set()

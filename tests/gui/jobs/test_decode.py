@@ -32,7 +32,7 @@ class Plate:
         self.damaged: set[int] = set()
 
     def read(self, frame: int) -> np.ndarray:
-        self.gate.wait(5)
+        assert self.gate.wait(WAIT / 1000)
         self.threads.add(threading.current_thread())
         if frame not in self.frames:
             raise MissingFrame(f"Frame {frame} is missing.")

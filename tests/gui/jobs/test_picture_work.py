@@ -46,7 +46,7 @@ def test_quiet_work_tells_nothing_and_long_work_its_end(pictures: PictureWork, q
 def test_nothing_that_was_stopped_arrives(pictures: PictureWork, qtbot: QtBot, runner: Runner) -> None:
     go_on, found = threading.Event(), list[str]()
     ends: list[Ending] = []
-    pictures.find("a", lambda _: go_on.wait(10.0), found.append, ended=lambda ending, _: ends.append(ending))
+    pictures.find("a", lambda _: go_on.wait(WAIT / 1000), found.append, ended=lambda ending, _: ends.append(ending))
     pictures.find("b", lambda _: "b", found.append)
     pictures.clear()
     go_on.set()

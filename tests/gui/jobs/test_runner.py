@@ -88,14 +88,14 @@ def test_cancelling_keeps_what_was_finished(qtbot: QtBot, runner: Runner) -> Non
     def work(report: Report) -> str:
         report.partial(1)
         part_is_out.set()
-        go_on.wait(5)
+        assert go_on.wait(WAIT / 1000)
         report.token.check()
         report.partial(2)
         return ""
 
     job = runner.start("test", work)
     news = record(job)
-    assert part_is_out.wait(5)
+    assert part_is_out.wait(WAIT / 1000)
     job.cancel()
     go_on.set()
     with qtbot.waitSignal(job.ended, timeout=WAIT):
@@ -108,13 +108,13 @@ def test_a_superseded_job_ends_at_once_and_says_nothing_more(qtbot: QtBot, runne
 
     def old(report: Report) -> str:
         running.set()
-        go_on.wait(5)
+        assert go_on.wait(WAIT / 1000)
         report.partial("too late")
         return "Too late."
 
     first = runner.start("test", old)
     news = record(first)
-    assert running.wait(5)
+    assert running.wait(WAIT / 1000)
     second = runner.start("test", lambda report: "New.")
     assert news == [("ended", Ending.CANCELLED, "")]
     go_on.set()
@@ -142,7 +142,7 @@ def test_closing_ends_the_thread_even_amid_work(qtbot: QtBot) -> None:
             threading.Event().wait(0.01)
 
     news = record(runner.start("test", endless))
-    assert running.wait(5)
+    assert running.wait(WAIT / 1000)
     assert runner.close()
     assert ("ended", Ending.CANCELLED, "") in news
 
@@ -153,14 +153,14 @@ def test_work_that_outlives_a_closed_runner_ends_without_a_word(qapp: QApplicati
 
     def work(_: Report) -> str:
         begun.set()
-        assert go_on.wait(30.0)
+        assert go_on.wait(WAIT / 1000)
         return "done"
 
     runner.start("long", work)
-    assert begun.wait(30.0)
+    assert begun.wait(WAIT / 1000)
     assert not runner.close(0.0)
     thread = runner._thread
     delete(runner)
     go_on.set()
-    thread.join(30.0)  # what it raised would fail this test
+    thread.join(WAIT / 1000)  # what it raised would fail this test
     assert not thread.is_alive()

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from PySide6.QtGui import QImage
 
 from app.canvas.view import CanvasView
 from app.model.document import Document
-from app.paint.soft_edge import soft_edge
+from app.paint import soft_edge as module
+from app.paint.soft_edge import NEARER, soft_edge
+from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
 
@@ -49,6 +53,30 @@ def test_a_corner_is_rounded() -> None:
 
 def test_where_all_is_soft_there_is_no_end() -> None:
     assert len(soft_edge(SQUARE, -40.0)) == 0
+
+
+@pytest.mark.parametrize("width", [24.0, -24.0])
+def test_an_outline_of_many_points_keeps_the_places_that_no_part_covers(
+    width: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As many as those of which each is compared with the whole outline, without a table of all of these."""
+    angles = np.linspace(0.0, 2 * np.pi, 400, endpoint=False)
+    radii = 900.0 + 60.0 * np.sin(angles * 400 / 6)
+    corners = polygon_points(np.stack([2000.0 + radii * np.cos(angles), 1000.0 + radii * np.sin(angles)], axis=1))
+    line = bezier.flatten(edit.smooth_points(corners, range(400)), True, module.FLATTENED)
+    module.offset(SQUARE[:, 0], width)  # what is loaded for it is loaded
+    tracemalloc.start()
+    found = module.offset(line, width)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most < 50e6
+    monkeypatch.setattr(module, "NEARER", 0.0)
+    outline = module._divided(line, max(polyline.length(line) / module.MOST_PLACES, module.LEAST_STEP))
+    every = module.offset(line, width)
+    gaps = np.array([((place - outline) ** 2).sum(axis=1).min() for place in every])
+    expected = every[gaps >= (NEARER * width) ** 2]
+    assert 0 < len(expected) < len(every)
+    np.testing.assert_array_equal(found, expected)
 
 
 def test_an_outline_of_no_size_has_none() -> None:

@@ -15,6 +15,7 @@ from app.panels.properties import PropertiesPanel
 from roam_core.roto import Layer, LayerTransform, Project, edit
 from roam_core.roto.layers import grouped
 from tests.gui.panels.test_properties import SQUARE, type_in
+from tests.gui.waiting import WAIT
 
 
 @pytest.fixture
@@ -22,7 +23,7 @@ def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> Properties
     """Two layers with a shape each, the first of them moving and selected; a shape beside them."""
     panel = PropertiesPanel(document, view_state)
     qtbot.addWidget(panel)
-    with qtbot.waitExposed(panel):
+    with qtbot.waitExposed(panel, timeout=WAIT):
         panel.show()
     project = Project()
     for _ in range(2):

@@ -19,6 +19,7 @@ from app.widgets.more import least_width
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Project, edit
 from roam_core.roto.linking import linked, set_depth
+from tests.gui.waiting import WAIT
 
 A, B, C = "shape-1", "shape-2", "shape-3"
 
@@ -34,7 +35,7 @@ def form(qtbot: QtBot, document: Document, view_state: ViewState) -> ObjectForm:
     document.open(project, None)
     panel = PropertiesPanel(document, view_state)
     qtbot.addWidget(panel)
-    with qtbot.waitExposed(panel):
+    with qtbot.waitExposed(panel, timeout=WAIT):
         panel.show()
     view_state.select(frozenset({A}))
     return panel.object_form

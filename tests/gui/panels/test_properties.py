@@ -23,6 +23,7 @@ from app.widgets.fields import NumberField, ScrubLabel
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.roto import BlendMode, Clip, MotionBlur, Project, RotoShape, Spline, edit
 from roam_core.roto.project import PALETTE
+from tests.gui.waiting import WAIT
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -31,7 +32,7 @@ SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> PropertiesPanel:
     panel = PropertiesPanel(document, view_state)
     qtbot.addWidget(panel)
-    with qtbot.waitExposed(panel):
+    with qtbot.waitExposed(panel, timeout=WAIT):
         panel.show()
     project = Project(clip=Clip(Path("plate"), 1, 20, (200, 150)))
     for _ in range(2):

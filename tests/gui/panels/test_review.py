@@ -48,7 +48,7 @@ def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> Iterator[R
     QLineEdit(window).setObjectName("other")
     window.resize(400, 400)
     panel.resize(300, 380)
-    with qtbot.waitExposed(window):
+    with qtbot.waitExposed(window, timeout=WAIT):
         window.show()
     window.activateWindow()
     document.open(tracked_project(), None)

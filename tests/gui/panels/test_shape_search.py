@@ -14,6 +14,7 @@ from app.panels.shape_search import found_in
 from app.panels.shapes import EYE, NAME, ShapesPanel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from tests.gui.waiting import WAIT
 
 NO_KEY = Qt.KeyboardModifier.NoModifier
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -39,7 +40,7 @@ def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> ShapesPane
     panel = ShapesPanel(document, view_state)
     qtbot.addWidget(panel)
     panel.resize(260, 400)
-    with qtbot.waitExposed(panel):
+    with qtbot.waitExposed(panel, timeout=WAIT):
         panel.show()
     document.open(people(), None)
     return panel

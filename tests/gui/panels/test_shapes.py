@@ -26,7 +26,7 @@ def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> ShapesPane
     panel = ShapesPanel(document, view_state)
     qtbot.addWidget(panel)
     panel.resize(260, 300)
-    with qtbot.waitExposed(panel):
+    with qtbot.waitExposed(panel, timeout=WAIT):
         panel.show()
     project, _ = edit.new_shape(Project(), SQUARE, 1)
     project, _ = edit.new_shape(project, SQUARE, 1)

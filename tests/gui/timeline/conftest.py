@@ -18,6 +18,7 @@ from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import clip_stamp, stamp
 from roam_core.roto import Keyframe, Origin, Project, edit
 from tests.gui.timeline.places import CLIP, SQUARE
+from tests.gui.waiting import WAIT
 
 
 @pytest.fixture
@@ -30,7 +31,7 @@ def timeline(qtbot: QtBot, document: Document, view_state: ViewState) -> Iterato
     actions.connect_all(timeline.taking_over({}))
     qtbot.addWidget(timeline)
     timeline.resize(1100, 220)
-    with qtbot.waitExposed(timeline):
+    with qtbot.waitExposed(timeline, timeout=WAIT):
         timeline.show()
     project = Project(CLIP)
     for first in (1001, 1010):

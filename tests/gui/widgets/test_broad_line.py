@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from app.widgets.broad_line import BroadLine
 from roam_core.arrays import Array, Int64
 from tests.gui.pixels import pixels_of
+from tests.gui.waiting import WAIT
 
 PALE = QColor(216, 216, 216, 80)
 FRAMES = 400
@@ -34,7 +35,7 @@ def shown(qtbot: QtBot, item: pg.GraphicsObject, first: float, last: float) -> I
     box.addItem(item, ignoreBounds=True)
     box.setYRange(0.0, 1.0, padding=0)
     box.setXRange(first, last, padding=0)
-    with qtbot.waitExposed(view):
+    with qtbot.waitExposed(view, timeout=WAIT):
         view.show()
     return pixels_of(view)
 

@@ -19,6 +19,7 @@ from app.model.document import Document
 from app.model.personal import Personal
 from app.model.view_state import ViewState
 from app.widgets.floating import TITLE_HEIGHT, resize_on_screen
+from tests.gui.waiting import WAIT
 
 SMALL = QSize(960, 540)
 """What a screen of 1920 x 1080 has at 200 %."""
@@ -48,6 +49,6 @@ def test_the_buttons_of_high_dialogs_are_on_the_screen(
     for dialog in dialogs:
         qtbot.addWidget(dialog)
         dialog.setStyleSheet(style.style_sheet())
-        with qtbot.waitExposed(dialog):
+        with qtbot.waitExposed(dialog, timeout=WAIT):
             dialog.show()
         assert dialog.height() <= SMALL.height() - TITLE_HEIGHT

@@ -41,7 +41,7 @@ def added(qtbot: QtBot, window: QWidget, *widgets: QWidget) -> QPushButton:
     assert column is not None
     for widget in widgets:
         column.addWidget(widget)
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=WAIT):
         window.show()
         window.activateWindow()
     return viewer
@@ -92,7 +92,7 @@ def test_a_field_of_another_window_keeps_its_own_keys(qtbot: QtBot, window: QWid
     other, field = QWidget(), QLineEdit("Plate")
     qtbot.addWidget(other)
     QVBoxLayout(other).addWidget(field)
-    with qtbot.waitActive(other):
+    with qtbot.waitActive(other, timeout=WAIT):
         other.show()
         other.activateWindow()
     field.setFocus()

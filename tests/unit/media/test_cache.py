@@ -18,7 +18,7 @@ from roam_core.media.cache import DEFAULT_LIMIT, fair_limit
 from roam_core.media.source import Image
 
 FRAME_BYTES = 12
-PATIENCE = 10.0
+PATIENCE = 120.0
 """Seconds after which a test gives up on another thread; none of them waits that long."""
 
 

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
+import psutil
 import pytest
 
 from roam_core.cli import program
@@ -31,7 +32,7 @@ from tests.conftest import ROOT
 from tests.unit.media.conftest import picture, write_image, write_movie, write_parts
 
 SENTENCE = r"cannot be decoded: .*It is damaged"
-WAITED = 20.0
+WAITED = 120.0
 """Seconds within which a process has to be gone."""
 
 
@@ -53,10 +54,9 @@ def written(folder: Path, stem: str) -> Path:
 def is_alive(process_id: int) -> bool:
     """Whether a process runs."""
     try:
-        status = Path(f"/proc/{process_id}/stat").read_text()
-    except OSError:
+        return psutil.Process(process_id).status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
         return False
-    return status.rpartition(")")[2].split()[0] != "Z"
 
 
 # ---- the same values ------------------------------------------------------------------------------------------------
@@ -147,7 +147,10 @@ def test_sentences_pass_between_processes_and_what_is_none_is_refused() -> None:
 
 def test_names_that_are_no_text(tmp_path: Path, apart: Callable[[], None]) -> None:
     path = Path(os.fsdecode(os.fsencode(tmp_path) + b"/\xff\xfe.1.png"))
-    path.write_bytes(written(tmp_path, "p").read_bytes())
+    try:
+        path.write_bytes(written(tmp_path, "p").read_bytes())
+    except OSError:
+        pytest.skip("this file system refuses names that are not UTF-8")
     apart()
     assert decoding.read_image(path).shape == (12, 16, 3)
 

@@ -198,7 +198,11 @@ def test_a_name_that_is_no_utf8_opens(tmp_path: Path, suffix: str) -> None:
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no file names that are not text")
 def test_a_movie_whose_name_is_no_utf8_opens(tmp_path: Path) -> None:
-    write_movie(tmp_path / "plain.avi", "MJPG", 3).rename(tmp_path / "\udcff.avi")
+    movie = write_movie(tmp_path / "plain.avi", "MJPG", 3)
+    try:
+        movie.rename(tmp_path / "\udcff.avi")
+    except OSError:
+        pytest.skip("this file system refuses names that are not UTF-8")
     assert open_clip(tmp_path / "\udcff.avi").read(3).shape == (48, 64, 3)
 
 

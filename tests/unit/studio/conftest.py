@@ -27,6 +27,14 @@ def waiting(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("waiting")
 
 
+def told_by(path: Path) -> str:
+    """The address in a scheduler's file; empty while that is not there, or not yet whole: Dask writes it in place."""
+    try:
+        return str(json.loads(path.read_text())["address"])
+    except (OSError, ValueError):
+        return ""
+
+
 @pytest.fixture(scope="session")
 def scheduler(tmp_path_factory: pytest.TempPathFactory, waiting: Path) -> Iterator[str]:
     """The address of a scheduler with two workers of one thread each, started as a studio does."""
@@ -53,13 +61,13 @@ def scheduler(tmp_path_factory: pytest.TempPathFactory, waiting: Path) -> Iterat
     ]  # fmt: skip
     try:
         began = time.monotonic()
-        while not told.exists():
+        while not (address := told_by(told)):
             assert running[0].poll() is None, (folder / "scheduler.log").read_text()
             assert time.monotonic() - began < SECONDS, "the scheduler does not start"
             time.sleep(0.05)
-        yield json.loads(told.read_text())["address"]
+        yield address
     finally:
         for process in reversed(running):
             with suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
-            process.wait(30)
+            process.wait(120)

@@ -192,7 +192,7 @@ def test_the_batch_is_told_of_steps_and_of_frames(client: Any, tmp_path: Path) -
     steps = driver.run(client, WORK, [tasks(tmp_path, "a", "ok", "ok")], watcher=Listener())
     next(steps)
     client.log_event(cluster.TOPIC, {"job": "a", "frame": 7})
-    assert arrived.wait(30)
+    assert arrived.wait(120)
     assert list(steps)
     assert {"job": "a", "frame": 7} in heard
     assert [each for each in heard if not isinstance(each, dict)] == [2, "1-x", "2-x"]

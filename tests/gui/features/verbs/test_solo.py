@@ -175,7 +175,7 @@ def test_rows_are_soloed_one_by_one_and_tell_it(
     panel = ShapesPanel(document, view_state)
     qtbot.addWidget(panel)
     panel.resize(260, 300)
-    with qtbot.waitExposed(panel):
+    with qtbot.waitExposed(panel, timeout=WAIT):
         panel.show()
     tree = panel.tree
 

@@ -155,3 +155,23 @@ def test_a_light_pen_draws_smoother_lines(canvas: CanvasView, document: Document
         PenHand(canvas).stroke(wave, pressure)
         counts.append(document.project.shapes[-1].point_count)
     assert counts[0] < counts[1]
+
+
+@pytest.mark.parametrize(("reached_after", "is_fine"), [(2.0, True), (20.0, False)])
+def test_a_pen_that_comes_down_lightly_is_as_fine_as_it_is_pressed_at_the_beginning(
+    canvas: CanvasView, document: Document, view_state: ViewState, reached_after: float, is_fine: bool
+) -> None:
+    """A stroke is a slip up to 12 screen pixels, which are 6 of the image: until then the pressure may grow."""
+    wave = [(40.0 + x, 75.0 + 1.2 * float(np.sin(x / 4.0))) for x in np.linspace(0.0, 120.0, 240)]
+    counts = []
+    for first in (0.05, 1.0):
+        view_state.set_tool("freehand")
+        PenHand(canvas).stroke(wave, first)
+        counts.append(document.project.shapes[-1].point_count)
+    view_state.set_tool("freehand")
+    pen = PenHand(canvas)
+    pen.press(wave[0], 0.05)
+    for x, y in wave[1:]:
+        pen.move((x, y), 1.0 if x - wave[0][0] > reached_after else 0.05)
+    pen.release(wave[-1])
+    assert document.project.shapes[-1].point_count == counts[is_fine]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 import cv2
 import numpy as np
 import pytest
@@ -224,4 +226,54 @@ def test_clicks_on_one_spot_make_no_shape(
         qtbot.waitUntil(lambda: magnetic(canvas).legs[-1].wire is not None, timeout=WAIT)
     hand.key(key)
     assert not magnetic(canvas).legs
+    assert not document.project.shapes
+
+
+def test_who_steps_back_before_it_is_closed_keeps_what_was_laid_closer_by(
+    canvas: CanvasView, hand: Hand, pictures: PictureWork, only: OnlyShape, qtbot: QtBot
+) -> None:
+    click_around(hand, canvas, qtbot, [0.0, 120.0, 240.0])
+    first = magnetic(canvas).legs[0].start
+    hand.move(first)
+    seen = magnetic(canvas).points
+    zoom = canvas.zoom
+    hand.wheel(first, -120 * 16)
+    assert canvas.zoom < zoom / 4
+    hand.move(first)
+    hand.key(RETURN)
+    np.testing.assert_allclose(only().at(1).control_points, seen, atol=1e-6)
+
+
+def test_two_points_are_not_closed(
+    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, pictures: PictureWork,
+    only: OnlyShape, qtbot: QtBot,
+) -> None:  # fmt: skip
+    """There and back along the same edge is no area."""
+    click_around(hand, canvas, qtbot, [0.0, 90.0])
+    starts = [leg.start for leg in magnetic(canvas).legs]
+    hand.key(RETURN)
+    assert not document.project.shapes
+    assert view_state.message == "A closed shape needs at least 3 points; click to place more."
+    assert [leg.start for leg in magnetic(canvas).legs] == starts
+    assert view_state.tool == "magnetic"
+    click_around(hand, canvas, qtbot, [200.0])
+    hand.key(RETURN)
+    assert only().closed
+
+
+def test_undo_after_escape_takes_one_point_back_while_the_worker_is_busy(
+    canvas: CanvasView, hand: Hand, document: Document, pictures: PictureWork, runner: Runner, qtbot: QtBot
+) -> None:
+    go_on = threading.Event()
+    runner.start("held", lambda _: str(go_on.wait(WAIT / 1000)))
+    for angle in (0.0, 60.0, 120.0, 180.0):
+        hand.click(on_circle(angle))
+    starts = [leg.start for leg in magnetic(canvas).legs]
+    hand.key(ESCAPE)
+    assert not document.project.shapes
+    hand.key(Qt.Key.Key_Z, CTRL)
+    assert [leg.start for leg in magnetic(canvas).legs] == starts[:3]
+    assert magnetic(canvas).legs[-1].end is None
+    go_on.set()
+    looked_around(canvas, qtbot)
     assert not document.project.shapes

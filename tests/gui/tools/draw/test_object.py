@@ -91,6 +91,28 @@ def test_marks_are_gathered_before_the_search(
     assert asked == [cut_out.Marks(((90.0, 75.0), CENTRE), ((20.0, 20.0),))]
 
 
+def test_marks_of_another_frame_are_not_searched_with(
+    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, pictures: PictureWork, qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    asked: list[cut_out.Marks] = []
+    real = cut_out.cut_click
+
+    def noted(*args: Any, marks: cut_out.Marks, **rest: Any) -> list[RotoShape]:
+        asked.append(marks)
+        return real(*args, marks=marks, **rest)
+
+    monkeypatch.setattr(cut_out, "cut_click", noted)
+    hand.click((90.0, 75.0), SHIFT)
+    hand.click((20.0, 20.0), CTRL)
+    view_state.set_frame(2)
+    pictures.show(2, disc())
+    assert not canvas.tool.claimed_keys
+    hand.click(CENTRE)
+    qtbot.waitUntil(lambda: bool(document.project.shapes), timeout=WAIT)
+    assert asked == [cut_out.Marks((CENTRE,), ())]
+
+
 def test_return_finds_what_is_marked(
     hand: Hand, document: Document, pictures: PictureWork, only: OnlyShape, qtbot: QtBot
 ) -> None:
@@ -148,12 +170,12 @@ def test_the_search_can_be_left(
 
     def slow(*_: object, token: object, **__: object) -> None:
         begun.set()
-        go_on.wait(10.0)
+        go_on.wait(WAIT / 1000)
         token.check()  # type: ignore[attr-defined]
 
     monkeypatch.setattr(cut_out, "cut_box", slow)
     hand.drag((55.0, 30.0), (145.0, 120.0))
-    assert begun.wait(10.0)
+    assert begun.wait(WAIT / 1000)
     if leave == "escape":
         hand.key(Qt.Key.Key_Escape)
     else:

@@ -149,6 +149,22 @@ def test_a_pen_is_as_wide_as_it_is_pressed(
     assert 0.0 < shifts[0] < shifts[2] < 10.0
 
 
+def test_a_pen_that_is_lifted_slowly_leaves_what_its_hardest_press_made(
+    canvas: CanvasView, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    take(view_state, 120.0)
+    pen = PenHand(canvas)
+    pen.press((120.0, 40.0), 0.2)
+    pen.move((120.0, 50.0), 1.0)
+    assert view_state.preview is not None
+    hardest = view_state.preview.shape(square).at(1).points
+    assert hardest[2, 0, 1] > SQUARE[2][1]
+    for pressure in (0.3, 0.05):
+        pen.move((120.0, 50.0), pressure)
+    pen.release((120.0, 50.0))
+    np.testing.assert_allclose(only().at(1).points, hardest, atol=1e-9)
+
+
 def test_a_mouse_after_the_pen_presses_wholly(
     canvas: CanvasView, hand: Hand, view_state: ViewState, square: str, only: OnlyShape
 ) -> None:

@@ -20,7 +20,8 @@ from app.model.view_state import ViewState
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import DOUBTFUL
-from roam_core.roto import Clip, Layer, Project, edit
+from roam_core.roto import Clip, Layer, Project, Spline, edit
+from roam_core.roto.control_points import is_of_its_kind
 from tests.gui.hand import Hand
 from tests.gui.waiting import WAIT
 from tests.unit.motion import test_plane_track as board
@@ -171,6 +172,51 @@ def test_a_point_that_comes_and_undo_end_a_track_of_points_by_their_numbers(
     gate.release(LAST)
     qtbot.waitUntil(lambda: runner.is_idle, timeout=WAIT)
     assert document.project.shape("shape-1") == left
+
+
+def test_of_a_b_spline_the_chosen_control_points_alone_go_along(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None
+) -> None:
+    """The curve's own points of the same numbers were moved: no B-spline was left, and what was not chosen moved."""
+    project = Project(clip=document.project.clip)
+    document.open(edit.new_shape(project, board.BOARD, 1, spline=Spline.BSPLINE)[0], None)
+    before = document.project.shape("shape-1").at(1).control_points
+    view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 1)}))
+    hand.click(MARKS[0])
+    track = PlanarTrack(document, view_state, runner, lambda frame: board.picture(PlaneMotion.TRANSLATION, frame - 1))
+    assert finish(qtbot, track, PlanarTracking(document, view_state, track).forward)[0] is Ending.DONE
+    shape = document.project.shape("shape-1")
+    after, moved = shape.at(LAST).control_points, board.true_motion(PlaneMotion.TRANSLATION, LAST - 1)
+    np.testing.assert_allclose(after[1], projective.apply(moved, before[1]), atol=0.3)
+    np.testing.assert_allclose(after[[0, 2, 3]], before[[0, 2, 3]], atol=1e-6)
+    assert is_of_its_kind(shape)
+
+
+@pytest.mark.parametrize("way", ["put", "cleared"])
+def test_points_that_are_put_or_cleared_during_a_run_stay(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None, way: str
+) -> None:
+    view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 3)}))
+    hand.click(MARKS[0])
+    gate = threading.Semaphore(3)
+
+    def read(frame: int) -> np.ndarray:
+        assert gate.acquire(timeout=WAIT / 1000)
+        return board.picture(PlaneMotion.TRANSLATION, frame - 1)
+
+    track = PlanarTrack(document, view_state, runner, read)
+    PlanarTracking(document, view_state, track).forward()
+    qtbot.waitUntil(lambda: 3 in document.project.shape("shape-1").frames, timeout=WAIT)
+    if way == "put":
+        hand.click(MARKS[1])
+    else:
+        hand.key(Qt.Key.Key_Escape)
+    kept = view_state.track_points
+    assert len(places(view_state)) == (2 if way == "put" else 0)
+    ending, _ = finish(qtbot, track, lambda: gate.release(LAST))
+    assert ending is Ending.DONE
+    assert LAST in document.project.shape("shape-1").frames
+    assert view_state.track_points == kept
 
 
 def test_points_on_one_another_are_refused(

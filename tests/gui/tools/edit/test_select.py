@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
+from app.tools.tool import Pointer
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, OUT, polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
@@ -138,6 +139,18 @@ def test_a_double_click_means_the_shape_of_its_first_press(
     assert view_state.selection.points == {(middle, index) for index in range(4)}
 
 
+def test_a_double_click_whose_first_press_missed_means_the_shape_of_its_second(
+    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    """It selected the points of the shape that an earlier press had met."""
+    triangle = add_triangle(document)
+    hand.click((80.0, 40.0))
+    hand.click((170.0, 10.0))
+    assert view_state.selection == Selection()
+    canvas.tool.double_press(Pointer((170.0, 19.0), (0.5, 0.5)))
+    assert view_state.selection.points == {(triangle, index) for index in range(3)}
+
+
 def test_clicks_are_no_undo_steps(hand: Hand, document: Document, square: str) -> None:
     for at in ((80.0, 40.0), (120.0, 40.0), (180.0, 130.0)):
         hand.click(at)
@@ -246,6 +259,19 @@ def test_escape_drops_a_marquee_and_what_was_selected_is_again(
     assert view_state.selection == Selection()
 
 
+def test_escape_drops_a_marquee_and_the_layer_in_hand_stays(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    document.open(edit.add_layer(document.project)[0], None)
+    view_state.select(frozenset({square}), layers=frozenset({"layer-1"}))
+    hand.press((100.0, 20.0))
+    hand.move((140.0, 120.0))
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((140.0, 120.0))
+    assert view_state.selection == Selection(frozenset({square}))
+    assert view_state.layers == {"layer-1"}
+
+
 # ---- inserting points
 
 
@@ -299,9 +325,11 @@ def stale(project: Project) -> list[str]:
     return [shape.id for shape in project.shapes if any(stamps.is_stale(shape, key) for key in shape.keys)]
 
 
+@pytest.mark.parametrize("lasso", [False, True])
 def test_insertion_beside_every_outline_says_what_to_do(
-    hand: Hand, document: Document, view_state: ViewState, square: str
+    hand: Hand, document: Document, view_state: ViewState, square: str, lasso: bool
 ):
+    view_state.editing.set(lasso=lasso)
     view_state.select(frozenset({square}), frozenset({(square, 2)}))
     hand.click((180.0, 130.0), CTRL | ALT)
     assert "outline" in view_state.message
@@ -375,3 +403,16 @@ def test_a_press_where_a_free_shape_lies_on_a_locked_one_takes_it_without_a_word
     hand.click((80.0, 40.0))
     assert view_state.selection.shapes == {above.id}
     assert view_state.message == ""
+
+
+def test_escape_drops_a_marquee_and_a_layer_that_is_gone_stays_gone(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    document.open(edit.add_layer(document.project)[0], None)
+    view_state.select(frozenset({square}), layers=frozenset({"layer-1"}))
+    hand.press((100.0, 20.0))
+    hand.move((140.0, 120.0))
+    document.apply("Cut", edit.remove_items(document.project, ["layer-1"]))
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((140.0, 120.0))
+    assert not view_state.layers

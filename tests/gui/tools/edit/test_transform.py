@@ -10,6 +10,8 @@ from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from app.tools.edit.transform import TransformTool
+from app.tools.edit.transform_box import Box
+from app.tools.tool import Pointer
 from roam_core.geometry.bezier import IN, polygon_points
 from roam_core.roto import edit
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
@@ -28,6 +30,15 @@ def boxed(view_state: ViewState, square: str) -> str:
 
 def placed(only: OnlyShape) -> np.ndarray:
     return only().at(1).anchors
+
+
+def box_on(canvas: CanvasView) -> Box:
+    """The box of the tool in hand at the canvas's zoom."""
+    tool = canvas.tool
+    assert isinstance(tool, TransformTool)
+    box = tool.box((1.0 / canvas.zoom,) * 2)
+    assert box is not None
+    return box
 
 
 # ---- what the parts do
@@ -231,6 +242,55 @@ def test_a_single_point_has_a_box_that_can_be_grabbed(hand: Hand, view_state: Vi
     view_state.select(frozenset(), frozenset({(boxed, 0)}))
     hand.drag((36.0, 44.0), (26.0, 34.0))
     assert only.anchors() == [(30.0, 30.0), *SQUARE[1:]]
+
+
+def test_the_box_of_a_single_point_is_as_large_on_the_screen_at_every_zoom(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, boxed: str
+) -> None:
+    view_state.select(frozenset(), frozenset({(boxed, 0)}))
+    tool = canvas.tool
+    assert isinstance(tool, TransformTool)
+    for notches in (0, 6, -12):
+        hand.wheel((40.0, 40.0), 120 * notches)
+        hand.move((40.0, 40.0))
+        box = tool.box((1 / canvas.zoom, 1 / canvas.zoom))
+        assert box is not None
+        np.testing.assert_allclose(box.sides * canvas.zoom, [[32.0, 0.0], [0.0, 32.0]], atol=1e-6)
+        np.testing.assert_allclose(box.at((0.5, 0.5)), SQUARE[0])
+
+
+def test_zoom_leaves_the_pivot_of_a_thin_box_where_it_was_put(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, boxed: str
+) -> None:
+    view_state.select(frozenset(), frozenset({(boxed, 0)}))
+    hand.move(SQUARE[0])
+    hand.drag(SQUARE[0], (100.0, 40.0))
+    before = box_on(canvas)
+    hand.wheel(SQUARE[0], 720)
+    after = box_on(canvas)
+    np.testing.assert_allclose(after.at(after.pivot), before.at(before.pivot), atol=1e-6)
+
+
+def test_zoom_leaves_a_thin_box_turned(canvas: CanvasView, hand: Hand, view_state: ViewState, boxed: str) -> None:
+    view_state.select(frozenset(), frozenset({(boxed, 0), (boxed, 1)}))
+    x, y = box_on(canvas).stalk((1.0 / canvas.zoom,) * 2).tolist()
+    hand.drag((x, y), (110.0, 20.0))
+    turned = box_on(canvas).sides[:, 0]
+    hand.wheel(SQUARE[0], 720)
+    np.testing.assert_allclose(box_on(canvas).sides[:, 0], turned, atol=1e-6)
+
+
+def test_a_double_click_beside_the_box_means_the_shape_under_it(
+    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, boxed: str
+) -> None:
+    corners = [(127.0, 60.0), (160.0, 50.0), (160.0, 90.0), (127.0, 80.0)]
+    project, other = edit.new_shape(document.project, polygon_points(corners), 1)
+    document.open(project, None)
+    view_state.select(frozenset())
+    hand.click((80.0, 40.0))
+    hand.click((119.0, 60.0))  # on the box
+    canvas.tool.double_press(Pointer((127.0, 70.0), (0.5, 0.5)))
+    assert {shape_id for shape_id, _ in view_state.selection.points} == {other.id}
 
 
 def test_beside_the_box_it_selects(hand: Hand, document: Document, view_state: ViewState, boxed: str) -> None:
