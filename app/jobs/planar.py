@@ -190,7 +190,7 @@ class PlanarTrack(QObject):
     def _carry_points(self, run: _Run, first: tuple[Spot, ...], carried: TrackPoints) -> None:
         """Show the track points where they are now; those that the artist put, moved or took away are another run's."""
         now = self._view.track_points
-        if now.places in (first, run.shown):
+        if now is not None and now.places in (first, run.shown):
             run.shown = carried.places
             self._view.track_points = replace(now, frame=carried.frame, places=carried.places)
 
