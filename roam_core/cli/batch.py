@@ -24,7 +24,7 @@ from roam_core.studio import cluster, driver
 from roam_core.studio.edits import require_edit
 from roam_core.studio.fields import schema
 from roam_core.studio.finding import jobs_from
-from roam_core.studio.jobs import as_document
+from roam_core.studio.jobs import as_document, require_jobs_name
 from roam_core.studio.order import longest_first
 from roam_core.studio.report import pictures_in, report_of, write_report
 from roam_core.studio.tasks import tasks_of
@@ -120,6 +120,8 @@ def require_sense(arguments: argparse.Namespace) -> None:
     """Refuse options that say nothing together."""
     if arguments.jobs is None:
         raise RoamError("Name a file of jobs, a folder of shots, or an .otio (or --schema).")
+    if arguments.write is not None:
+        require_jobs_name(arguments.write)  # nor is a picture of a plate written over
     if arguments.timeline is not None and arguments.jobs.suffix.lower() != ".otio":
         raise RoamError("--timeline is for an edit (.otio).")
     if arguments.timeline is not None and arguments.write is None:

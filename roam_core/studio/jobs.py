@@ -64,10 +64,15 @@ def read_jobs(path: str | Path) -> Jobs:
     path = Path(path)
     if not os.path.lexists(path):
         raise RoamError(f"{path} does not exist; give a file of jobs, a folder of shots or an edit (.otio).")
-    if path.suffix.lower() not in SUFFIXES:
-        raise RoamError(f"{path} is no file of jobs; its name has to end in {', '.join(SUFFIXES)}.")
+    require_jobs_name(path)
     document = _parsed(path)
     return jobs_of(document, path.absolute().parent, path.name, path.absolute().with_suffix(""))
+
+
+def require_jobs_name(path: Path) -> None:
+    """Raise `RoamError` where a file of that name is not read as jobs."""
+    if path.suffix.lower() not in SUFFIXES:
+        raise RoamError(f"{path} is no file of jobs; its name has to end in {', '.join(SUFFIXES)}.")
 
 
 def jobs_of(document: Any, folder: Path, where: str, out: Path) -> Jobs:

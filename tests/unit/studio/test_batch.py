@@ -213,5 +213,8 @@ def test_jobs_are_written_over_nothing_of_others_and_never_over_what_is_read(
         assert main(["batch", str(jobs), "--write", str(target), "--overwrite"]) == 1
         assert "is read for this and is never written over" in capsys.readouterr().err
     assert jobs.read_bytes() == before
+    picture = min((tmp_path / "show" / "a" / "plate").iterdir())
+    assert main(["batch", str(jobs), "--write", str(picture), "--overwrite"]) == 1
+    assert "its name has to end in .yaml, .yml, .json" in capsys.readouterr().err
     assert main(["batch", str(jobs), "--write", str(notes), "--overwrite"]) == 0
     assert len(json.loads(notes.read_text())["jobs"]) == 4
