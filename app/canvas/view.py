@@ -77,7 +77,7 @@ class CanvasView(PointedWidget):
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
         self.stage, self.wipe = Stage(self.viewing), Wipe(self._snapshot, view_state.say, self)
-        self.words = Words(self.stage)
+        self.words = Words(self.stage, view_state)
         going = self._project, lambda: self._viewport, self.go_along
         self.stabiliser = Stabiliser(view_state, self.viewing, *going, self)
         self._repaint = Repaint(self)
@@ -105,16 +105,15 @@ class CanvasView(PointedWidget):
         document.changed.connect(self._pull)
         document.replaced.connect(self._begin_anew)
         view.frame_changed.connect(self._follow_frame)
-        view.selection_changed.connect(self.update)
+        for signal in (view.selection_changed, view.keymap_changed, view.editing.changed, self.stage.changed):
+            signal.connect(self.update)
         view.preview_changed.connect(self._follow_preview)
         self.in_hand.changed.connect(self._take_tool)
         self.in_hand.looked.connect(self._show_tool)
         self.in_hand.used.connect(self._follow_hand)
-        view.editing.changed.connect(self.update)
         view.solo.changed.connect(self._pull)
         self.viewing.changed.connect(self._announce)
         self.wipe.changed.connect(self._announce)
-        self.stage.changed.connect(self.update)
         self.stage.matte_ready.connect(self.matte_ready)
         self.stage.background.refused.connect(view.say)
         self.destroyed.connect(self.stage.close)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QPainter
 
+from ..actions.keymaps import told
 from ..model.shown import lacks_base
+from ..model.view_state import ViewState
 from ..model.viewing import OF_MATTE, WITHOUT_SHAPES, ViewMode, title_of
 from ..paint.viewport import Viewport
 from ..translation import N_, tr
@@ -15,6 +17,7 @@ from .plate.backdrop import paint_label, paint_sentence
 from .plate.stage import Stage
 from .view_snapshot import ViewSnapshot
 
+DRAW_HINT = N_("Draw a shape: press <tool.bezier>")
 NO_BASE = N_("Empty: what is shown only takes away, and nothing lies below it")
 OPENING, NO_PLATE = N_("Opening …"), N_("Drop a folder of images or a movie here")
 
@@ -24,13 +27,11 @@ class Words:
 
     Attributes
     ----------
-    hint : what to do next, said while the project has no shape.
     is_waiting : a plate is being opened. lacks_plate : that of the project could not be.
     """
 
-    def __init__(self, stage: Stage) -> None:
-        self._stage = stage
-        self.hint = tr("Draw a shape: press B")
+    def __init__(self, stage: Stage, view_state: ViewState) -> None:
+        self._stage, self._view_state = stage, view_state
         self.is_waiting = self.lacks_plate = False
 
     def paint(
@@ -46,6 +47,11 @@ class Words:
             paint_label(painter, widget, label, Qt.AlignmentFlag.AlignTop)
         if is_idle and snapshot.image is not None and snapshot.shows_shapes and not snapshot.project.shapes:
             paint_label(painter, widget, self.hint, Qt.AlignmentFlag.AlignBottom)
+
+    @property
+    def hint(self) -> str:
+        """What to do next, said while the project has no shape."""
+        return told(tr(DRAW_HINT), self._view_state.keymap)
 
     def sentence(self, snapshot: ViewSnapshot) -> str:
         if snapshot.image is None:

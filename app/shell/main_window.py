@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QMainWindow, QUndoView
 from .. import style
 from ..actions import menus
 from ..actions.actions import Actions
-from ..actions.keymaps import told
 from ..canvas.proposal_bar import ProposalBar
 from ..canvas.ripple_frame import RippleFrame
 from ..canvas.view import CanvasView
@@ -76,7 +75,7 @@ from ..tools.edit.order_actions import OrderActions
 from ..tools.edit.transform_actions import TransformActions
 from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
-from ..translation import N_, tr
+from ..translation import tr
 from ..widgets.focus import FocusFollowsPointer, end_typing
 from ..widgets.panel import Panel
 from . import settings
@@ -93,7 +92,6 @@ from .window_services import WindowServices
 from .workspace import Workspace
 
 PANEL_WIDTH = 272
-DRAW_HINT = N_("Draw a shape: press <tool.bezier>")
 
 
 class MainWindow(QMainWindow):
@@ -369,8 +367,6 @@ class MainWindow(QMainWindow):
         actions.set_keymap(self.personal.keys.keymap)
         self.status.show_stop_keys(actions.keys_of("track.stop"))
         self.view_state.set_keymap(actions.keymap)
-        self.canvas.words.hint = told(tr(DRAW_HINT), actions.keymap)
-        self.canvas.update()
 
     def _pull_preferences(self) -> None:
         held = self.personal.preferences

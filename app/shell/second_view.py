@@ -37,7 +37,7 @@ def second_viewer(
     def make() -> CanvasView:
         canvas = CanvasView(document, view_state, in_hand=first.in_hand)
         canvas.proposed, canvas.bones, canvas.edges = first.proposed, first.bones, first.edges
-        canvas.stage.plate_of, canvas.words.hint = first.stage.plate_of, first.words.hint
+        canvas.stage.plate_of = first.stage.plate_of
         RippleFrame(view_state, canvas)
         FocusFollowsPointer(canvas, minds_fields=False)
         look_through(canvas.viewing)

@@ -98,7 +98,8 @@ def test_keys_mean_the_viewer_that_has_the_keyboard(qtbot: QtBot, window: MainWi
 
 
 def test_other_keys_hold_in_it_too(qtbot: QtBot, window: MainWindow, second: CanvasView) -> None:
-    window.personal.set_keys(OwnKeymap(keys={"view.cutout": ("9",)}))
+    window.personal.set_keys(OwnKeymap(keys={"view.cutout": ("9",), "tool.bezier": ("F9",)}))
+    assert second.words.hint == "Draw a shape: press F9"
     window.activateWindow()
     second.setFocus()
     for key, mode in ((Qt.Key.Key_4, ViewMode.MATTE), (Qt.Key.Key_9, ViewMode.CUTOUT)):
