@@ -217,7 +217,7 @@ class PropertiesPanel(QWidget):
         put: Callable[[RotoShape, float], RotoShape],
     ) -> None:
         def show(shapes: Shapes) -> None:
-            values = [get(shape) for shape in shapes if put(shape, get(shape)) is not shape] or list(map(get, shapes))
+            values = [get(shape) for shape in shapes if shape.motion_blur] or list(map(get, shapes))
             field.show_value(shared(values), values[0])
 
         self._add_row(ScrubLabel(label, field), field, show)

@@ -29,7 +29,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
 from ..translation import N_, tr
 from ..widgets.controls import ChoiceBox, tool_button, weak_label
-from ..widgets.focus import KEEPS_KEYBOARD
+from ..widgets.focus import KEEPS_KEYBOARD, takes_key
 
 LIST_ROWS, NOTE_ROWS = 8, 3
 """Heights in rows of the list and of the note."""
@@ -227,13 +227,7 @@ class NoteField(QPlainTextEdit):
             self.written.emit(self._frame, text)
 
     def event(self, event: QEvent) -> bool:
-        # Keys of the whole window, such as Esc for stopping, belong to the field while it is typed into.
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            is_done = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-            if is_done or not event.modifiers() & Qt.KeyboardModifier.ControlModifier:  # Ctrl+S is the window's
-                event.accept()
-                return True
-        return super().event(event)
+        return takes_key(event) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_return = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)

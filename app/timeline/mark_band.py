@@ -13,7 +13,7 @@ from roam_core.roto import Mark, Project, timing
 from .. import style
 from ..model.document import Document
 from ..translation import tr
-from ..widgets.focus import KEEPS_KEYBOARD
+from ..widgets.focus import KEEPS_KEYBOARD, takes_key
 from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_playhead
 from .mark_verbs import remove
@@ -226,11 +226,7 @@ class MarkField(QLineEdit):
         self.setFocus()
 
     def event(self, event: QEvent) -> bool:
-        # Esc is the whole window's key for stopping; here it leaves the field.
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            event.accept()
-            return True
-        return super().event(event)
+        return takes_key(event) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:

@@ -249,18 +249,20 @@ class ScrubLabel(QLabel):
         self.setMinimumHeight(style.ROW_HEIGHT)
         self._field = field
         self._last: float | None = None
-        self._reached = 0.0
+        self._reached, self._is_begun = 0.0, False
         self.setCursor(Qt.CursorShape.SizeHorCursor)
         self.setToolTip(tr("Drag to change; Shift: faster, Ctrl: finer"))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton and self._field.isEnabled():
-            self._last, self._reached = event.position().x(), self._field.value()
-            self._field.begin_drag()
+            self._last, self._reached, self._is_begun = event.position().x(), self._field.value(), False
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._last is None:
             return
+        if not self._is_begun:  # a mere press changes nothing that is being typed
+            self._is_begun = True
+            self._field.begin_drag()
         moved, self._last = event.position().x() - self._last, event.position().x()
         pace = {Qt.KeyboardModifier.ShiftModifier: 10.0, Qt.KeyboardModifier.ControlModifier: 0.1}
         self._reached += moved / PIXELS_A_STEP * self._field.singleStep() * pace.get(event.modifiers(), 1.0)

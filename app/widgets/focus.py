@@ -101,6 +101,21 @@ def end_typing(window: QWidget) -> None:
             held.clearFocus()
 
 
+def takes_key(event: QEvent) -> bool:
+    """Whether a field for words takes a key that the window has a shortcut for; then it accepts the event.
+
+    It takes those without Ctrl, such as Esc for stopping, and Return. Ctrl with Alt writes signs on some keyboards.
+    """
+    if not isinstance(event, QKeyEvent) or event.type() != QEvent.Type.ShortcutOverride:
+        return False
+    is_return = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+    held = event.modifiers() & (Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
+    taken = is_return or held != Qt.KeyboardModifier.ControlModifier
+    if taken:
+        event.accept()
+    return taken
+
+
 def _is_main_or_part(window: QWidget) -> bool:
     return isinstance(window, FloatingWindow | QMainWindow)
 

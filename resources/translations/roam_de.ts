@@ -1395,10 +1395,6 @@ click for corners, drag for curves.</source>
 klicken für Ecken, ziehen für Kurven.</translation>
     </message>
     <message>
-        <source>Draw a shape: press B</source>
-        <translation>Form zeichnen: B drücken</translation>
-    </message>
-    <message>
         <source>Draw a smooth shape by its control points</source>
         <translation>Glatte Form durch ihre Kontrollpunkte zeichnen</translation>
     </message>

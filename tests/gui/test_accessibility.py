@@ -28,7 +28,9 @@ from pytestqt.qtbot import QtBot
 from app import style
 from app.dialogs.palette import Palette
 from app.shell.main_window import MainWindow
+from app.widgets.floating import FloatingWindow
 from app.widgets.reach import reachable
+from roam_core.roto import edit
 from tests.gui.waiting import WAIT
 from tests.gui.windows import dialogs_of, opened_window, write_clip
 
@@ -140,6 +142,51 @@ def test_the_control_with_the_keyboard_is_pressed_by_it_and_escape_leaves(window
     qtbot.waitUntil(lambda: QApplication.focusWidget() is window.canvas, timeout=WAIT)
 
 
+def float_part(qtbot: QtBot, window: MainWindow, name: str, part: QWidget) -> QWidget:
+    """The window that a part floats in, once it is in sight."""
+    window.actions_by_id[f"window.float_{name}"].setChecked(True)
+    qtbot.waitUntil(lambda: isinstance(part.window(), FloatingWindow) and part.isVisible(), timeout=WAIT)
+    return part.window()
+
+
+def test_a_control_that_floats_is_pressed_by_its_keys_and_escape_leaves_to_the_viewer(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    """Space began to play; Esc did nothing."""
+    corners = [[(10.0, 10.0)] * 3, [(50.0, 10.0)] * 3, [(30.0, 50.0)] * 3]
+    window.document.apply("Draw shape", edit.new_shape(window.document.project, corners, 1001)[0])
+    window.view_state.select(frozenset({"shape-1"}))
+    box = window.properties.invert
+    floating = float_part(qtbot, window, "shape", box)
+    floating.activateWindow()
+    box.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.waitUntil(box.hasFocus, timeout=WAIT)
+    QTest.keyClick(box, Qt.Key.Key_Space)
+    assert window.document.project.shape("shape-1").invert
+    assert not window.view_state.is_playing
+    QTest.keyClick(box, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is window.canvas, timeout=WAIT)
+
+
+def test_keys_go_from_part_to_part_while_the_timeline_floats(window: MainWindow, qtbot: QtBot) -> None:
+    """They stayed within the panels."""
+    float_part(qtbot, window, "timeline", window.timeline)
+    window.activateWindow()
+    window.canvas.setFocus()
+    qtbot.waitUntil(window.canvas.hasFocus, timeout=WAIT)
+    parts = (window.tool_column, window.view_bar, window.panel_column, window.transport, window.timeline, window.canvas)
+    for action in ("view.next_part", "view.previous_part"):
+        seen: list[QWidget] = []
+        for _ in range(7):
+            window.actions_by_id[action].trigger()
+            QApplication.processEvents()  # another window is made the active one
+            held = QApplication.focusWidget()
+            assert held is not None
+            seen.append(held)
+        missed = [part for part in parts if not any(part is held or part.isAncestorOf(held) for held in seen)]
+        assert missed == [], action
+
+
 def test_a_click_never_takes_the_keyboard_from_the_viewer(window: MainWindow, qtbot: QtBot) -> None:
     window.canvas.setFocus()
     button = controls(window.transport)[0]
@@ -148,8 +195,6 @@ def test_a_click_never_takes_the_keyboard_from_the_viewer(window: MainWindow, qt
 
 
 def test_the_viewer_tells_the_frame_and_what_is_selected(window: MainWindow) -> None:
-    from roam_core.roto import edit
-
     project, shape = edit.new_shape(
         window.document.project, [[(10.0, 10.0)] * 3, [(50.0, 10.0)] * 3, [(30.0, 50.0)] * 3], 1001, name="arm"
     )

@@ -80,6 +80,8 @@ class BackgroundLayer(QObject):
             self._read.emit(choice, found)
 
     def _take(self, choice: _Choice, found: UInt8 | str) -> None:
+        if self._thread is not None:
+            self._thread.join()  # this was its last word
         self._thread = None
         self._picture = choice, None if isinstance(found, str) else Picture(found)
         if isinstance(found, str) and found:

@@ -64,19 +64,20 @@ class MatteLayer(QObject):
         """Ask for a matte, or with the plate's picture for a cut-out; `ready` tells when `pixels` holds it."""
         request = MatteRequest(project, frame, size, plate)
         if self._running:
-            self._waiting = None if request.is_same(self._running) else request
+            is_coming = request.is_same(self._running) and not self._is_dropped
+            self._waiting = None if is_coming else request
         elif not request.is_same(self._shown):
             self._start(request)
 
-    def holds(self, project: Project, frame: int, cuts_out: bool) -> bool:
+    def holds(self, project: Project, frame: int, plate: Picture | None) -> bool:
         """Whether this is what was rendered last."""
         shown = self._shown
-        return (
-            shown is not None
-            and shown.project is project
-            and shown.frame == frame
-            and cuts_out == (shown.plate is not None)
-        )
+        return shown is not None and MatteRequest(project, frame, shown.size, plate).is_same(shown)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether one is being rendered."""
+        return self._running is not None
 
     def forget(self) -> None:
         """Another project: what is being rendered is nobody's."""

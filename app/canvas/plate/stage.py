@@ -58,6 +58,7 @@ class Stage(QObject):
     def clear(self) -> None:
         """Another project was opened."""
         self.picture = self.frame = self.missing = None
+        self._has_failed = False
         self._mattes.clear()
         self.matte.forget()
         self.changed.emit()
@@ -90,7 +91,7 @@ class Stage(QObject):
         mode = self._viewing.mode
         cuts_out = mode is ViewMode.CUTOUT
         if mode in OF_MATTE and not (cuts_out and self.missing == frame):
-            return self.matte.holds(project, frame, cuts_out)
+            return self.matte.holds(project, frame, self.picture if cuts_out else None)
         return self.frame in (None, frame)
 
     def shown_picture(self) -> Picture | None:
@@ -108,9 +109,9 @@ class Stage(QObject):
                 return tr(LOST)
             if self.missing is not None:
                 return tr("frame {frame} is missing or damaged", frame=self.missing)
-        if mode in OF_MATTE and self.shown_picture() is None and self._has_failed:
-            return tr("The matte could not be rendered")
         if mode in OF_MATTE and self.shown_picture() is None:
+            if self._has_failed and not self.matte.is_busy:
+                return tr("The matte could not be rendered")
             return tr("Cutting out …") if mode is ViewMode.CUTOUT else tr("Rendering the matte …")
         return ""
 

@@ -165,6 +165,23 @@ def test_a_point_of_a_large_shape_is_dragged_in_a_small_area(canvas: CanvasView,
     assert 0 < painted.area < 0.25 * canvas.width() * canvas.height()
 
 
+def test_the_first_move_after_an_undo_takes_the_outline_along(
+    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, shape: RotoShape
+) -> None:
+    """What it had been compared with was the shape where the drag before had left it: the outline stayed on screen."""
+    view_state.select(frozenset([shape.id]), frozenset((shape.id, index) for index in range(24)))
+    hand.move((160.0, 75.0))
+    for is_undone in (True, False):
+        QApplication.processEvents()
+        hand.press((160.0, 75.0))
+        hand.move((230.0, 75.0))
+        QApplication.processEvents()
+        if is_undone:
+            hand.release((230.0, 75.0))
+            document.undo_stack.undo()
+    assert difference(on_screen(canvas), whole(canvas)) <= 2
+
+
 def test_in_the_matte_view_everything_follows_a_drag(canvas: CanvasView, hand: Hand, shape: RotoShape, qtbot) -> None:
     hand.key("3")
     with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):

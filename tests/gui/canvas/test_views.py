@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import threading
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,21 +11,24 @@ import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import QSizeF
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QColor, QImage, QPainter
 from pytestqt.qtbot import QtBot
 
 from app.canvas.items.onion import ghosts
 from app.canvas.plate.backdrop import Backdrop
 from app.canvas.plate.background import CHECKERS
+from app.canvas.plate.picture import Picture
+from app.canvas.plate.pixel_marks import paint_pixel_marks
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.model.viewing import Background, BackgroundKind, Onion, Viewing, ViewMode
 from app.paint.viewport import LARGEST, Viewport
+from roam_core.arrays import Float32
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media.colour_spaces import offered_views
 from roam_core.media.looking import Channel, Look, Plate, seen_plate
-from roam_core.roto import Keyframe, edit
+from roam_core.roto import Clip, Keyframe, Project, edit
 from tests.gui.hand import CTRL, Hand
 from tests.gui.waiting import WAIT
 
@@ -158,6 +162,52 @@ def test_a_shows_the_alpha_alone_and_again_what_was_before(
     assert not view_state.selection.shapes
     hand.key("a")
     assert canvas.mode is ViewMode.ONION
+
+
+# ---- mattes that do not come
+
+
+def test_the_matte_of_a_project_that_is_left_is_not_shown(
+    canvas: CanvasView, document: Document, shape_id: str, qtbot: QtBot
+) -> None:
+    """It came after the other project was opened, and stayed until that one's own was there."""
+    layer, gate, render = canvas.stage.matte, threading.Event(), canvas.stage.matte._render
+    brightest: list[int] = []
+
+    def note() -> None:
+        shown = canvas.stage.shown_picture()
+        brightest.append(0 if shown is None else int(shown.pixels.max()))
+
+    def wait_and_render(project: Project, frame: int, size: tuple[int, int]) -> Float32:
+        gate.wait(WAIT / 1000)
+        return render(project, frame, size)
+
+    layer._render = wait_and_render
+    canvas.viewing.set_mode(ViewMode.MATTE)
+    canvas.repaint()
+    document.open(Project(clip=Clip(Path("other"), 1, 20, (200, 150))), None)
+    canvas.stage.changed.connect(note)
+    canvas.repaint()
+    gate.set()
+    qtbot.waitUntil(lambda: bool(brightest) and layer._running is None, timeout=WAIT)
+    assert brightest == [0]
+
+
+def test_a_matte_that_could_not_be_rendered_is_told(
+    canvas: CanvasView, shape_id: str, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was said to be rendered for ever."""
+
+    def fail(*_: object) -> Float32:
+        raise MemoryError
+
+    monkeypatch.setattr(threading, "excepthook", lambda args: None)
+    canvas.stage.matte._render = fail
+    canvas.viewing.set_mode(ViewMode.MATTE)
+    assert canvas.stage.emptiness() == "Rendering the matte …"
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
+        canvas.repaint()
+    assert canvas.stage.emptiness() == "The matte could not be rendered"
 
 
 # ---- onion skin
@@ -296,6 +346,15 @@ def test_background_and_onion_come_back_and_the_look_does_not() -> None:
     assert again.look.is_neutral
 
 
+def test_how_often_a_background_was_chosen_is_not_remembered() -> None:
+    viewing, again = Viewing(), Viewing()
+    viewing.set_background(kind=BackgroundKind.COLOUR, choice=3)
+    kept = viewing.remembered()
+    assert kept["ground"]["choice"] == 0
+    again.recall(kept)
+    assert again.background == Background(BackgroundKind.COLOUR)
+
+
 def test_a_background_picture_that_cannot_be_looked_at_does_not_come_back() -> None:
     viewing = Viewing()
     viewing.recall({"ground": {"kind": "image", "image": "a" * 300}})
@@ -370,6 +429,19 @@ def test_a_grid_stands_between_pixels_from_800_percent(coloured: CanvasView) -> 
     near = at(coloured, 9.0)
     assert near.pixelColor(18, 60).getRgb()[:3] != (200, 120, 40)
     assert kinds_of(near, 9, 9) == {(200, 120, 40)}
+
+
+@pytest.mark.parametrize(("scale", "is_there"), [(3.9, False), (4.0, True)])
+def test_the_grid_stands_from_800_percent_on_a_screen_of_fine_pixels_too(scale: float, is_there: bool) -> None:
+    """There the zoom is told in the screen's pixels, two to a unit; the grid came at 1600 %."""
+    screen = QImage(80, 60, QImage.Format.Format_RGB32)
+    screen.setDevicePixelRatio(2.0)
+    screen.fill(GREY)
+    picture = Picture(np.full((15, 20, 3), 100, dtype=np.uint8))
+    painter = QPainter(screen)
+    paint_pixel_marks(painter, Viewport(scale), picture, picture.size, Look())
+    painter.end()
+    assert any(screen.pixelColor(x, 12) != GREY for x in range(40, 60)) is is_there
 
 
 def test_values_are_written_into_large_pixels(coloured: CanvasView) -> None:

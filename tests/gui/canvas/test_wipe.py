@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import threading
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
+from app.model.viewing import ViewMode
+from roam_core.arrays import Float32
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Project, edit
+from roam_core.roto import Clip, Keyframe, Project, edit
 from tests.gui.hand import SHIFT, Hand
+from tests.gui.waiting import WAIT
 
 SQUARE = polygon_points([(40.0, 40.0), (160.0, 40.0), (160.0, 100.0), (40.0, 100.0)])
 
@@ -97,3 +103,68 @@ def test_without_a_plate_there_is_nothing_to_compare(
     assert canvas.wipe.pinned is None
     assert "open a clip first" in view_state.message
     assert canvas.grab().toImage().pixelColor(2, 2) == QColor("#262626")
+
+
+def test_a_matte_is_pinned_only_once_it_is_there(
+    canvas: CanvasView, document: Document, view_state: ViewState, qtbot: QtBot
+) -> None:
+    """The matte of the frame before was pinned under the number of this one."""
+    document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])
+    canvas.viewing.set_mode(ViewMode.MATTE)
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
+        canvas.repaint()
+    gate, render = threading.Event(), canvas.stage.matte._render
+
+    def wait_and_render(project: Project, frame: int, size: tuple[int, int]) -> Float32:
+        gate.wait(WAIT / 1000)
+        return render(project, frame, size)
+
+    canvas.stage.matte._render = wait_and_render
+    view_state.set_frame(2)
+    canvas.set_image(2, np.full((150, 200, 3), 30, dtype=np.uint8))
+    canvas.repaint()
+    canvas.wipe.pin()
+    told = canvas.wipe.pinned, view_state.message
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
+        gate.set()
+    assert told == (None, "The picture of this frame is still being made; pin it once it is there.")
+    canvas.wipe.pin()
+    assert canvas.wipe.pinned is not None
+    assert canvas.wipe.pinned.frame == 2
+
+
+def test_a_frame_is_pinned_with_its_own_picture_or_with_none(canvas: CanvasView, view_state: ViewState) -> None:
+    view_state.set_frame(2)  # its picture has not come yet
+    canvas.wipe.pin()
+    assert canvas.wipe.pinned is None
+    assert view_state.message == "The picture of this frame is still being made; pin it once it is there."
+    for mode in (ViewMode.OVERLAY, ViewMode.CUTOUT):
+        canvas.viewing.set_mode(mode)
+        canvas.set_image(2, None)
+        canvas.wipe.pin()
+        assert canvas.wipe.pinned is not None, mode
+        assert (canvas.wipe.pinned.frame, canvas.wipe.pinned.mode) == (2, mode)
+        canvas.wipe.end()
+
+
+def test_the_pinned_onion_skin_keeps_the_ghosts_of_what_was_selected(
+    canvas: CanvasView, document: Document, view_state: ViewState
+) -> None:
+    """It showed those of all shapes, for nothing is selected in what is pinned."""
+    project = document.project
+    for y in (40.0, 100.0):
+        square = polygon_points([(20.0, y), (70.0, y), (70.0, y + 40.0), (20.0, y + 40.0)])
+        project, shape = edit.new_shape(project, square, 1)
+        project = project.with_shape(shape.with_key(Keyframe(11, square + np.array([40.0, 0.0]))))
+    document.apply("Draw", project)
+    first, second = (shape.id for shape in project.shapes)
+    view_state.set_frame(6)
+    canvas.set_image(6, np.full((150, 200, 3), 100, dtype=np.uint8))
+    view_state.select(frozenset({first}))
+    canvas.viewing.set_onion(before=1, after=0, step=4, before_colour="#ff0000")
+    canvas.viewing.set_mode(ViewMode.ONION)
+    ghosts = [(24.0, 60.0), (24.0, 120.0)]  # the left sides on frame 2
+    seen = [colour_at(canvas, *ghost) > 120 for ghost in ghosts]
+    canvas.wipe.pin()
+    view_state.select(frozenset({second}))
+    assert seen == [colour_at(canvas, *ghost) > 120 for ghost in ghosts] == [True, False]

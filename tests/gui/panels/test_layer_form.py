@@ -166,3 +166,16 @@ def test_without_a_selection_the_verbs_say_so(document: Document, view_state: Vi
     assert view_state.message == NOTHING_SELECTED
     verbs["layer.ungroup"]()
     assert view_state.message == NO_LAYER
+
+
+def test_of_several_layers_the_locked_one_keeps_its_values_and_that_is_said(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    document.open(edit.set_properties(document.project, "layer-2", locked=True), None)
+    view_state.select(frozenset({"shape-1", "shape-2"}), layers=frozenset({"layer-1", "layer-2"}))
+    type_in(qtbot, panel.layer_form.opacity, "20")
+    assert (layer(document).opacity, layer(document, 2).opacity) == (0.2, 1.0)
+    assert view_state.message == "What is locked stays; unlock it first (Ctrl+L)."
+    view_state.say("")
+    panel.layer_form.visible.click()  # works on what is locked, too
+    assert view_state.message == ""

@@ -140,3 +140,16 @@ def test_the_open_list_stays_as_it_is_while_frames_of_a_run_come(form: ObjectFor
     assert not renewed
     document.apply("Link", linked(document.project, [A, B]))
     assert renewed
+
+
+def test_a_level_of_a_file_that_is_none_of_the_choices_is_told(
+    form: ObjectForm, document: Document, view_state: ViewState
+) -> None:
+    """It was shown as mixed."""
+    document.open(edit.set_properties(document.project, A, depth=((1, 3),)), None)
+    view_state.select(frozenset({A}))
+    assert (form.level.currentIndex(), form.level.placeholderText()) == (-1, "3")
+    view_state.select(frozenset({A, B}))
+    assert (form.level.currentIndex(), form.level.placeholderText()) == (-1, "mixed")
+    view_state.select(frozenset({B}))
+    assert form.level.currentText() == "As stacked"

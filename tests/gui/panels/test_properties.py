@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QLocale, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QPalette, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QColorDialog
@@ -328,3 +328,132 @@ def test_of_several_shapes_the_locked_one_keeps_its_values_and_that_is_said(
     view_state.say("")
     panel.push("Show", visible=False)
     assert view_state.message == ""
+
+
+FEATHERS = (2.0, 4.0, 80.0)
+
+
+def three(document: Document, view_state: ViewState) -> None:
+    """Three shapes that differ in their numbers: the third was shown, now the first two are selected."""
+    project, _shape = edit.new_shape(document.project, SQUARE, 1)
+    for number, (feather, samples) in enumerate(zip(FEATHERS, (4, 8, 64), strict=True), start=1):
+        blur = MotionBlur(samples=samples)
+        values = {"feather": feather, "opacity": 1.0 / number, "motion_blur": blur}
+        project = edit.set_properties(project, f"shape-{number}", **values)
+    document.open(project, None)
+    view_state.select(frozenset({"shape-3"}))
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+
+
+@pytest.mark.parametrize("is_dragged", [False, True], ids=["step", "drag"])
+def test_what_differs_is_changed_from_the_first_shapes_value_on(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState, is_dragged: bool
+) -> None:
+    """It began at the value of a shape that was shown before."""
+    three(document, view_state)
+    assert panel.feather.is_mixed
+    if is_dragged:
+        label = label_of(panel, panel.feather)
+        QTest.mousePress(label, Qt.MouseButton.LeftButton, pos=QPoint(10, 8))
+        QTest.mouseMove(label, QPoint(14, 8))
+        QTest.mouseRelease(label, Qt.MouseButton.LeftButton, pos=QPoint(14, 8))
+    else:
+        qtbot.keyClick(panel.feather, Qt.Key.Key_Up)
+    assert [shape(document, number).feather for number in (1, 2, 3)] == [2.5, 2.5, 80.0]
+    both(document, view_state, lifetime=(5, 10))
+    view_state.select(frozenset({"shape-2"}))
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    qtbot.keyClick(panel.first, Qt.Key.Key_Up)
+    assert [shape(document, number).lifetime for number in (1, 2)] == [(6, 10), (6, 21)]
+
+
+@pytest.mark.parametrize(("name", "text"), [("feather", "-"), ("opacity", "-"), ("samples", "1")])
+def test_what_is_no_number_of_a_mixed_field_gives_nothing(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState, name: str, text: str
+) -> None:
+    three(document, view_state)
+    type_in(qtbot, getattr(panel, name), text)
+    panel.clearFocus()
+    assert document.undo_stack.count() == 0
+    assert (getattr(panel, name).is_mixed, getattr(panel, name).text()) == (True, "")
+
+
+@pytest.mark.parametrize("language", ["de_DE", "en_US"])
+def test_point_and_comma_part_the_decimals_in_every_language(qtbot: QtBot, language: str) -> None:
+    """Of the other one of them the language makes groups: 2.5 was 25 in German."""
+    before, given = QLocale(), []
+    QLocale.setDefault(QLocale(language))
+    try:
+        for decimals, suffix, texts in ((1, " px", ("2.5", "2,5")), (2, "", ("-2.5", "-2,5")), (0, " f", ("1001",))):
+            for text in texts:
+                field = NumberField(-5000.0, 5000.0, suffix=suffix, decimals=decimals)
+                qtbot.addWidget(field)
+                field.edited.connect(lambda value, _key: given.append(value))
+                field.show_value(0.0)
+                type_in(qtbot, field, text)
+    finally:
+        QLocale.setDefault(before)
+    assert given == [2.5, 2.5, -2.5, -2.5, 1001.0]
+
+
+def test_a_number_beyond_the_fields_range_is_shown_as_the_file_holds_it(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    both(document, view_state, feather=800.0)
+    view_state.select(frozenset({"shape-1"}))
+    assert panel.feather.text() == "800.0 px"
+    panel.name.setFocus()
+    qtbot.keyClick(panel.feather, Qt.Key.Key_Return)
+    assert shape(document).feather == 800.0  # a visit changes nothing
+    document.apply("Feather", edit.set_properties(document.project, "shape-2", feather=4.0))
+    view_state.select(frozenset({"shape-2"}))
+    assert panel.feather.text() == "4.0 px"
+    assert (panel.feather.minimum(), panel.feather.maximum()) == (-500.0, 500.0)
+
+
+def test_a_visit_to_a_name_with_spaces_around_it_is_no_step(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    view_state.select(frozenset())
+    document.open(edit.set_properties(document.project, "shape-1", name=" arm "), None)
+    view_state.select(frozenset({"shape-1"}))
+    panel.activateWindow()
+    panel.name.setFocus()
+    qtbot.waitUntil(panel.name.hasFocus, timeout=WAIT)
+    panel.opacity.setFocus()
+    qtbot.keyClick(panel.name, Qt.Key.Key_Return)
+    assert document.undo_stack.count() == 0
+    assert shape(document).name == " arm "
+    type_in(qtbot, panel.name, " leg ")
+    assert shape(document).name == "leg"
+
+
+def test_of_colours_that_differ_none_is_framed_after_another_was_asked_for_in_vain(
+    panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    both(document, view_state, colour=PALETTE[3])
+    panel.colours.group.button(OTHER).click()
+    panel.colours.findChild(QColorDialog).reject()
+    assert panel.colours.group.checkedId() == -1
+    assert document.undo_stack.count() == 0
+
+
+def test_numbers_of_motion_blur_are_those_of_the_shapes_that_have_it(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    """A number that changes one of two shapes was told to differ for ever."""
+    both(document, view_state, motion_blur=MotionBlur(shutter=0.75))
+    assert (panel.shutter.text(), panel.shutter.is_mixed) == ("0.75 frames", False)
+    type_in(qtbot, panel.shutter, "0.3")
+    assert (panel.shutter.text(), panel.shutter.is_mixed) == ("0.30 frames", False)
+    assert [shape(document, number).motion_blur for number in (1, 2)] == [MotionBlur(shutter=0.3), None]
+
+
+@pytest.mark.parametrize("blur", [MotionBlur(samples=1), MotionBlur(shutter=-0.5)])
+def test_motion_blur_of_a_file_that_is_seen_nowhere_is_shown(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, blur: MotionBlur
+) -> None:
+    document.apply("Blur", edit.set_properties(document.project, "shape-1", motion_blur=blur))
+    assert (panel.shutter.value(), panel.samples.value()) == (blur.shutter, blur.samples)
+    type_in(qtbot, panel.opacity, "40")
+    assert shape(document).opacity == 0.4

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
-from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeWidgetItem
+from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QDropEvent, QMouseEvent
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QLineEdit, QTreeWidgetItem
 from pytestqt.qtbot import QtBot
 
 from app import style
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.panels.shapes import EYE, LOCK, NAME, ShapesPanel
+from app.panels.shapes import EYE, LOCK, NAME, SOLO, ShapesPanel, ShapeTree
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Layer, Origin, Project, edit
 from roam_core.roto.layers import grouped, moved
@@ -297,3 +297,52 @@ def test_a_shape_in_a_folded_layer_brings_the_layers_row_into_sight(
     view_state.select(frozenset({"shape-3"}))
     assert is_in_sight(panel, "layer-1")
     assert not panel.tree.item("layer-1").isExpanded()
+
+
+@pytest.mark.parametrize("column", [SOLO, EYE, LOCK], ids=["solo", "eye", "lock"])
+def test_a_press_on_a_switch_that_slips_drags_and_selects_nothing(
+    qtbot: QtBot, panel: ShapesPanel, view_state: ViewState, monkeypatch: pytest.MonkeyPatch, column: int
+) -> None:
+    dragged: list[list[str]] = []
+
+    def drag(tree: ShapeTree, _actions: object) -> None:
+        dragged.append([row.text(NAME) for row in tree.selectedItems()])
+
+    monkeypatch.setattr(ShapeTree, "startDrag", drag)
+    tree, left = panel.tree, Qt.MouseButton.LeftButton
+    click(qtbot, panel, tree.item("shape-2"), NAME)
+
+    def slip(column: int) -> None:
+        start = tree.visualRect(tree.indexFromItem(tree.item("shape-1"), column)).center()
+        qtbot.mousePress(tree.viewport(), left, pos=start)
+        for far in (QPoint(1, -1), QPoint(2, -8), QPoint(2, -28)):  # up to the row that is selected
+            where = QPointF(start + far)
+            none, over = Qt.KeyboardModifier.NoModifier, QPointF(tree.viewport().mapToGlobal(start + far))
+            move = QMouseEvent(QEvent.Type.MouseMove, where, over, Qt.MouseButton.NoButton, left, none)
+            QApplication.sendEvent(tree.viewport(), move)
+        qtbot.mouseRelease(tree.viewport(), left, pos=start + QPoint(2, -28))
+
+    slip(column)
+    assert (dragged, view_state.selection.shapes) == ([], {"shape-2"})
+    slip(NAME)  # as before: a press on the name drags its row
+    assert (dragged[:1], view_state.selection.shapes) == ([["Shape 1"]], {"shape-1"})
+
+
+@pytest.mark.parametrize("shape_id", ["shape-1", "shape-3"], ids=["locked", "in a locked layer"])
+def test_what_is_locked_keeps_its_name_in_the_list(
+    qtbot: QtBot, panel: ShapesPanel, document: Document, shape_id: str
+) -> None:
+    def is_renamed_by_f2() -> bool:
+        click(qtbot, panel, panel.tree.item(shape_id), NAME)
+        qtbot.keyClick(panel.tree, Qt.Key.Key_F2)
+        is_open = panel.tree.state() is QAbstractItemView.State.EditingState
+        if is_open:
+            qtbot.keyClick(panel.tree.viewport().findChild(QLineEdit), Qt.Key.Key_Escape)
+        return is_open
+
+    for item_id in ("shape-1", "layer-1"):
+        document.apply("Lock", edit.set_properties(document.project, item_id, locked=True))
+    assert not is_renamed_by_f2()
+    for item_id in ("shape-1", "layer-1"):
+        document.apply("Unlock", edit.set_properties(document.project, item_id, locked=False))
+    assert is_renamed_by_f2()

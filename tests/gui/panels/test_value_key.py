@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction, QContextMenuEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
@@ -12,11 +13,13 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.properties import PropertiesPanel
 from app.panels.value_key import ValueKeyButton
+from app.widgets.fields import NumberField
 from roam_core.roto import Animated, Interpolation, ValueKey, edit
 from roam_core.roto.value_keys import Keying
 from tests.gui.panels.test_layer_form import layer
 from tests.gui.panels.test_layer_form import panel as layers
-from tests.gui.panels.test_properties import panel, shape, type_in
+from tests.gui.panels.test_properties import label_of, panel, shape, type_in
+from tests.gui.waiting import WAIT
 
 __all__ = ["layers", "panel"]
 LEFT = Qt.MouseButton.LeftButton
@@ -29,6 +32,15 @@ def entry(button: ValueKeyButton, text: str) -> QAction:
 
 def looks(button: ValueKeyButton) -> tuple[Keying, str]:
     return button.state, button.toolTip().partition(".")[0]
+
+
+def begin(qtbot: QtBot, field: NumberField, text: str) -> None:
+    """Type, and leave it at that."""
+    field.window().activateWindow()
+    field.setFocus()
+    qtbot.waitUntil(field.hasFocus, timeout=WAIT)
+    field.selectAll()
+    qtbot.keyClicks(field, text)
 
 
 CONSTANT = Keying.CONSTANT, "It never varies"
@@ -200,12 +212,11 @@ def test_a_click_takes_what_was_typed_and_does_not_delete_its_key(
     """The press takes the number out of the field, which sets a key; the click means that key."""
     qtbot.mouseClick(panel.opacity_key, LEFT)
     view_state.set_frame(9)
-    panel.opacity.setFocus()
-    panel.opacity.selectAll()
-    qtbot.keyClicks(panel.opacity, "33")
-    panel.opacity.clearFocus()  # as a press anywhere in the panel's column does
+    begin(qtbot, panel.opacity, "33")
+    before = document.undo_stack.count()
     qtbot.mouseClick(panel.opacity_key, LEFT)
     assert shape(document).opacity == Animated((ValueKey(1, 1.0), ValueKey(9, 0.33)))
+    assert document.undo_stack.count() == before + 1
     QApplication.processEvents()
     qtbot.mouseClick(panel.opacity_key, LEFT)
     assert shape(document).opacity == Animated((ValueKey(1, 1.0),))
@@ -222,3 +233,80 @@ def test_the_menu_bends_a_value_and_says_that_it_is_bent(
     assert checked == ["Tangents"]
     entry(panel.opacity_key, "Linear").trigger()
     assert shape(document).opacity == Animated((ValueKey(frame, 1.0),))
+
+
+def test_the_first_key_of_a_value_has_the_number_that_is_being_typed(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document
+) -> None:
+    """The number came after the key, as a step of its own."""
+    begin(qtbot, panel.feather, "5")
+    qtbot.mouseClick(panel.feather_key, LEFT)
+    assert shape(document).feather == Animated((ValueKey(1, 5.0),))
+    panel.feather.clearFocus()
+    assert shape(document).feather == Animated((ValueKey(1, 5.0),))
+    assert not panel.feather.hasFocus()
+
+
+FORMS = pytest.mark.parametrize("is_layer", [False, True], ids=["shape", "layer"])
+
+
+def varying(document: Document, panel: PropertiesPanel, view_state: ViewState, is_layer: bool) -> NumberField:
+    """The field of an opacity that has a key on frame 1, shown on frame 2."""
+    if is_layer:
+        project = edit.add_layer(document.project)[0]
+        document.open(edit.set_properties(project, "layer-1", opacity=Animated((ValueKey(1, 1.0),))), None)
+        view_state.select(frozenset(), layers=frozenset({"layer-1"}))
+    else:
+        document.open(edit.set_properties(document.project, "shape-1", opacity=Animated((ValueKey(1, 1.0),))), None)
+        view_state.select(frozenset({"shape-1"}))
+    view_state.set_frame(2)
+    return panel.layer_form.opacity if is_layer else panel.opacity
+
+
+def keys(document: Document, is_layer: bool) -> list[tuple[int, float]]:
+    opacity = (layer(document) if is_layer else shape(document)).opacity
+    assert isinstance(opacity, Animated)
+    return [(key.frame, round(key.value, 3)) for key in opacity.keys]
+
+
+@FORMS
+def test_a_number_means_the_frame_on_which_it_was_begun(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState, is_layer: bool
+) -> None:
+    """A run, or a press on the ruler, goes on to other frames meanwhile."""
+    field = varying(document, panel, view_state, is_layer)
+    begin(qtbot, field, "4")
+    view_state.set_frame(6)
+    qtbot.keyClicks(field, "0")
+    view_state.set_frame(8)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert keys(document, is_layer) == [(1, 1.0), (2, 0.4)]
+    begin(qtbot, field, "50")  # the next one means the frame that is shown by now
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert keys(document, is_layer) == [(1, 1.0), (2, 0.4), (8, 0.5)]
+
+
+@FORMS
+def test_a_drag_of_the_label_sets_one_key_while_frames_go_by(
+    panel: PropertiesPanel, document: Document, view_state: ViewState, is_layer: bool
+) -> None:
+    label = label_of(panel, varying(document, panel, view_state, is_layer))
+    QTest.mousePress(label, LEFT, pos=QPoint(60, 8))
+    for steps in range(1, 6):
+        QTest.mouseMove(label, QPoint(60 - 8 * steps, 8))
+        view_state.set_frame(view_state.frame + 1)
+    QTest.mouseRelease(label, LEFT, pos=QPoint(20, 8))
+    assert [frame for frame, _ in keys(document, is_layer)] == [1, 2]
+    assert document.undo_stack.count() == 1
+
+
+@FORMS
+def test_a_step_means_the_frame_that_is_shown(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState, is_layer: bool
+) -> None:
+    field = varying(document, panel, view_state, is_layer)
+    begin(qtbot, field, "4")
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    view_state.set_frame(6)
+    qtbot.keyClick(field, Qt.Key.Key_Up)
+    assert keys(document, is_layer) == [(1, 1.0), (2, 0.04), (6, 0.05)]

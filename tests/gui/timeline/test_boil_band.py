@@ -159,3 +159,17 @@ def test_the_boil_of_many_shapes_is_measured_in_idle_moments(
     wanted = on_each_frame(np.maximum, [boil(shape) for shape in document.project.shapes])
     assert timeline.boil.most == pytest.approx(wanted)
     assert not shared._later.isActive()
+
+
+def test_a_press_on_the_name_that_is_dragged_into_the_frames_does_not_scrub(
+    qtbot: QtBot, timeline: Timeline, view_state: ViewState
+) -> None:
+    view_state.set_frame(1005)
+    qtbot.mousePress(timeline.boil, Qt.MouseButton.LeftButton, pos=QPoint(20, 10))
+    qtbot.mouseMove(timeline.boil, QPoint(x_of(timeline, 1020), 10))
+    qtbot.mouseRelease(timeline.boil, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1020), 10))
+    assert view_state.frame == 1005
+    qtbot.mousePress(timeline.boil, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1012), 10))
+    qtbot.mouseMove(timeline.boil, QPoint(x_of(timeline, 1020), 10))
+    qtbot.mouseRelease(timeline.boil, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1020), 10))
+    assert view_state.frame == 1020

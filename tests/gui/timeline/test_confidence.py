@@ -112,3 +112,18 @@ def test_a_line_is_made_anew_where_its_shape_changed_and_no_other(timeline: Time
     assert lines._curves["shape-1"].getData()[1] is before["shape-1"]
     assert 0.7 in lines._curves["shape-2"].getData()[1]
     assert lines._curves["shape-2"].opts["pen"].color().getRgbF()[:3] == (1.0, 0.0, 0.0)
+
+
+def test_a_shape_has_no_part_in_frames_on_which_it_does_not_exist(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    """No line of it runs there; its tracked frames stay for when its life is made longer."""
+    sure = Keyframe(1015, SQUARE, origin=Origin.ENGINE, confidence=0.9)
+    project = document.project.with_shape(edit.set_engine_keys(document.project.shape("shape-2"), [sure]))
+    document.apply("Shorten", edit.set_properties(project, "shape-1", lifetime=(1001, 1010)))
+    lines, plot = timeline.confidence.lines, timeline.confidence
+    assert lines.tip(1015) == "Frame 1015\n0.90  Shape 2"
+    assert "0.20  Shape 1" in lines.tip(1008)
+    x = x_of(timeline, 1015) + 2 - lines.x()
+    qtbot.mouseClick(lines.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(x, round(plot.value_y(0.2))))
+    assert view_state.selection.shapes == {"shape-2"}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
@@ -70,14 +71,19 @@ def send(widget: QWidget, kind: QEvent.Type, at: QPointF) -> None:
     QApplication.sendEvent(widget, event)
 
 
-def drag(gesture: Drag, meanwhile: Callable[[], object]) -> None:
-    """Drag, with the pointer at rest at the end while something else happens."""
+def pull(gesture: Drag, meanwhile: Callable[[], object]) -> None:
+    """Drag and hold, with the pointer at rest at the end while something else happens."""
     widget, start, end = gesture
     send(widget, QEvent.Type.MouseButtonPress, start)
     for at in ((start + end) / 2.0, end):
         send(widget, QEvent.Type.MouseMove, at)
     meanwhile()
-    send(widget, QEvent.Type.MouseButtonRelease, end)
+
+
+def drag(gesture: Drag, meanwhile: Callable[[], object]) -> None:
+    """Let go after that."""
+    pull(gesture, meanwhile)
+    send(gesture[0], QEvent.Type.MouseButtonRelease, gesture[2])
 
 
 @pytest.mark.parametrize("gesture", DRAGS)
@@ -180,3 +186,33 @@ def test_the_other_button_of_a_pen_means_nothing_during_a_drag(
     assert view_state.preview is None
     assert document.project != before
     assert len(document.project.marks) == 1
+
+
+def test_esc_after_an_undo_during_a_drag_chooses_no_key_that_is_gone(busy: Timeline, document: Document) -> None:
+    """What had been chosen before the press was chosen again, and pasting it ended in an error."""
+    keyed = edit.key_here(document.project.shape("shape-1"), 1040)
+    document.apply("Key", document.project.with_shape(keyed))
+    row = next(index for index, shape in enumerate(busy.rows.rows()) if shape.id == "shape-1")
+    at, beside = (QPointF(place(busy, frame, row)) for frame in (1040, 1044))
+    busy.keys.select(frozenset({("shape-1", 1030), ("shape-1", 1040)}))
+    pull((busy.rows.viewport(), at, beside), document.undo_stack.undo)
+    busy.rows.hand.cancel()
+    assert busy.keys.places == {("shape-1", 1030)}
+    for does in (busy.verbs.copy, busy.verbs.paste):
+        does()
+
+
+def test_esc_after_an_undo_during_the_drag_of_a_curve_chooses_no_key_that_is_gone(
+    qtbot: QtBot, busy: Timeline, document: Document
+) -> None:
+    plot, elsewhere = busy.curves.plot, []
+    act = busy.taking_over({name: partial(elsewhere.append, name) for name in ("edit.copy", "edit.paste")})
+    busy.activateWindow()
+    plot.setFocus()
+    qtbot.waitUntil(plot.hasFocus, timeout=WAIT)
+    pull(a_key_of_a_curve(busy), document.undo_stack.undo)
+    plot.hand.cancel()
+    assert busy.values.places == frozenset()
+    for name in ("edit.copy", "edit.paste"):
+        act[name]()
+    assert elsewhere == ["edit.copy", "edit.paste"]

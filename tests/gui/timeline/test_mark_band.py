@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QPoint, QPointF, Qt
 from pytestqt.qtbot import QtBot
@@ -10,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.mark_verbs import NO_CLIP
+from app.timeline.scale import LABEL_WIDTH
 from app.timeline.timeline import Timeline
 from roam_core.roto import Mark, Project, timing
 from tests.gui.timeline.places import x_of
@@ -140,3 +142,43 @@ def test_without_a_clip_there_is_nothing_to_mark(timeline: Timeline, document: D
         handler(timeline, name)()
     assert document.project.marks == ()
     assert view_state.message == NO_CLIP
+
+
+def test_a_note_half_typed_is_kept_when_another_one_is_written(
+    qtbot: QtBot, timeline: Timeline, document: Document
+) -> None:
+    """It was gone without a word."""
+    marked(qtbot, timeline, document, Mark(1012), Mark(1030, "turn"))
+    field = timeline.marks.field
+    timeline.marks.edit(1012)
+    field.setText("the elbow slips")
+    qtbot.mouseDClick(timeline.marks, LEFT, pos=QPoint(x_of(timeline, 1030), 8))
+    assert document.project.marks == (Mark(1012, "the elbow slips"), Mark(1030, "turn"))
+    assert (field.isVisible(), field.text()) == (True, "turn")
+
+
+def test_a_note_that_is_emptied_goes_with_its_mark(qtbot: QtBot, timeline: Timeline, document: Document) -> None:
+    marked(qtbot, timeline, document, Mark(1012, "turn"), Mark(1020))
+    for frame in (1012, 1020):  # a mark that never had a note stays
+        timeline.marks.edit(frame)
+        timeline.marks.field.clear()
+        qtbot.keyClick(timeline.marks.field, Qt.Key.Key_Return)
+    assert document.project.marks == (Mark(1020),)
+    assert document.undo_stack.undoText() == "Remove note"
+    document.undo_stack.undo()
+    assert document.project.marks == (Mark(1012, "turn"), Mark(1020))
+
+
+def test_a_flag_under_the_names_is_out_of_reach(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    marked(qtbot, timeline, document, Mark(1012, "turn"))
+    view_state.set_frame(1020)
+    timeline.axis.set_scale(replace(timeline.axis.scale, pixels=20.0, first=1012.7))
+    x = x_of(timeline, 1012)
+    assert 0 < x < LABEL_WIDTH
+    for button in (LEFT, Qt.MouseButton.RightButton):
+        qtbot.mouseClick(timeline.marks, button, pos=QPoint(x, 8))
+    assert document.project.marks == (Mark(1012, "turn"),)
+    assert view_state.frame == 1020
+    assert timeline.marks.tip_at(QPointF(x, 8.0)) == ""

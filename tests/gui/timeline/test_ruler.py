@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QHelpEvent
@@ -10,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.model.view_state import ViewState
 from app.timeline.ruler import HINT
+from app.timeline.scale import LABEL_WIDTH
 from app.timeline.timeline import Timeline
 from tests.gui.timeline.places import x_of
 
@@ -99,3 +102,13 @@ def test_a_press_beside_the_frames_leaves_the_playhead_where_it_is(
     assert view_state.frame == 1020
     drag(qtbot, timeline, QPoint(x_of(timeline, 1020), 8), QPoint(40, 8))
     assert view_state.frame == 1001
+
+
+def test_a_bracket_under_the_names_is_out_of_reach(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:
+    """A press on what was not seen took it along."""
+    view_state.set_play_range(1010, 1040)
+    timeline.axis.set_scale(replace(timeline.axis.scale, pixels=20.0, first=1010.2))
+    x = edge(timeline, 1010)
+    assert 0 < x < LABEL_WIDTH
+    drag(qtbot, timeline, QPoint(x, LOW), QPoint(x_of(timeline, 1020), LOW))
+    assert view_state.play_range == (1010, 1040)

@@ -121,3 +121,14 @@ def test_an_adjust_key_of_a_locked_layer_stays(
     qtbot.mouseClick(timeline.tracks, RIGHT, pos=QPoint(x_of(timeline, ADJUSTED), ROW // 2))
     assert document.project is before
     assert view_state.message == "Planar 1 is locked; unlock it to remove its adjust keys."
+
+
+def test_a_press_on_the_names_that_is_dragged_into_the_frames_does_not_scrub(
+    qtbot: QtBot, timeline: Timeline, view_state: ViewState, tracked: str
+) -> None:
+    view_state.set_frame(FIRST)
+    for start, reached in ((30, FIRST), (x_of(timeline, DOUBTED), 1020)):
+        qtbot.mousePress(timeline.tracks, LEFT, pos=QPoint(start, 8))
+        qtbot.mouseMove(timeline.tracks, QPoint(x_of(timeline, 1020), 8))
+        qtbot.mouseRelease(timeline.tracks, LEFT, pos=QPoint(x_of(timeline, 1020), 8))
+        assert view_state.frame == reached

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit
+from roam_core.roto import Mark, Project, edit, file
 from tests.gui.waiting import WAIT
 from tests.gui.windows import FIRST, opened_window, write_clip
 
@@ -166,3 +166,40 @@ def test_a_name_in_the_list_is_done_with_once_and_the_viewer_has_the_keyboard(
     assert window.shapes.tree.state() is QAbstractItemView.State.NoState
     assert window.document.project.shape("shape-1").name == name
     assert window.document.undo_stack.count() == (name == "Arm")
+
+
+@pytest.mark.parametrize("kind", ["name", "feather", "row", "note", "mark"])
+def test_what_is_saved_by_its_keys_holds_what_is_being_typed(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, kind: str
+) -> None:
+    path = tmp_path / "a.roam"
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        window.files.save(path)
+    qtbot.waitUntil(lambda: not window.files.is_saving, timeout=WAIT)
+    if kind == "row":
+        field: QWidget = begin_a_name(qtbot, window)
+    elif kind == "note":
+        window.actions_by_id["review.panel"].trigger()
+        field = window.review.note
+        field.setFocus()
+        QTest.keyClicks(field, "look here")
+    elif kind == "mark":
+        window.actions_by_id["mark.name"].trigger()
+        field = window.timeline.marks.field
+        QTest.keyClicks(field, "look here")
+    else:
+        field = field_of(window, kind)
+        begin(field, "12")
+    assert all(mark.text == "" for mark in window.document.project.marks)  # nothing of it is taken yet
+    assert window.document.project.shapes == file.load(path).shapes
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        QTest.keyClick(field, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    saved, shape = file.load(path), file.load(path).shape("shape-1")
+    wanted = {
+        "name": ("12", 0.0, ()),
+        "feather": ("Shape 1", 12.0, ()),
+        "row": ("Arm", 0.0, ()),
+    }
+    words = ("Shape 1", 0.0, (Mark(FIRST, "look here"),))
+    assert (shape.name, shape.feather, saved.marks) == wanted.get(kind, words)
+    assert not window.document.is_modified

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,11 @@ from tests.gui.waiting import WAIT
 
 def of_image(name: str) -> Background:
     return Background(BackgroundKind.IMAGE, image=name)
+
+
+def is_quiet() -> bool:
+    """The thread that reads has ended: it lives for a moment after what it read has come."""
+    return not any(thread.name == "ground" for thread in threading.enumerate())
 
 
 def test_after_any_error_the_next_picture_is_read(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -41,4 +47,19 @@ def test_after_any_error_the_next_picture_is_read(qtbot: QtBot, monkeypatch: pyt
             layer.of(of_image(name))
     assert isinstance(layer.of(of_image("sky.png")), Picture)
     layer.close()
+    qtbot.waitUntil(is_quiet, timeout=WAIT)
     assert (refused, told) == (["damaged.png is damaged."], [MemoryError])
+
+
+def test_a_picture_is_read_once_for_each_time_it_is_chosen(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[str] = []
+    monkeypatch.setattr(background, "_read", lambda path: read.append(path.name) or np.zeros((2, 2, 3), np.uint8))
+    layer = BackgroundLayer()
+    for choice in (1, 2):
+        chosen = replace(of_image("sky.png"), choice=choice)
+        with qtbot.waitSignal(layer.ready, timeout=WAIT):
+            assert not isinstance(layer.of(chosen), Picture), "not that of before"
+        assert isinstance(layer.of(chosen), Picture)
+    layer.close()
+    qtbot.waitUntil(is_quiet, timeout=WAIT)
+    assert read == ["sky.png", "sky.png"]

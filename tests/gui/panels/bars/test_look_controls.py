@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -12,14 +14,18 @@ from PySide6.QtWidgets import QColorDialog, QFileDialog
 from pytestqt.qtbot import QtBot
 
 from app.actions.actions import Actions
+from app.canvas.plate.picture import Picture
 from app.canvas.view import CanvasView
 from app.model.document import Document
-from app.model.viewing import BackgroundKind
+from app.model.view_state import ViewState
+from app.model.viewing import BackgroundKind, ViewMode
+from app.paint.viewport import Viewport
 from app.panels.bars.look_controls import STEPS, LookSlider
 from app.panels.bars.readout import Readout
 from app.panels.bars.view_bar import ViewBar
 from roam_core.media.looking import Channel, Plate
 from tests.gui.hand import Hand
+from tests.gui.waiting import WAIT
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -110,6 +116,27 @@ def test_the_background_is_chosen_in_its_popup(
     form.kind.activated.emit(form.kind.currentIndex())
     assert (viewing.background.kind, viewing.background.image) == (BackgroundKind.IMAGE, path)
     assert form.image.text() == "street.exr"
+
+
+def test_the_picture_that_is_chosen_again_is_read_again(
+    bar: ViewBar, canvas: CanvasView, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """One that had been repaired or painted over stayed as it was, or refused, until the program was started again."""
+    path, layer, seen = tmp_path / "street.png", canvas.stage.background, []
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    canvas.viewing.set_mode(ViewMode.CUTOUT)
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
+        canvas.repaint()
+    for grey in (200, 20):
+        assert cv2.imwrite(str(path), np.full((30, 40, 3), grey, dtype=np.uint8))
+        bar.background.image.click()
+        layer.of(canvas.viewing.background)
+        qtbot.waitUntil(lambda: layer._thread is None, timeout=WAIT)
+        qtbot.waitUntil(lambda: all(thread.name != "ground" for thread in threading.enumerate()), timeout=WAIT)
+        picture = layer.of(canvas.viewing.background)
+        assert isinstance(picture, Picture)
+        seen.append(int(picture.pixels.max()))
+    assert seen == [200, 20]
 
 
 def test_no_picture_chosen_changes_nothing(bar: ViewBar, canvas: CanvasView, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -224,3 +251,36 @@ def test_a_configuration_that_cannot_be_read_is_told_in_the_menu(
     _, _, told = bar.display.menu().actions()
     assert "absent.ocio cannot be read" in told.text()
     assert not told.isEnabled()
+
+
+def test_the_read_out_follows_the_view_under_a_resting_pointer(canvas: CanvasView, hand: Hand, qtbot: QtBot) -> None:
+    """It went on telling what had been there before the zoom, and the values of the matte over the plate."""
+    readout = Readout(canvas)
+    qtbot.addWidget(readout)
+    canvas.set_viewport(Viewport(4.0, -300.0, -250.0))
+    hand.move((110.0, 80.0))
+    assert readout.text().split()[:4] == ["x", "110.0", "y", "80.0"]
+    canvas.fit()
+    assert readout.text().split()[:4] == ["x", "58.0", "y", "23.0"]
+    canvas.viewing.set_mode(ViewMode.MATTE)
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
+        canvas.repaint()
+    assert readout.text().split()[4:] == ["A", "0"]
+    canvas.viewing.set_mode(ViewMode.OVERLAY)
+    assert readout.text().split()[4:] == ["R", "100", "G", "100", "B", "100"]
+
+
+def test_the_read_out_tells_no_values_of_a_missing_frame_in_the_cut_out(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, qtbot: QtBot
+) -> None:
+    """It told those of the frame before."""
+    readout = Readout(canvas)
+    qtbot.addWidget(readout)
+    canvas.viewing.set_mode(ViewMode.CUTOUT)
+    with qtbot.waitSignal(canvas.matte_ready, timeout=WAIT):
+        canvas.repaint()
+    hand.move((33.5, 44.5))
+    assert "A" in readout.text()
+    view_state.set_frame(2)
+    canvas.set_image(2, None)
+    assert readout.text().split() == ["x", "33.5", "y", "44.5"]
