@@ -78,8 +78,8 @@ class ExportDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
-        self._number, self._written = 0, Path()
-        """The number of the export that was started here, 0 where none is under way; and where it is written to."""
+        self._number, self._written, self._format = 0, Path(), ""
+        """The number of the export that was started here, 0 where none is under way; where it goes, and its format."""
         self._ending = ""
         """What the format that was proposed for last puts after the name."""
         self._targets: dict[bool, str] = {}
@@ -379,7 +379,7 @@ class ExportDialog(QDialog):
     def _start(self) -> None:
         self._foresight.drop()
         self.notes.clear()
-        self._written = self.path
+        self._written, self._format = self.path, self.exporter.name
         options = replace(self.options, lossy=bool(self._losses))
         self._number = self._export.start(self.exporter.name, self._written, options, self.shapes)
         self._pull_running()
@@ -414,6 +414,8 @@ class ExportDialog(QDialog):
             self.notes.setPlainText(sentence)
         self._number = 0
         self._pull_running()
+        if self.exporter.name != self._format:  # chosen meanwhile
+            self._look_ahead()
 
 
 def _kept(policy: QSizePolicy) -> QSizePolicy:

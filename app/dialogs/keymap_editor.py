@@ -65,8 +65,9 @@ class KeyField(QLineEdit):
         # Tab and the dialog's own Return and Esc come here, too: every key may be wanted.
         if isinstance(event, QKeyEvent) and event.type() in (QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride):
             event.accept()
-            if event.type() is QEvent.Type.KeyPress and not is_modifier(event):
-                self.pressed.emit(key_name(event))
+            is_press = event.type() is QEvent.Type.KeyPress and not is_modifier(event)
+            if is_press and (key := key_name(event)):
+                self.pressed.emit(key)
             return True
         return super().event(event)
 
@@ -204,6 +205,7 @@ class KeymapEditor(QDialog):
             self.word.setText(tr("Select an action first."))
             return
         self.field.setText(keys_text((key,)))
+        self._asked = ""
         holder = holder_of(self._own.keymap, self.selected, key)
         if key in NUDGES:
             self.word.setText(tr("{keys} moves the selected points; choose another key.", keys=keys_text((key,))))

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from .. import style
 from ..actions.actions import Actions
@@ -128,7 +129,7 @@ class Palette(QFrame):
         """Put it away and give the keyboard back to whoever had it."""
         before, self._focus_before = self._focus_before, None
         self.hide()
-        if before is not None:
+        if before is not None and isValid(before):  # a field over a row of a list ends as it loses the keyboard
             before.setFocus()
 
     @property

@@ -189,7 +189,7 @@ def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
     box.setText(tr("Export, although the mattes would differ in the other program?"))
     box.setInformativeText("\n".join(map(translated, losses[:MOST_LOSSES])))
     if len(losses) > MOST_LOSSES:
-        box.setDetailedText("\n".join(losses))
+        box.setDetailedText("\n".join(map(translated, losses)))
     anyway = box.addButton(tr("Export anyway"), QMessageBox.ButtonRole.AcceptRole)
     stay = box.addButton(QMessageBox.StandardButton.Cancel)
     box.setDefaultButton(stay)

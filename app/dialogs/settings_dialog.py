@@ -103,6 +103,7 @@ class SettingsDialog(QDialog):
             widget.setFixedWidth(FIELD_WIDTH)
         for number in (self.cache, self.threads, self.processes, self.backups, self.undo):
             number.setAlignment(Qt.AlignmentFlag.AlignRight)
+            number.setKeyboardTracking(False)  # a number that is half typed is none, and is not written over
 
     def _lay_out(self) -> None:
         form = dense_form()

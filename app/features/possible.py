@@ -15,6 +15,8 @@ Shapes = Sequence[RotoShape]
 def is_possible(project: Project, view: ViewState, action_id: str) -> bool:
     """False where an action would find nothing to do on the selected shapes and this frame."""
     shapes = selected_shapes(project, view.selection)
+    if action_id in _OF_UNLOCKED and shapes and all(project.is_locked(shape.id) for shape in shapes):
+        return False
     if action_id == "layer.ungroup":
         return bool(view.layers) or any(len(project.layers_above(shape.id)) > 1 for shape in shapes)
     if (step := {"shape.raise": 1, "shape.lower": -1}.get(action_id)) is not None:
@@ -53,6 +55,15 @@ def _is_feathered(shapes: Shapes, frame: int) -> bool:
 def _is(spline: Spline) -> Callable[[Shapes, int], bool]:
     return lambda shapes, _: any(shape.spline is spline for shape in shapes)
 
+
+_OF_UNLOCKED = {
+    "key.set", "key.set_points", "key.delete", "track.forward", "track.backward", "track.fill",
+    "track.delete_engine_keys", "edit.cut", "edit.paste_properties", "shape.delete", "shape.reverse",
+    "shape.to_bezier", "shape.to_bspline", "points.smooth", "points.cusp", "points.first", "points.delete",
+    "points.transform", "points.toggle_closed", "feather.reset", "feather.all_keys", "planar.forward",
+    "planar.backward", "object.one", "object.parts", "object.in_front", "object.behind", "object.as_stacked",
+}  # fmt: skip
+"""Actions that leave what is locked as it is."""
 
 _OF_SHAPES: Mapping[str, Callable[[Shapes, int], bool]] = {
     "key.set": _is_there,

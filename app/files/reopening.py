@@ -59,6 +59,7 @@ class Reopening(QObject):
         self.menu.aboutToShow.connect(self._fill_menu)
         self.page.chosen.connect(file_actions.open_chosen)
         file_actions.refused_to_open.connect(self.page.begin)
+        document.rebased.connect(lambda *_: self.close())
         document.replaced.connect(self._forget_picture)
         for signal in (document.replaced, self._view.frame_changed, self._view.range_changed):
             signal.connect(self._follow)
@@ -72,17 +73,15 @@ class Reopening(QObject):
         return {"file.open_demo": lambda: self._file_actions.leave_project(self._files.open_demo)}
 
     def close(self) -> None:
-        """Remember where the artist was at the end."""
+        """Remember where the artist was: at the end, and before anything else is shown, be it the same file again."""
         if self._left is not None:
             self._personal.note_place(*self._left)
 
     # ---- the rest is private
 
     def _follow(self) -> None:
-        """Know where the artist is; of another project than before, where they were in that one is remembered."""
+        """Know where the artist is."""
         path, clip = self._document.path, self._document.project.clip
-        if self._left is not None and self._left[0] != path:
-            self._personal.note_place(*self._left)
         within = self._view.play_range
         is_whole = clip is None or within == (clip.first, clip.last + 1)
         self._left = None if path is None else (path, Place(self._view.frame, None if is_whole else within))

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
 from roam_core.arrays import UInt8
 
 from ..actions.actions import Actions
+from ..actions.context import Place
 from ..actions.viewer_actions import ViewerActions
 from ..canvas.ripple_frame import RippleFrame
 from ..canvas.view import CanvasView
 from ..model.document import Document
 from ..model.view_state import ViewState
-from ..model.viewing import PROXIES, Viewing
+from ..model.viewing import PROXIES, Viewing, ViewMode
 from ..panels.second_viewer import SecondViewer
 from ..widgets.focus import FocusFollowsPointer
 from .context_menus import ContextMenus
@@ -44,8 +46,18 @@ def second_viewer(
         looks = {
             name: call for name, call in canvas.handlers().items() if name.startswith("view.") and name not in PROXIES
         }
-        menus = ContextMenus(document, view_state, ViewerActions(actions, canvas, looks), parent)
-        canvas.menu_asked.connect(menus.open)
+        own = ViewerActions(actions, canvas, looks)
+        menus = ContextMenus(document, view_state, own, parent)
+
+        def open_menu(place: Place, where: QPoint) -> None:
+            """A method of `menus` would be let go of with them: this holds them."""
+            for mode in ViewMode:
+                own[f"view.{mode}"].setChecked(canvas.mode is mode)
+            own["view.hide_overlays"].setChecked(canvas.viewing.are_shapes_hidden)
+            own["view.stabilise"].setChecked(canvas.viewing.is_stabilised)
+            menus.open(place, where)
+
+        canvas.menu_asked.connect(open_menu)
         return canvas
 
     def present() -> tuple[int, UInt8 | None] | None:

@@ -33,6 +33,10 @@ def pressed(key: Qt.Key, modifiers: Qt.KeyboardModifier) -> QKeyEvent:
         (Key.Key_Escape, NONE, "Esc"),
         (Key.Key_Enter, Qt.KeyboardModifier.KeypadModifier, "Enter"),
         (Key.Key_A, CTRL, "Ctrl+A"),
+        (Key.Key_Backtab, SHIFT, "Shift+Tab"),
+        (Key.Key_Backtab, CTRL | SHIFT, "Ctrl+Shift+Tab"),
+        (Key.Key_unknown, NONE, ""),
+        (Key.Key_Dead_Acute, NONE, ""),
     ],
 )
 def test_key_names(key: Qt.Key, modifiers: Qt.KeyboardModifier, name: str) -> None:

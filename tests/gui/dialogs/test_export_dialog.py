@@ -392,6 +392,17 @@ def test_what_would_be_lost_is_shown_before_anything_is_written(
     assert frames_in(path) == list(range(1001, 1011))
 
 
+def test_the_loss_of_a_format_that_is_chosen_while_another_is_written_is_told_after_that(
+    qtbot: QtBot, dialog: ExportDialog, lossy: Document
+) -> None:
+    dialog.choose("svg")
+    with qtbot.waitSignal(dialog._export.finished, timeout=WAIT):
+        qtbot.mouseClick(dialog.start, LEFT)
+        dialog.choose("json")
+    qtbot.waitUntil(lambda: dialog.notes.toPlainText() == LOSSES, timeout=WAIT)
+    assert dialog.start.text() == "Export anyway"
+
+
 def test_the_loss_is_told_of_what_is_chosen_now(
     qtbot: QtBot, dialog: ExportDialog, lossy: Document, view_state: ViewState
 ) -> None:
@@ -442,9 +453,10 @@ def test_the_question_names_what_would_be_lost(qtbot: QtBot, monkeypatch: pytest
     monkeypatch.setattr(QMessageBox, "exec", click)
     parent = QWidget()
     qtbot.addWidget(parent)
+    monkeypatch.setattr(questions, "translated", str.upper)
     losses = [f"Shape {k} is lost." for k in range(9)]
     assert questions.ask_lossy(parent, losses) is (answer == "Export anyway")
-    assert shown == ["\n".join(losses[:6]), "\n".join(losses)]
+    assert shown == ["\n".join(losses[:6]).upper(), "\n".join(losses).upper()]
 
 
 def test_what_is_told_stays_until_something_else_is_known(qtbot: QtBot, dialog: ExportDialog, lossy: Document) -> None:

@@ -104,6 +104,18 @@ def test_keys_with_which_points_are_nudged_are_refused(qtbot: QtBot, editor: Key
     qtbot.keyClick(editor.field, Qt.Key.Key_Left, Qt.KeyboardModifier.AltModifier)
     assert "moves the selected points" in editor.word.text()
     assert not editor.take.isEnabled()
+    qtbot.keyClick(editor.field, Qt.Key.Key_P)
+    assert editor.take.isEnabled()
+    qtbot.keyClick(editor.field, Qt.Key.Key_Left, Qt.KeyboardModifier.AltModifier)
+    assert not editor.take.isEnabled()  # it would take over another key than the one that is shown
+
+
+def test_shift_tab_is_told_as_another_actions_key(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
+    before = window.personal.keys
+    editor.select("shape.hide")
+    qtbot.keyClick(editor.field, Qt.Key.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
+    assert editor.word.text() == "Shift+Tab is the key of “Previous point”."
+    assert window.personal.keys == before
 
 
 def test_every_key_can_be_recorded(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:

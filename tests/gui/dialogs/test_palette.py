@@ -8,13 +8,17 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QLineEdit
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from app import style
 from app.actions.search_words import WORDS
 from app.actions.specs import SPECS
 from app.dialogs.palette import LATELY_RUN, Palette
 from app.shell.main_window import MainWindow
+from roam_core.roto import edit
+from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window
 
 
@@ -134,6 +138,23 @@ def test_escape_and_anything_else_that_takes_the_keyboard_put_it_away(
     window.canvas.setFocus()
     assert not palette.isVisible()
     assert window.canvas.hasFocus()
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Escape, Qt.Key.Key_Return])
+def test_it_is_left_where_a_row_was_being_renamed(qtbot: QtBot, window: MainWindow, key: Qt.Key) -> None:
+    project, _ = edit.add_layer(window.document.project)
+    window.document.apply("New layer", project)
+    tree, palette = window.shapes.tree, window.services.palette
+    tree.edit(tree.model().index(0, 0))
+    field = tree.findChild(QLineEdit)
+    assert field is not None
+    qtbot.waitUntil(field.hasFocus, timeout=WAIT)
+    window.actions_by_id["help.palette"].trigger()
+    qtbot.waitUntil(lambda: not isValid(field), timeout=WAIT)
+    qtbot.keyClicks(palette.field, "bez")
+    qtbot.keyClick(palette.field, key)
+    assert not palette.isVisible()
+    assert window.view_state.tool == ("bezier" if key is Qt.Key.Key_Return else "select")
 
 
 def test_letters_typed_into_it_are_no_keys_of_the_window(qtbot: QtBot, window: MainWindow, palette: Palette) -> None:

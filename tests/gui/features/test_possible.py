@@ -76,3 +76,15 @@ def test_a_key_is_offered_only_where_the_shape_exists(view_state: ViewState, act
     view_state.select(frozenset({shape.id}))
     assert is_possible(project, view_state, action)
     assert not is_possible(edit.set_properties(project, shape.id, lifetime=(5, 9)), view_state, action)
+
+
+@pytest.mark.parametrize("action", ["key.set", "track.forward", "edit.cut", "shape.delete", "shape.reverse"])
+def test_what_is_locked_is_offered_no_edit(view_state: ViewState, action: str) -> None:
+    project, shape = edit.new_shape(Project(), SQUARE, 1)
+    project, other = edit.new_shape(project, SQUARE, 1)
+    locked = edit.set_properties(project, shape.id, locked=True)
+    view_state.select(frozenset({shape.id}))
+    assert is_possible(project, view_state, action)
+    assert not is_possible(locked, view_state, action)
+    view_state.select(frozenset({shape.id, other.id}))
+    assert is_possible(locked, view_state, action)

@@ -93,7 +93,7 @@ def test_a_place_that_makes_no_sense_is_left_out(tmp_path: Path, told: dict[str,
     assert load_recent(tmp_path / "recent.json") == (Recent(Path("/a"), 1.0, place),)
 
 
-@pytest.mark.parametrize("way", ["another", "restart"])
+@pytest.mark.parametrize("way", ["another", "restart", "again"])
 def test_a_project_opens_where_it_was_left(qtbot: QtBot, window: MainWindow, tmp_path: Path, way: str) -> None:
     plate, path, view = write_clip(tmp_path / "plate"), tmp_path / "shot.roam", window.view_state
     opened(qtbot, window, plate)
@@ -101,7 +101,10 @@ def test_a_project_opens_where_it_was_left(qtbot: QtBot, window: MainWindow, tmp
         window.files.save(path)
     view.set_play_range(FIRST + 2, FIRST + 6)
     view.set_frame(FIRST + 4)
-    if way == "another":
+    if way == "again":
+        opened(qtbot, window, path)
+        assert (view.frame, view.play_range) == (FIRST + 4, (FIRST + 2, FIRST + 6))
+    elif way == "another":
         opened(qtbot, window, plate)
         assert (view.frame, view.play_range) == (FIRST, (FIRST, FIRST + COUNT))
         opened(qtbot, window, path)

@@ -128,12 +128,15 @@ def test_a_second_damaged_file_does_not_replace_the_first(tmp_path: Path) -> Non
 def test_memory_backups_and_processes_hold_at_once(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:
     dialog.cache.setFocus()
     dialog.cache.selectAll()
-    qtbot.keyClicks(dialog.cache, "2")
+    held = window.reader.memory()[1]
+    qtbot.keyClicks(dialog.cache, "2.5")
+    assert window.reader.memory()[1] == held  # half of what is typed drops no frame
+    qtbot.keyClick(dialog.cache, Qt.Key.Key_Return)
     dialog.backups.setValue(9)
     dialog.undo.setValue(64)
     dialog.processes.setValue(3)
     assert window.propagation.processes == 3
-    assert window.reader.memory()[1] == 2 * 2**30
+    assert window.reader.memory()[1] == 2.5 * 2**30
     assert window.files.backups == 9
     assert window.document.undo_bytes == 64 << 20
     window.files.new()

@@ -7,8 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
 from app.actions.keymaps import OwnKeymap
@@ -157,6 +159,19 @@ def test_the_right_click_menu_means_its_own_viewer(qtbot: QtBot, window: MainWin
     own["view.onion"].trigger()
     assert (window.canvas.mode, second.mode) == (ViewMode.OVERLAY, ViewMode.ONION)
     assert own["key.set"] is window.actions_by_id["key.set"]
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support (raise|grabbing|propagate)", extend=True)
+def test_a_right_click_opens_its_menu_which_tells_its_own_view(window: MainWindow, second: CanvasView) -> None:
+    for mode in (ViewMode.CUTOUT, ViewMode.MATTE):
+        second.viewing.set_mode(mode)
+        at = QPoint(8, 8)
+        QApplication.sendEvent(second, QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, second.mapToGlobal(at)))
+        menu = QApplication.activePopupWidget()
+        assert isinstance(menu, QMenu)
+        views = [action.objectName() for action in menu.actions() if action.isChecked()]
+        menu.close()
+        assert views == [f"view.{mode}"]
 
 
 def test_it_floats_and_goes_on(qtbot: QtBot, window: MainWindow, second: CanvasView) -> None:
