@@ -9,6 +9,7 @@ shapes, interpolated keys and feather offsets stay what they are.
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +17,12 @@ from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import CONTROL_POLYGON
+
+MOST_DENSE = 1000
+"""Points of a spline up to which the maps between polygon and curve are full matrices: their memory grows by the
+square of the points, and the time by the cube."""
+FEW = 8
+"""Points of a spline on which all rows of such a map can be read."""
 
 
 def bezier_points(control: Array, closed: bool = True) -> Array:
@@ -48,7 +55,13 @@ def control_polygon(points: Array, closed: bool = True) -> Array:
     if len(points) < 2:
         return points[:, ANCHOR].copy()
     segment, t = _places(len(points), closed)
-    return np.asarray(_fitting(len(points), closed) @ bezier.evaluate(points, segment, t, closed))
+    curve = bezier.evaluate(points, segment, t, closed)
+    if len(points) > MOST_DENSE:
+        from scipy.sparse.linalg import splu  # a large library, for splines of very many points alone
+
+        design = _sparse_design(len(points), closed)
+        return np.asarray(splu((design.T @ design).tocsc()).solve(design.T @ curve))
+    return np.asarray(_fitting(len(points), closed) @ curve)
 
 
 def is_bspline(points: Array, closed: bool = True, tolerance: float = 1e-6) -> bool:
@@ -104,6 +117,24 @@ def _design(count: int, closed: bool) -> Array:
     return bezier.evaluate(bezier_points(np.eye(count), closed), segment, t, closed)
 
 
+def _sparse_design(count: int, closed: bool) -> Any:
+    """What `_design` gives, of many points, as a sparse array: four control points make each place of a curve."""
+    from scipy.sparse import csc_array
+
+    small = np.pad(_design(FEW, closed), ((0, 0), (1, 2)), mode="wrap" if closed else "constant")
+    segment, t = _places(count, closed)
+    # Segments in the middle are alike; those near both ends of an open spline are not.
+    to_end = bezier.segment_count(count, closed) - segment
+    alike = np.where(segment < 3, segment, np.maximum(3, bezier.segment_count(FEW, closed) - to_end))
+    rows = alike * CONTROL_POLYGON.samples + np.rint(t * CONTROL_POLYGON.samples).astype(np.intp)
+    beside = np.arange(-1, 3)
+    weights, columns = small[rows[:, None], alike[:, None] + beside + 1], segment[:, None] + beside
+    # What lies beyond the ends of an open spline weighs nothing.
+    columns = columns % count if closed else np.clip(columns, 0, count - 1)
+    places = np.repeat(np.arange(len(segment)), len(beside))
+    return csc_array((weights.ravel(), (places, columns.ravel())), shape=(len(segment), count))
+
+
 @lru_cache(maxsize=16)
 def _fitting(count: int, closed: bool) -> Array:
     """The linear map `(count, N)` from a curve at `_places` to the control polygon nearest to it."""
@@ -120,7 +151,9 @@ def _fitted(
     missed = bezier.evaluate(bezier_points(control, closed), *old, closed) - bezier.evaluate(
         bezier_points(guess, closed), *new, closed
     )
-    step, *_ = np.linalg.lstsq(_design(count, closed)[:, free], missed, rcond=None)
+    many = count > MOST_DENSE
+    design = _sparse_design(count, closed)[:, free].toarray() if many else _design(count, closed)[:, free]
+    step, *_ = np.linalg.lstsq(design, missed, rcond=None)
     result = guess.copy()
     result[free] += step
     return result

@@ -16,6 +16,9 @@ TOLERANCE = 1.0 / 512.0
 """Pixels by which the polyline that is filled may stray from the spline: that much of a pixel's area at the very most,
 and far less on average."""
 
+LEAST_FEATHER = 1e-6
+"""Pixels: a narrower edge is a hard one, and in single precision its ramp has no slope."""
+
 LEAST_LEVELS, MOST_LEVELS = 8, 128
 """Bounds on the outlines that are laid between an outline and its feather curve."""
 
@@ -116,11 +119,13 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
         matte = coverage(line, size)
     else:
         matte = _between(line, feathered, size)
-    if feather != 0.0:
+    if abs(feather) >= LEAST_FEATHER:
         # A wide ramp hides what a narrow one shows: by a 512th of its width the line may stray.
         coarse = outline.flatten(float(np.clip(abs(feather) / 512.0, TOLERANCE, 0.05)))
         away = distance(coarse, size, abs(feather) + 0.5)
-        signed = np.where(matte < np.float32(0.5), away, -away)
+        # The distance is that to the outline, which lies elsewhere than where a feather curve leaves a half.
+        hard = matte if feathered is None else coverage(line, size)
+        signed = np.where(hard < np.float32(0.5), away, -away)
         if feather > 0.0:
             np.maximum(matte, _ramp(signed, feather), out=matte)
         else:

@@ -30,6 +30,8 @@ LINE_ROWS = 1080
 NOTES = ((1.0, 0.6), (1.0, 0.95), (0.75, 0.95), (0.5, 0.95))
 """How a note is written, the first of these in which all of it has room: the size of its letters to that of others, and
 its share of the picture's width."""
+FAR = 1e6
+"""Pixels from the picture's corner at which an outline is cut off."""
 FRACTION = 4
 """Bits of a fraction of a pixel in which OpenCV is told positions."""
 
@@ -121,10 +123,28 @@ def _draw_outlines(pixels: UInt8, project: Project, frame: int) -> None:
     core = max(1, 2 * round(pixels.shape[0] / LINE_ROWS))  # of 1 or even widths OpenCV draws the next one wider
     for shape in shapes_in_sight(project, frame):
         line = bezier.flatten(shape.at(frame).points, shape.closed, 0.25 / float(factor.max()))
-        places = [_for_drawing(line * factor)]
+        pieces, closed = _near(line * factor, shape.closed)
+        places = [_for_drawing(piece) for piece in pieces]
         colour = tuple(round(255 * value) for value in shape.colour)
         for ink, width in (((0, 0, 0), core + 1), (colour, core)):
-            cv2.polylines(pixels, places, shape.closed, ink, width, cv2.LINE_AA, FRACTION)
+            cv2.polylines(pixels, places, closed, ink, width, cv2.LINE_AA, FRACTION)
+
+
+def _near(line: Array, closed: bool) -> tuple[list[Array], bool]:
+    """The polyline in pieces, and whether each closes: itself, or of one that goes far its edges, cut off there.
+
+    Perspective puts what lies beyond its horizon so far away that OpenCV cannot count the pixels.
+    """
+    if np.abs(line).max() <= FAR:
+        return [line], closed
+    ends = np.roll(line, -1, axis=0) if closed else line[1:]
+    starts = line[: len(ends)]
+    way = np.where(ends == starts, 1e-9, ends - starts)
+    borders = np.stack([(-FAR - starts) / way, (FAR - starts) / way])
+    first = np.clip(borders.min(axis=0).max(axis=1), 0.0, 1.0)[:, None]
+    last = np.clip(borders.max(axis=0).min(axis=1), 0.0, 1.0)[:, None]
+    pieces = np.stack([starts + first * (ends - starts), starts + last * (ends - starts)], axis=1)
+    return [piece for piece, there in zip(pieces, (first < last)[:, 0], strict=True) if there], False
 
 
 def _for_drawing(line: Array) -> Any:

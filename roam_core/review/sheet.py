@@ -111,7 +111,8 @@ def _strip(project: Project, frames: Sequence[int], read: Read, look: ReviewLook
         strip[: picture.shape[0], left : left + wide] = picture[:, :wide]
         write(strip, str(frame), (left, high + 4), LETTERS, INK, look.font)
         said, colour = _trust(confidence_at(project, frame))
-        write(strip, said, (left + layout.cell - text_width(said, LETTERS, look.font), high + 4), LETTERS, colour)
+        right = left + layout.cell - text_width(said, LETTERS, look.font)
+        write(strip, said, (right, high + 4), LETTERS, colour, look.font)
         for line, text in enumerate(note, 1):
             write(strip, text, (left, high + 4 + line * step), LETTERS, INK, look.font)
     return strip

@@ -173,7 +173,8 @@ def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
     One that began on `frame` and has no other key is none any more.
     """
     start, stop = shape.lifetime or (None, None)
-    after = tuple(key for key in shape.keys if key.frame > frame)
+    goes_on = stop is None or stop > frame + 1
+    after = tuple(key for key in shape.keys if key.frame > frame) if goes_on else ()
     if start is not None and start >= frame:
         if after:
             return [replace(shape, lifetime=lifetime_of(frame + 1, stop))]

@@ -112,3 +112,26 @@ def test_few_points_are_taken_as_they_come(count: int, closed: bool) -> None:
     points = bspline.bezier_points(SQUARE[:count], closed)
     assert points.shape == (count, 3, 2)
     np.testing.assert_allclose(bspline.control_polygon(points, closed), SQUARE[:count], atol=1e-9)
+
+
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize("count", [8, 9, 23])
+def test_many_points_are_fitted_as_few_are(monkeypatch: pytest.MonkeyPatch, count: int, closed: bool) -> None:
+    angles = np.arange(count) * 2.0 * np.pi / count
+    control = 100.0 + (40.0 + 9.0 * np.cos(3.0 * angles))[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    points = bezier.polygon_points(control)
+
+    def found() -> list[np.ndarray]:
+        cut, taken = bspline.inserted(control, 2, 0.3, closed), bspline.removed(control, 4, closed)
+        return [bspline.control_polygon(points, closed), cut, taken]
+
+    few = found()
+    monkeypatch.setattr(bspline, "MOST_DENSE", 5)
+    for one, other in zip(few, found(), strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-9)
+
+
+def test_a_spline_of_very_many_points_takes_no_memory_for_their_square() -> None:
+    angles = np.arange(50_000) * 2.0 * np.pi / 50_000
+    control = 1e4 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    np.testing.assert_allclose(bspline.control_polygon(bspline.bezier_points(control)), control, atol=1e-6)

@@ -149,6 +149,31 @@ def test_a_feather_of_zeros_is_none(square: RotoShape) -> None:
     np.testing.assert_array_equal(shape_matte(replace(square, keys=(key,)), 1, SIZE), shape_matte(square, 1, SIZE))
 
 
+@pytest.mark.parametrize(("curve", "width"), [(20.0, 4.0), (20.0, 10.0), (4.0, 20.0), (20.0, 0.0), (0.0, 20.0)])
+def test_a_shape_with_both_feathers_is_as_soft_as_the_wider_of_the_two(curve: float, width: float) -> None:
+    inner, outer = rectangle(30.0, 30.0, 70.0, 70.0), rectangle(30.0 - curve, 30.0 - curve, 70.0 + curve, 70.0 + curve)
+    feather = outer.keys[0].points - inner.keys[0].points
+    soft = replace(inner, keys=(Keyframe(1, inner.keys[0].points, feather),), feather=width)
+    row = shape_matte(soft, 1, (100, 100))[50, 50:]
+    np.testing.assert_allclose(row, np.clip(1.0 - (np.arange(50) - 19.5) / 20.0, 0.0, 1.0), atol=0.04)
+
+
+@pytest.mark.parametrize("curve", [-10.0, 20.0])
+@pytest.mark.parametrize("width", [-14.0, -4.0, 4.0, 14.0])
+def test_both_feathers_fall_from_the_inside_to_the_outside(curve: float, width: float) -> None:
+    inner, outer = rectangle(30.0, 30.0, 70.0, 70.0), rectangle(30.0 - curve, 30.0 - curve, 70.0 + curve, 70.0 + curve)
+    feather = outer.keys[0].points - inner.keys[0].points
+    soft = replace(inner, keys=(Keyframe(1, inner.keys[0].points, feather),), feather=width)
+    row = shape_matte(soft, 1, (100, 100))[50, 50:]
+    assert np.diff(row).max() <= 1e-6
+    assert np.diff(row).min() > -0.3, "no step"
+
+
+@pytest.mark.parametrize("width", [1e-300, 1e-42, -1e-42, 1e-9])
+def test_a_feather_of_next_to_nothing_is_none(square: RotoShape, width: float) -> None:
+    np.testing.assert_array_equal(shape_matte(replace(square, feather=width), 1, SIZE), shape_matte(square, 1, SIZE))
+
+
 # ---- motion blur -----------------------------------------------------------------------------------------------------
 
 

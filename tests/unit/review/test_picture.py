@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from roam_core.errors import RoamError
+from roam_core.geometry import bezier
 from roam_core.review.lettering import ELLIPSIS, box_height, lines_in
 from roam_core.review.look import Burn, Ground, ReviewLook, ReviewView
 from roam_core.review.picture import (
@@ -20,7 +21,7 @@ from roam_core.review.picture import (
     letters_for,
     review_picture,
 )
-from roam_core.roto import Project, timing
+from roam_core.roto import Keyframe, Project, timing
 from tests.unit.review.conftest import FIRST, PLATE, body, project_of, read
 
 PLAIN = ReviewLook(burns=frozenset())
@@ -43,6 +44,17 @@ def test_hidden_shapes_and_those_that_do_not_exist_are_not_drawn() -> None:
     for gone in (replace(body([0.0] * 10), visible=False), replace(body([0.0] * 10), lifetime=(FIRST + 5, FIRST + 6))):
         pixels = review_picture(read(FIRST), project_of(gone), FIRST, PLAIN)
         assert (pixels == PLATE).all()
+
+
+@pytest.mark.parametrize("far", [1e5, 1e7, 1e9, 1e12])
+def test_an_outline_that_reaches_far_out_of_the_picture_goes_there(far: float) -> None:
+    """What a layer's perspective puts beyond its horizon lies so far away; integers of 32 bits turned it around."""
+    corners = np.array([(60.0, 30.0), (far, 30.0), (far, 60.0), (60.0, 60.0)])
+    shape = replace(body([0.0]), keys=(Keyframe(FIRST, bezier.polygon_points(corners)),))
+    differs = (review_picture(read(FIRST), project_of(shape), FIRST, PLAIN) != PLATE).any(axis=2)
+    assert differs[28:32, 62:].any(axis=0).all()
+    assert differs[58:62, 62:].any(axis=0).all()
+    assert not differs[:, :56].any()
 
 
 @pytest.mark.parametrize(

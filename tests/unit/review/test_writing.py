@@ -20,10 +20,11 @@ from roam_core.review.frames import chosen_frames
 from roam_core.review.look import ReviewLook, ReviewView
 from roam_core.review.movie import ENCODERS
 from roam_core.review.picture import review_picture
-from roam_core.review.sheet import GAP, MARGIN, PAPER, SheetLayout, page_paths
+from roam_core.review.sheet import GAP, MARGIN, PAPER, SheetLayout, page_paths, page_picture
 from roam_core.review.writing import Output, ReviewRequest, output_of, write_review
 from roam_core.roto import Clip, Project
 from tests.unit.review.conftest import FIRST, LAST, MISSING, body, project_of, read
+from tests.unit.review.tiny_font import write_font
 
 ALL = tuple(range(FIRST, LAST + 1))
 LOOK = ReviewLook(ReviewView.CUTOUT, scale=2.0)
@@ -187,6 +188,21 @@ def test_a_sheet_has_a_picture_in_every_cell_and_pages_for_the_rest(tmp_path: Pa
         left = 24 + column * (wide + 16)
         assert (pages[2][80:120, left + 5 : left + wide - 5] != PAPER).any()
     assert written_by_us(tmp_path / "sheet.1.png") is Kind.PICTURE
+
+
+def test_all_of_a_sheet_is_written_in_the_font_that_was_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fonts: dict[str, str] = {}
+
+    def noted(pixels: object, text: str, at: object, size: int, colour: object, font: str = "") -> None:
+        fonts[text] = font
+
+    monkeypatch.setattr("roam_core.review.sheet.write", noted)
+    look = ReviewLook(font=str(write_font(tmp_path / "tiny.ttf", "0123456789.")))
+    layout = SheetLayout(columns=1, rows=1, width=640)
+    page_picture(moving(), (FIRST + 2,), read, look, layout, "title")
+    assert fonts == dict.fromkeys((str(FIRST + 2), "0.90", "title"), look.font)
 
 
 def test_a_note_takes_up_room_under_its_picture(tmp_path: Path) -> None:

@@ -147,6 +147,12 @@ def test_a_shape_with_later_keys_goes_on_behind_a_mask_without_it() -> None:
     assert [earlier.exists_at(frame) for frame in (1000, 1001)] == [False, True]
 
 
+def test_a_shape_that_ends_there_anyway_has_no_twin_behind_a_mask_without_it() -> None:
+    shape = replace(STAR.shape().with_key(Keyframe(1020, STAR.truth(1002))), lifetime=(1000, 1011))
+    (ended,) = keys_from_mask([shape], np.zeros(SIZE, dtype=np.uint8), 1010)
+    assert (ended.keys, ended.lifetime) == (shape.keys, (1000, 1010))
+
+
 def test_shapes_that_overlap_divide_the_part_they_make() -> None:
     first = solid((20, 40, 80, 80))
     body, arm = (shapes_from_mask(solid(box), 1)[0] for box in ((20, 40, 80, 80), (70, 50, 120, 60)))
