@@ -16,7 +16,7 @@ from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState, shapes_in_hand
 from ..translation import tr
 from .navigation import clip_frames
-from .tracking import CLIP_BEGINS, CLIP_ENDS, NO_CLIP, NO_SHAPE, seen_from
+from .tracking import NO_CLIP, NO_SHAPE, last_to_track, seen_from, why_not_on
 
 POINTS_TOOL = "points"
 """While it is in the hand with points on the picture, tracks follow these in place of the surface."""
@@ -50,13 +50,11 @@ class PlanarTracking:
 
     def forward(self) -> None:
         """Track to the end of the play range, or of the clip when the playhead lies beyond it."""
-        stop, frame = self._view.play_range[1], self._view.frame
-        self._run(range(frame, stop if frame + 1 < stop else self._clip().stop))
+        self._run(range(self._view.frame, last_to_track(self._view, self._clip(), 1) + 1))
 
     def backward(self) -> None:
         """Track back to the beginning of the play range, or of the clip when the playhead lies before it."""
-        first, frame = self._view.play_range[0], self._view.frame
-        self._run(range(frame, (first if frame > first else self._clip().start) - 1, -1))
+        self._run(range(self._view.frame, last_to_track(self._view, self._clip(), -1) - 1, -1))
 
     def _clip(self) -> range:
         return clip_frames(self._document.project, self._view.frame)
@@ -65,7 +63,7 @@ class PlanarTracking:
         if self._document.project.clip is None:
             self._view.say(tr(NO_CLIP))
         elif len(frames) < 2:
-            self._view.say(tr(CLIP_ENDS if frames.step > 0 else CLIP_BEGINS))
+            self._view.say(why_not_on(self._clip(), frames))
         elif shapes := self._trackable():
             ids = [shape.id for shape in shapes]
             frames = range(self._begin(shapes, frames.step), frames.stop, frames.step)

@@ -23,8 +23,11 @@ from .navigation import clip_frames
 
 NO_CLIP = N_("Open a clip first: drop a folder of images or a movie on the window.")
 NO_GAP = N_("There is no gap to fill here: set a key (<key.set>) on two frames, with others between them.")
+NO_GAP_WITHIN = N_("No gap lies wholly between in and out; <time.clear_range> clears them.")
 CLIP_ENDS = N_("The clip ends here: there is no frame to track to.")
 CLIP_BEGINS = N_("The clip begins here: there is no frame to track to.")
+OUT_IS_HERE = N_("The out point is here: move it, or clear in and out (<time.clear_range>), to track on.")
+IN_IS_HERE = N_("The in point is here: move it, or clear in and out (<time.clear_range>), to track on.")
 FIRST_KEY, LAST_KEY = (
     N_("{name} is not tracked: its first key lies on frame {key}. Track from there, or set a key here (<key.set>)."),
     N_("{name} is not tracked: its last key lies on frame {key}. Track from there, or set a key here (<key.set>)."),
@@ -42,6 +45,21 @@ class Scope(StrEnum):
     SELECTED = "selected"
     ALONE = "alone"
     ALL = "all"
+
+
+def last_to_track(view_state: ViewState, clip: range, step: int) -> int:
+    """The last frame of a run from the playhead: the end of the play range, beyond that of the clip."""
+    first, stop = view_state.play_range
+    (within, whole) = (stop - 1, clip[-1]) if step > 0 else (first, clip[0])
+    return within if (within - view_state.frame) * step >= 0 else whole
+
+
+def why_not_on(clip: range, frames: range) -> str:
+    """Why a run over `frames`, which has nothing to do, does not go on: the clip, or in or out, ends here."""
+    ends = frames.start == (clip[-1] if frames.step > 0 else clip[0])
+    if frames.step > 0:
+        return tr(CLIP_ENDS if ends else OUT_IS_HERE)
+    return tr(CLIP_BEGINS if ends else IN_IS_HERE)
 
 
 class Tracking:
@@ -123,14 +141,12 @@ class Tracking:
         }
 
     def forward(self) -> None:
-        """Track to the end of the play range, or of the clip when the playhead lies behind it."""
-        stop = self._view.play_range[1]
-        self._run(1, stop if self._view.frame + 1 < stop else self._clip().stop)
+        """Track to the end of the play range, or of the clip when the playhead lies beyond it."""
+        self._run(1, last_to_track(self._view, self._clip(), 1) + 1)
 
     def backward(self) -> None:
         """Track back to the beginning of the play range, or of the clip when the playhead lies before it."""
-        first = self._view.play_range[0]
-        self._run(-1, (first if self._view.frame > first else self._clip().start) - 1)
+        self._run(-1, last_to_track(self._view, self._clip(), -1) - 1)
 
     def forward_one(self) -> None:
         self._run(1, min(self._view.frame + 2, self._clip().stop))
@@ -161,6 +177,8 @@ class Tracking:
                 )
             elif not any(shape.exists_at(self._view.frame) for shape in shapes):
                 self._view.say(does_not_exist(shapes[0], self._view.frame))
+            elif self._is_within_range and gaps_of(shapes):
+                self._view.say(tr(NO_GAP_WITHIN))
             else:
                 self._view.say(tr(NO_GAP))
 
@@ -201,7 +219,7 @@ class Tracking:
         if self._document.project.clip is None:
             self._view.say(tr(NO_CLIP))
         elif len(frames) < 2:
-            self._view.say(tr(CLIP_ENDS if step > 0 else CLIP_BEGINS))
+            self._view.say(why_not_on(self._clip(), frames))
         elif shapes := self._trackable():
             begin = seen_from(self._view.frame, step, self._clip(), self._without_picture())
             begun = [shape for shape in shapes if has_begun(shape, begin, step > 0)]
@@ -248,11 +266,16 @@ class Tracking:
         On a key that is the gap after it; on the last key the one before.
         """
         frame, (first, stop) = self._view.frame, self._view.play_range
-        clip = self._clip()
-        if (first, stop) != (clip.start, clip.stop) and first <= frame < stop:
+        if self._is_within_range:
             return [gap for gap in gaps if first <= gap[0] and gap[1] < stop]
         around = [gap for gap in gaps if gap[0] <= frame < gap[1]]
         return around or [gap for gap in gaps if gap[1] == frame]
+
+    @property
+    def _is_within_range(self) -> bool:
+        """Whether in and out are set, and the playhead lies between them."""
+        (first, stop), clip = self._view.play_range, self._clip()
+        return (first, stop) != (clip.start, clip.stop) and first <= self._view.frame < stop
 
     def _shapes(self) -> list[RotoShape]:
         """The selected shapes, or all when none is selected."""

@@ -3062,6 +3062,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Noch ist kein Frame getrackt.</translation>
     </message>
     <message>
+        <source>No gap lies wholly between in and out; &lt;time.clear_range&gt; clears them.</source>
+        <translation>Keine Lücke liegt ganz zwischen In und Out; &lt;time.clear_range&gt; löscht sie.</translation>
+    </message>
+    <message>
         <source>No key</source>
         <translation>Keine Taste</translation>
     </message>
@@ -5091,6 +5095,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Namen der Bilder nummerieren nicht die Frames des Clips: Sie wurden der Reihe nach genommen.</translation>
     </message>
     <message>
+        <source>The in point is here: move it, or clear in and out (&lt;time.clear_range&gt;), to track on.</source>
+        <translation>Hier ist In: verschieben Sie es, oder löschen Sie In und Out (&lt;time.clear_range&gt;), um weiter zu tracken.</translation>
+    </message>
+    <message>
         <source>The inversion and visibility of the root layer are lost: it is no object.</source>
         <translation>Invertierung und Sichtbarkeit der obersten Ebene gehen verloren: Sie ist kein Objekt.</translation>
     </message>
@@ -5241,6 +5249,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The opacity of the {subject} was left out: {reason}.</source>
         <translation>Die Deckkraft von {subject} entfällt: {reason}.</translation>
+    </message>
+    <message>
+        <source>The out point is here: move it, or clear in and out (&lt;time.clear_range&gt;), to track on.</source>
+        <translation>Hier ist Out: verschieben Sie es, oder löschen Sie In und Out (&lt;time.clear_range&gt;), um weiter zu tracken.</translation>
     </message>
     <message>
         <source>The outline colour of the copied shape, for the selected ones; mattes stay</source>

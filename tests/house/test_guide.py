@@ -12,7 +12,8 @@ from tests.conftest import ROOT
 
 GUIDE = (ROOT / "docs" / "USER-GUIDE.md").read_text(encoding="utf-8")
 KEYMAPS = ROOT / "resources" / "keymaps"
-PRESETS = {"Nuke": "nuke", "Silhouette": "silhouette", "Mocha": "mocha", "After Effects": "after-effects"}
+PRESETS = {"Nuke": "nuke", "Silhouette": "silhouette", "Mocha": "mocha"}
+PRESETS |= {"After Effects": "after-effects", "Blender": "blender"}
 OURS = "default"
 
 

@@ -231,6 +231,11 @@ def test_what_cannot_be_tracked_says_why(
     view_state.set_frame(LAST)
     verbs.forward()
     assert view_state.message == "The clip ends here: there is no frame to track to."
+    view_state.set_play_range(2, LAST)
+    for verb, frame, word in ((verbs.forward, LAST - 1, "The out point is here"), (verbs.backward, 2, "The in point")):
+        view_state.set_frame(frame)
+        verb()
+        assert view_state.message.startswith(word)
     view_state.set_frame(1)
     document.open(edit.set_properties(document.project, "shape-1", closed=False), None)
     verbs.forward()

@@ -294,6 +294,31 @@ def test_at_the_clips_end_there_is_nothing_to_track(
     assert view_state.message == "The clip ends here: there is no frame to track to."
 
 
+def test_at_in_and_out_nothing_is_tracked_beyond_them(
+    tracking: Tracking, propagation: Propagation, view_state: ViewState
+) -> None:
+    """A run leaves the playhead on the out point: the same key once more went on to the end of the clip."""
+    view_state.set_play_range(1005, 1011)
+    for verb, frame, word in ((tracking.forward, 1010, "The out point is here"), (tracking.backward, 1005, "The in")):
+        view_state.set_frame(frame)
+        verb()
+        assert view_state.message.startswith(word)
+    assert propagation.asked == []
+    view_state.set_frame(1020)
+    tracking.forward()
+    assert propagation.asked == [(["shape-1"], range(1020, 1049), DEFAULT_CONFIG)]
+
+
+def test_that_a_gap_reaches_beyond_in_and_out_is_said(
+    tracking: Tracking, propagation: Propagation, view_state: ViewState
+) -> None:
+    view_state.set_play_range(1005, 1011)
+    view_state.set_frame(1008)
+    tracking.fill()
+    assert propagation.filled == []
+    assert view_state.message.startswith("No gap lies wholly between in and out")
+
+
 def test_what_cannot_be_tracked_is_said(
     tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState
 ) -> None:
