@@ -43,7 +43,9 @@ def run(*arguments: object, chosen: str = "") -> str:
     """Run a command of ROAM's and wait for it. Returns what it says; a refusal is `Trouble` in its own words."""
     command = [program(chosen), *map(str, arguments)]
     try:
-        done = subprocess.run(command, capture_output=True, text=True, env=_environment(), check=False)
+        done = subprocess.run(
+            command, capture_output=True, encoding="utf-8", errors="replace", env=_environment(), check=False
+        )
     except OSError as error:
         raise Trouble(f"{command[0]} cannot be started: {error}.") from None
     if done.returncode != 0:
@@ -81,10 +83,21 @@ def bring(project: Path, target: Path, kind: str, offset: int = 0, chosen: str =
 
 def first_frame(clip: str, chosen: str = "") -> int:
     """The number of a clip's first frame, as ROAM counts."""
-    found = re.search(r"^frames\s+(-?\d+)-", run("info", clip, chosen=chosen), flags=re.MULTILINE)
-    if found is None:
-        raise Trouble(f"{clip} has no frames.")
-    return int(found[1])
+    return _ends(clip, chosen)[0]
+
+
+def frame_of_file(clip: str, chosen: str = "") -> int:
+    """The number of the picture that is named, of a sequence of which ROAM takes all; of what has none the first."""
+    first, last = _ends(clip, chosen)
+    found = re.search(r"(\d+)\D*$", Path(clip).stem)
+    return int(found[1]) if found is not None and first <= int(found[1]) <= last else first
+
+
+def project_of(name: str) -> Path:
+    """The project of a name from a dialog, in which `.roam` may be left out; `shot.v002` has no suffix to give up."""
+    if not name or name.endswith(("/", os.sep)):
+        raise Trouble("Give the project a name.")
+    return Path(name if name.lower().endswith(".roam") else f"{name}.roam")
 
 
 def document(shapes: Sequence[dict[str, Any]], size: tuple[int, int]) -> str:
@@ -118,5 +131,15 @@ def _is_straight(rows: dict[int, list[list[float]]], first: int, last: int, tole
     return True
 
 
+def _ends(clip: str, chosen: str) -> tuple[int, int]:
+    found = re.search(r"^frames\s+(-?\d+)-(-?\d+)", run("info", clip, chosen=chosen), flags=re.MULTILINE)
+    if found is None:
+        raise Trouble(f"{clip} has no frames.")
+    return int(found[1]), int(found[2])
+
+
 def _environment() -> dict[str, str]:
-    return {name: value for name, value in os.environ.items() if name not in FOREIGN}
+    """What ROAM's process gets: what is read from it is UTF-8, whatever the machine's language."""
+    kept = {name: value for name, value in os.environ.items() if name not in FOREIGN}
+    kept["PYTHONIOENCODING"] = "utf-8:backslashreplace"
+    return kept

@@ -13,6 +13,8 @@ THREADS = "ROAM_THREADS"
 CACHE = "ROAM_CACHE_MB"
 """Megabytes of decoded pictures that a command keeps."""
 USUAL_CACHE = 512
+MOST, LONGEST = 1 << 20, 20
+"""The largest number that makes sense, and characters that are looked at."""
 DECODER = "ROAM_DECODER"
 """`inside`: pictures are decoded in ROAM's own process. By default others do that, which a damaged file may end."""
 
@@ -56,6 +58,6 @@ def _whole(name: str, usual: int) -> int:
     text = os.environ.get(name, "")
     if not text:
         return usual
-    if not text.isdecimal() or not 1 <= int(text) <= 1 << 20:
-        raise RoamError(f"The environment variable {name} is {text!r}; it has to be a whole number above 0.")
+    if not text.isdecimal() or len(text) > LONGEST or not 1 <= int(text) <= MOST:
+        raise RoamError(f"The environment variable {name} is {text[:20]!r}; it has to be a whole number, 1 to {MOST}.")
     return int(text)

@@ -72,5 +72,6 @@ def _own_program() -> Path | None:
     """The program that runs: what the scripts are to start."""
     if BUNDLE is not None:
         return Path(sys.executable)
-    found = shutil.which("roam") or shutil.which(sys.argv[0])
+    own = sys.argv[0] if Path(sys.argv[0]).stem == "roam" else ""  # another `roam` may come first on the path
+    found = shutil.which(own) or shutil.which("roam")
     return Path(found).absolute() if found else None

@@ -184,6 +184,33 @@ def test_the_installer_puts_everything_in_place_and_takes_it_away(tmp_path: Path
     assert list(home.rglob("*roam*")) == []
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="the installer is for Linux desktops")
+def test_however_its_folder_is_named_an_installed_bundle_does_not_take_itself_away(tmp_path: Path) -> None:
+    home, link = tmp_path / "home", tmp_path / "link"
+    installed = home / "lib" / "roam"
+    shutil.copytree(LINUX, installed / "desktop", ignore=shutil.ignore_patterns("install"))
+    shutil.copy2(LINUX / "install", installed)
+    link.symlink_to(home, target_is_directory=True)
+    for name in (str(home), f"{home}/", "home", "./home/../home", str(link)):
+        done = subprocess.run(
+            [str(installed / "install"), name], cwd=tmp_path, capture_output=True, text=True, check=False
+        )
+        assert (done.returncode, "is installed" in done.stderr) == (1, True)
+        assert (installed / "install").exists()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the installer is for Linux desktops")
+def test_the_menu_entry_of_a_relative_folder_leads_there_from_everywhere(tmp_path: Path) -> None:
+    made = tmp_path / "roam-0"
+    shutil.copytree(LINUX, made / "desktop", ignore=shutil.ignore_patterns("install"))
+    shutil.copy2(LINUX / "install", made)
+    shutil.copy2(ROOT / "bundle" / "icon.svg", made / "desktop" / "roam.svg")
+    (made / "desktop" / "roam-32.png").write_bytes(b"")
+    subprocess.run([str(made / "install"), "home"], cwd=tmp_path, capture_output=True, check=True)
+    entry = (tmp_path / "home" / "share" / "applications" / "roam.desktop").read_text(encoding="utf-8")
+    assert f'Exec="{tmp_path}/home/bin/roam" %f' in entry
+
+
 def test_a_bundle_that_does_not_do_what_it_must_is_refused(tmp_path: Path) -> None:
     if sys.platform != "linux":
         pytest.skip("the stand-in for a program is a shell script")

@@ -224,6 +224,11 @@ def test_tables_are_renewed_in_their_place() -> None:
     assert report.with_block(page, "z", "new") == f"{page}\n<!-- z -->\nnew\n<!-- end of z -->\n"
 
 
+def test_the_page_of_benchmarks_says_what_each_of_them_measures() -> None:
+    listed = report.PAGE.read_text(encoding="utf-8").partition("## Quality")[0]
+    assert set(re.findall(r"^\| `(\w+)` \|", listed, flags=re.MULTILINE)) == set(BENCHMARKS)
+
+
 def test_published_tables_are_of_configurations_that_exist() -> None:
     page = report.PAGE.read_text(encoding="utf-8")
     names = re.findall(r"^<!-- (?!end of )(.+) -->$", page, flags=re.MULTILINE)

@@ -62,12 +62,13 @@ class Send(bpy.types.Operator):
             roam_bridge.send(Path(), path, None, chosen=chosen)
             return
         size = (clip.size[0], clip.size[1])
-        shapes = [shape for mask in masks for shape in roam_masks.shapes_of(context.scene, mask, size)]
+        project, offset = roam_bridge.project_of(self.filepath), roam_masks.offset_of(clip, path, chosen)
+        frames = roam_masks.frames_of(clip)
+        shapes = [shape for mask in masks for shape in roam_masks.shapes_of(context.scene, mask, size, frames)]
         with tempfile.TemporaryDirectory() as folder:
             written = Path(folder) / "shapes.json"
             written.write_text(roam_bridge.document(shapes, size), encoding="utf-8")
-            offset = clip.frame_start - roam_bridge.first_frame(path, chosen)
-            roam_bridge.send(Path(self.filepath).with_suffix(".roam"), path, written, offset, chosen)
+            roam_bridge.send(project, path, written, offset, chosen)
 
 
 class Bring(bpy.types.Operator):
@@ -87,7 +88,7 @@ class Bring(bpy.types.Operator):
         try:
             clip = roam_masks.clip_of(context)
             chosen = _program(context)
-            offset = clip.frame_start - roam_bridge.first_frame(bpy.path.abspath(clip.filepath), chosen)
+            offset = roam_masks.offset_of(clip, bpy.path.abspath(clip.filepath), chosen)
             with tempfile.TemporaryDirectory() as folder:
                 script = Path(folder) / "masks.py"
                 said = roam_bridge.bring(Path(self.filepath), script, "blender", offset, chosen)

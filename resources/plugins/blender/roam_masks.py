@@ -34,30 +34,52 @@ def clip_of(context: Any) -> Any:
     return clip
 
 
-def shapes_of(scene: Any, mask: Any, size: tuple[int, int]) -> list[dict[str, Any]]:
+def offset_of(clip: Any, path: str, chosen: str) -> int:
+    """What the scene's frame numbers have more than the plate's own.
+
+    For Blender a sequence begins with the picture that was opened, for ROAM with the first that lies there.
+    """
+    number = roam_bridge.frame_of_file if clip.source == "SEQUENCE" else roam_bridge.first_frame
+    start: int = clip.frame_start - clip.frame_offset - number(path, chosen)
+    return start
+
+
+def frames_of(clip: Any) -> range:
+    """The scene's frames that show the clip. (A mask's own range is 1 to 100 until somebody sets it.)"""
+    return range(clip.frame_start, clip.frame_start + max(clip.frame_duration, 1))
+
+
+def shapes_of(scene: Any, mask: Any, size: tuple[int, int], frames: range) -> list[dict[str, Any]]:
     """The shapes of a mask as ROAM's JSON has them, bottom first."""
     splines = [(layer, spline) for layer in mask.layers for spline in layer.splines if len(spline.points) > 1]
     rows: list[dict[int, list[list[float]]]] = [{} for _ in splines]
     opacities: list[dict[int, float]] = [{} for _ in splines]
+    widths: list[list[float]] = [[] for _ in splines]
     current = scene.frame_current
     scene[HOLD] = mask
     try:
-        for frame in range(mask.frame_start or scene.frame_start, (mask.frame_end or scene.frame_end) + 1):
+        for frame in frames:
             scene.frame_set(frame)
             for index, (layer, spline) in enumerate(splines):
                 rows[index][frame] = [_row(point, size) for point in spline.points]
                 opacities[index][frame] = layer.alpha
+                if frame == frames[0]:
+                    widths[index] = [point.weight * max(size) for point in spline.points]
     finally:
         del scene[HOLD]
         scene.frame_set(current)
-    pairs = zip(splines, zip(rows, opacities))  # noqa: B905 - also for Python 3.9
-    return [_shape(layer, spline, placed, alphas, size) for (layer, spline), (placed, alphas) in pairs]
+    pairs = zip(splines, zip(rows, opacities, widths))  # noqa: B905 - also for Python 3.9
+    return [_shape(layer, spline, *read, size) for (layer, spline), read in pairs]
 
 
 def _shape(
-    layer: Any, spline: Any, rows: dict[int, list[list[float]]], alphas: dict[int, float], size: tuple[int, int]
+    layer: Any,
+    spline: Any,
+    rows: dict[int, list[list[float]]],
+    alphas: dict[int, float],
+    widths: list[float],
+    size: tuple[int, int],
 ) -> dict[str, Any]:
-    widths = [point.weight * max(size) for point in spline.points]
     if spline.use_cyclic and not any(widths):
         rows = {frame: outset(points, size) for frame, points in rows.items()}
     points = roam_bridge.keys_of(rows)

@@ -58,7 +58,7 @@ def _send(app: Any) -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "shapes.json"
         path.write_text(roam_bridge.document(shapes, size), encoding="utf-8")
-        roam_bridge.send(Path(project).with_suffix(".roam"), clip, path)
+        roam_bridge.send(roam_bridge.project_of(project), clip, path)
 
 
 def _bring(app: Any) -> None:

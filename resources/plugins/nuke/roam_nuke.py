@@ -67,7 +67,7 @@ def _bring() -> None:
 
 def _chosen(title: str, kind: str) -> Path | None:
     name = nuke.getFilename(title, "*.roam", type=kind)
-    return Path(name).with_suffix(".roam") if name else None
+    return roam_bridge.project_of(name) if name else None
 
 
 def _told(work: Callable[[], Any]) -> None:

@@ -24,6 +24,8 @@ scene.frame_start, scene.frame_end = wanted["starts"], wanted["starts"] + 4
 
 back = bpy.ops.roam.bring(filepath=wanted["project"])
 masks = [mask.name for mask in bpy.data.masks]
+for mask in bpy.data.masks:
+    mask.frame_start, mask.frame_end = 1, 100  # as Blender makes masks
 sent = bpy.ops.roam.send(filepath=str(folder / "sent"))
 told = ""
 try:

@@ -58,6 +58,35 @@ def test_the_first_frame_is_the_plates(bridge: Any, desk: Desk) -> None:
     assert bridge.first_frame(str(desk.plate)) == 1001
 
 
+def test_the_picture_that_is_named_has_its_own_number(bridge: Any, desk: Desk) -> None:
+    assert bridge.frame_of_file(str(desk.plate / "plate.1003.png")) == 1003
+    assert bridge.frame_of_file(str(desk.plate)) == 1001
+
+
+def test_what_follows_a_dot_stays_in_a_projects_name(bridge: Any) -> None:
+    names = ("a/shot.v002", "a/shot.v002.roam", "a/shot")
+    assert [bridge.project_of(name).as_posix() for name in names] == [f"{names[0]}.roam", names[1], "a/shot.roam"]
+    with pytest.raises(bridge.Trouble, match="name"):
+        bridge.project_of("a/")
+
+
+def test_what_roam_says_is_read_in_any_locale(bridge: Any, desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PYTHONIOENCODING", "latin-1")
+    with pytest.raises(bridge.Trouble, match="Fl\u00fcgel"):
+        bridge.run("info", desk.folder / "Fl\u00fcgel")
+
+
+def test_the_scripts_start_the_roam_that_wrote_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for folder in ("mine", "other"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "roam").write_text("#!/bin/sh\n", encoding="utf-8")
+        (tmp_path / folder / "roam").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path / "other"))
+    monkeypatch.setattr("sys.argv", [str(tmp_path / "mine" / "roam")])
+    assert main(["plugin", "nuke", str(tmp_path)]) == 0
+    assert (tmp_path / "roam" / "program.txt").read_text(encoding="utf-8").strip() == str(tmp_path / "mine" / "roam")
+
+
 def test_on_a_full_disk_no_half_of_the_menu_is_left(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
