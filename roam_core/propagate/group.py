@@ -171,13 +171,7 @@ class GroupTracker:
         # Curves find no edge there, and say so; they see faint pictures as they are, in which there may be some.
         is_unseen = shows_nothing and self.params.region is not None
         solved = tuple(result.unseen for result in step.results) if is_unseen else step.results
-        stamped = self._stamp(frame, forward=frame > standing.frame)
-        shapes = tuple(
-            shape
-            if key or not shape.exists_at(frame)
-            else set_engine_keys(shape, [engine_key(frame, each, shape.at(standing.frame).feather, stamped)])
-            for shape, key, each in zip(standing.shapes, given, solved, strict=True)
-        )
+        shapes = self._keyed(frame, solved, given, set_in_part)
         by_hand = [key or part for key, part in zip(given, set_in_part, strict=True)]
         if all(by_hand):
             self.start(picture, shapes, frame)
@@ -193,11 +187,27 @@ class GroupTracker:
             for shape, key, each, landmarks in zip(shapes, given, solved, self._landmarks(), strict=True)
         )
 
+    def _keyed(
+        self, frame: int, solved: Sequence[StepResult], given: Sequence[bool], set_in_part: Sequence[bool]
+    ) -> tuple[RotoShape, ...]:
+        """The shapes with what was solved on a frame, but where they are `given`, or do not exist.
+
+        Of what the artist set in part the rest is derived first: the stamps of the others' keys cover it.
+        """
+        shapes, before = list(self.standing.shapes), self.standing.frame
+        for in_part in (True, False) if any(set_in_part) else (False,):
+            stamped = self._stamp(frame, forward=frame > before, shapes=shapes)
+            for k, shape in enumerate(shapes):
+                if set_in_part[k] is in_part and not given[k] and shape.exists_at(frame):
+                    key = engine_key(frame, solved[k], shape.at(before).feather, stamped)
+                    shapes[k] = set_engine_keys(shape, [key])
+        return tuple(shapes)
+
     def _correct(
         self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, engine: Engine, given: Sequence[bool]
     ) -> None:
         """Go on from a frame on which the artist gave some of the shapes, and the engine the others."""
-        parts, view = parts_at(shapes, frame), self.standing.view
+        parts, view = parts_at([_living(shape, frame) for shape in shapes], frame), self.standing.view
         corrected = engine.corrected(view.parts(parts), stacked(shapes, frame), given)
         if corrected is None:
             view = EngineView.of_key(picture, self.params)
@@ -237,11 +247,17 @@ class GroupTracker:
             for pool in standing.engine.landmarks
         )
 
-    def _stamp(self, frame: int, *, forward: bool) -> str:
-        """What the shapes' keys on a frame bear when they are solved in this direction."""
+    def _stamp(self, frame: int, *, forward: bool, shapes: Sequence[RotoShape] | None = None) -> str:
+        """What the keys of `shapes`, by default its own, bear on a frame when they are solved in this direction."""
         standing = self.standing
         return provenance.stamp(
-            standing.shapes, frame, standing.known_from, self.params, self._clip, forward, self._alone
+            standing.shapes if shapes is None else shapes,
+            frame,
+            standing.known_from,
+            self.params,
+            self._clip,
+            forward,
+            self._alone,
         )
 
     def stamp(self, *, forward: bool) -> str:
@@ -258,6 +274,14 @@ def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -
         Part(outline, is_hole, shape.attached)
         for shape, outline, is_hole in zip(shapes, outlines, cuts(shapes), strict=True)
     )
+
+
+def _living(shape: RotoShape, frame: int) -> RotoShape:
+    """A shape that is gone on a frame, without the engine's keys that a shortened lifetime left beside it."""
+    if shape.exists_at(frame):
+        return shape
+    keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST or shape.exists_at(key.frame))
+    return replace(shape, keys=keys) if keys else shape
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

@@ -24,7 +24,10 @@ ReadPicture = Callable[[int], PreparedFrame]
 
 
 class TrackMemory:
-    """The last few states of runs over one clip. Cache: it may be dropped at any time, and must be with the clip."""
+    """The last few states of runs over one clip, and all on the frame of the last one: each object has one there.
+
+    Cache: it may be dropped at any time, and must be with the clip.
+    """
 
     def __init__(self, entries: int = 4) -> None:
         self._entries = entries
@@ -35,7 +38,7 @@ class TrackMemory:
         name = standing.frame, stamp
         self._standings[name] = standing
         self._standings.move_to_end(name)
-        while len(self._standings) > self._entries:
+        while len(self._standings) > self._entries and next(iter(self._standings))[0] != standing.frame:
             self._standings.popitem(last=False)
 
     def recall(self, frame: int, stamp: str) -> Standing | None:

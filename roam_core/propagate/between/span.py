@@ -273,7 +273,7 @@ class Filling:
         alone = [
             replace(
                 shape,
-                keys=(*(key for key in shape.keys if key.frame in gap), *made[k]),
+                keys=(*(key for key in shape.artist_keys if key.frame in gap), *made[k]),
                 blend=BlendMode.SUBTRACT if is_hole else BlendMode.ADD,
             )
             for (k, shape), is_hole in zip(shapes.items(), cuts(list(shapes.values())), strict=True)

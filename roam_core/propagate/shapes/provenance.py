@@ -12,7 +12,7 @@ import bisect
 import hashlib
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -122,6 +122,8 @@ def stamp(
         content.append(_as_drawn(shape, begun, frame))
         content.append(outline_begun(shape, begun, forward).tobytes())
         content.extend(_as_keyed(key) for key in keys)
+    ends = _ends(shapes, {key.frame for keys in used for key in keys}, forward)
+    content += [json.dumps(ends).encode()] if any(end is not None for end in ends) else []
     return str(Stamp(direction, params.config, _digest(content), begun, alone=alone))
 
 
@@ -182,6 +184,13 @@ def _passed(shape: RotoShape, begun: int, frame: int) -> tuple[Keyframe, ...]:
     """The artist's keys that a run passes after the frame where it had `begun`, up to `frame`."""
     low, high = sorted((begun, frame))
     return tuple(key for key in shape.artist_keys if low <= key.frame <= high and key.frame != begun)
+
+
+def _ends(shapes: Sequence[RotoShape], given: Collection[int], forward: bool) -> list[int | None]:
+    """The ends of the shapes that are gone on a frame on which others were given: their last outlines count there."""
+    return [
+        shape.lifetime[forward] if shape.lifetime and not all(map(shape.exists_at, given)) else None for shape in shapes
+    ]
 
 
 @lru_cache(maxsize=16)

@@ -176,3 +176,11 @@ def test_it_stops_when_asked() -> None:
 def test_nothing_cannot_be_followed() -> None:
     with pytest.raises(RoamError, match="no closed shape"):
         next(track_plane(lambda frame: picture(PlaneMotion.AFFINE, frame), [], [], range(3), PlaneMotion.AFFINE))
+
+
+def test_a_picture_of_another_size_is_refused_in_words() -> None:
+    kind = PlaneMotion.AFFINE
+    tracker = PlaneTracker(kind, PreparedFrame(picture(kind, 0)), [BOARD])
+    with pytest.raises(RoamError, match=r"Frame 1 is 300x240, the one before 320x240"):
+        tracker.step(PreparedFrame(picture(kind, 1)[:, :300]), 1)
+    assert tracker.step(PreparedFrame(picture(kind, 1)), 1).confidence > 0.5

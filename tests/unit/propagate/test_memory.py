@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import DEFAULT_CONFIG
-from roam_core.propagate.memory import Beginning, begins
+from roam_core.propagate.group import GroupTracker
+from roam_core.propagate.memory import Beginning, TrackMemory, begins
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Keyframe, RotoShape
 
@@ -46,3 +48,15 @@ def test_a_key_on_a_frame_that_shows_nothing_begins_no_run_where_an_earlier_one_
     assert begun(9, 9, 5) == 1
     assert begun(1, 1, forward=False) == 5
     assert begun(9, 9, 5, 1) == 9  # nothing was ever seen
+
+
+def test_of_however_many_objects_all_states_on_the_last_frame_are_kept() -> None:
+    """Else going on by one frame solves the others of them again from their keys."""
+    memory, picture = TrackMemory(entries=2), np.zeros((60, 80, 3), np.uint8)
+    for frame in (1, 2):
+        for name in "abc":
+            tracker = GroupTracker("lean")
+            tracker.start(picture, [keyed(name, (frame,))], frame)
+            memory.keep(tracker.standing, name)
+    assert all(memory.recall(2, name) is not None for name in "abc")
+    assert not any(memory.recall(1, name) for name in "abc")
