@@ -189,7 +189,8 @@ def _passed(shape: RotoShape, begun: int, frame: int) -> tuple[Keyframe, ...]:
 def _ends(shapes: Sequence[RotoShape], given: Collection[int], forward: bool) -> list[int | None]:
     """The ends of the shapes that are gone on a frame on which others were given: their last outlines count there."""
     return [
-        shape.lifetime[forward] if shape.lifetime and not all(map(shape.exists_at, given)) else None for shape in shapes
+        shape.lifetime[1 if forward else 0] if shape.lifetime and not all(map(shape.exists_at, given)) else None
+        for shape in shapes
     ]
 
 
