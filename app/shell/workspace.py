@@ -242,6 +242,9 @@ class _Gap(QWidget):
         there, by = (self._part, self) if away else (self, self._part)
         home = there.parentWidget()
         assert home is not None
+        # PySide hears of `setParent` alone: a floating window that a part was left to would take with it, as it ends,
+        # the viewports and actions that Qt made for the part.
+        by.setParent(self._store)
         if isinstance(home, QSplitter):
             self._exchange(home, there, by)
         else:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import argparse
 import sys
 
-from tests.endurance import kill, plates, soak
+from tests.endurance import kill, monkey, plates, soak
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.endurance", description=__doc__)
     commands = parser.add_subparsers(dest="which", required=True)
-    for name, module in (("kill", kill), ("plates", plates), ("soak", soak)):
+    for name, module in (("kill", kill), ("monkey", monkey), ("plates", plates), ("soak", soak)):
         command = commands.add_parser(name, help=(module.__doc__ or "").partition("\n")[0])
         module.arguments(command)
         command.set_defaults(run=module.run)

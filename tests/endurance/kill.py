@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import random
 import shutil
 import subprocess
@@ -22,6 +21,7 @@ from roam_core.media import open_clip
 from roam_core.roto import Clip, Project, edit, file
 from tests.conftest import ROOT
 from tests.endurance.artist import MODES, NOTES, SQUARE, TRACKING, UNTITLED, WORK
+from tests.endurance.environment import environment
 from tests.gui.windows import write_clip
 
 READY, LATEST = 240.0, 2.5
@@ -79,11 +79,10 @@ def outcome(folder: Path, clip: Path, mode: str, after: float, *, flushed: bool 
     if mode != UNTITLED:
         project, _ = edit.new_shape(Project(Clip.of(open_clip(clip))), SQUARE, 1001, name="0")
         file.save(project, folder / WORK)
-    states = {name: str(folder / "state") for name in ("XDG_STATE_HOME", "XDG_CONFIG_HOME")}
     command = [sys.executable, "-m", "tests.endurance.artist", mode, str(folder), *(["flushed"] if flushed else [])]
     artist = subprocess.Popen(
         command,
-        env={**os.environ, **states, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(ROOT)},
+        env=environment(folder),
         cwd=ROOT,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,

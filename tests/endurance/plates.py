@@ -199,9 +199,7 @@ def run(given: argparse.Namespace) -> int:
         window.leave_unasked()
 
     with tempfile.TemporaryDirectory() as state:
-        for name in ("XDG_STATE_HOME", "XDG_CONFIG_HOME"):
-            os.environ[name] = state
-        os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+        os.environ.update(environment(Path(state)))
         os.environ.setdefault("QT_LOGGING_RULES", "default.warning=false")  # what no screen can do
         with decoding_apart():
             code = launch._run(work)

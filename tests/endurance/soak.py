@@ -19,6 +19,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer
 
 from tests.endurance.artist import SQUARE
+from tests.endurance.environment import environment
 from tests.gui.windows import COUNT, FIRST, write_clip
 
 if TYPE_CHECKING:
@@ -148,9 +149,7 @@ def run(given: argparse.Namespace) -> int:
 
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
-        for name in ("XDG_STATE_HOME", "XDG_CONFIG_HOME"):
-            os.environ[name] = str(folder / "state")
-        os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+        os.environ.update(environment(folder))
         clip = write_clip(folder / "plate")
         workers: list[Worker] = []
         code = launch._run(lambda window: workers.append(Worker(window, clip, folder, given)))

@@ -70,7 +70,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self.hand = CurveHand(document, axis, chosen, self.verbs, self.found_at, self.keys_in, self.value_at, self.pull)
         self.kind = Kind.OPACITY
-        self.range = 0.0, 1.0
+        self.values_in_sight = 0.0, 1.0
         """The least and greatest value in sight."""
         self.lines: list[CurveLine] = []
         self.menu = QMenu(self)
@@ -107,13 +107,13 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
 
     def key_point(self, frame: float, value: float) -> QPointF:
         """Where a value on a frame lies, in pixels of the plot."""
-        low, high = self.range
+        low, high = self.values_in_sight
         x = self._axis.scale.x(frame) - LABEL_WIDTH
         return QPointF(x, (high - value) / (high - low) * self.height())
 
     def value_at(self, y: float) -> float:
         """The value shown at a height, in pixels from the top."""
-        low, high = self.range
+        low, high = self.values_in_sight
         return high - y / float(max(self.height(), 1)) * (high - low)
 
     def found_at(self, at: QPointF) -> Found:
@@ -151,9 +151,9 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         project = view.preview if self.hand.is_busy and view.preview is not None else self._document.project
         self.lines = lines_of(project, view, self.kind, scale.first - 1.0, scale.last + 1.0)
         if self._is_fitted and not self.hand.is_busy:
-            self.range = value_range(self.lines, self.kind)
+            self.values_in_sight = value_range(self.lines, self.kind)
         show_frames(self._box, self._axis, self.width())
-        self._box.setYRange(*self.range, padding=0)
+        self._box.setYRange(*self.values_in_sight, padding=0)
         self._pull_curves()
         self._pull_marks()
         self._pull_playhead()
@@ -161,7 +161,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
 
     def grid(self) -> list[float]:
         """The values at which lines of the grid lie."""
-        return ticks(*self.range, most=self.height() // TICK_ROOM)
+        return ticks(*self.values_in_sight, most=self.height() // TICK_ROOM)
 
     def _build(self) -> None:
         self._box = pg.ViewBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -270,10 +270,10 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            low, high = self.range
+            low, high = self.values_in_sight
             value, factor = self.value_at(event.position().y()), ZOOM ** (-event.angleDelta().y() / 120)
             if NARROWEST <= (high - low) * factor <= WIDEST:
-                self.range = value - (value - low) * factor, value + (high - value) * factor
+                self.values_in_sight = value - (value - low) * factor, value + (high - value) * factor
                 self._is_fitted = False
                 self.pull()
             event.accept()

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRect, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QToolButton
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
@@ -69,6 +69,24 @@ def test_what_was_closed_while_it_floated_outlives_its_window(window: MainWindow
     assert isValid(part.widget)
     part.show_action.setChecked(True)
     assert is_in(part, window)
+
+
+@pytest.mark.parametrize("back", ["float", "reset"])
+@pytest.mark.parametrize("name", PARTS)
+def test_what_qt_made_for_a_part_outlives_the_window_in_which_it_floated(
+    window: MainWindow, name: str, back: str
+) -> None:
+    """PySide took viewports and actions for the floating window's: a click in the timeline ended the program."""
+    part = window.workspace.parts[name]
+    inside = list(part.widget.findChildren(QAbstractScrollArea))
+    made = [*(each.viewport() for each in inside), *(a for m in part.widget.findChildren(QMenu) for a in m.actions())]
+    for _ in range(2):
+        part.float_action.trigger()
+        floating = part.widget.window()
+        (part.float_action if back == "float" else window.actions_by_id["window.reset_layout"]).trigger()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        assert not isValid(floating)
+    assert [each for each in made if not isValid(each)] == []
 
 
 def test_the_button_in_its_title_floats_a_panel(window: MainWindow) -> None:

@@ -262,16 +262,16 @@ def test_all_keys_are_those_of_the_curves_that_are_shown(
 def test_ctrl_with_the_wheel_zooms_values_about_the_pointer_until_something_else_is_shown(
     timeline: Timeline, plot: CurvePlot
 ) -> None:
-    at, whole = plot.key_point(1020, 80.0), plot.range
+    at, whole = plot.key_point(1020, 80.0), plot.values_in_sight
     where = at, QPointF(plot.mapToGlobal(at))
     event = QWheelEvent(
         *where, QPoint(), QPoint(0, 240), Qt.MouseButton.NoButton, CTRL, Qt.ScrollPhase.NoScrollPhase, False
     )
     QApplication.sendEvent(plot.viewport(), event)
-    assert plot.range[1] - plot.range[0] < 0.8 * (whole[1] - whole[0])
+    assert plot.values_in_sight[1] - plot.values_in_sight[0] < 0.8 * (whole[1] - whole[0])
     assert plot.value_at(at.y()) == pytest.approx(80.0)
     timeline.curves.show_kind(Kind.OPACITY)
-    assert plot.range == whole
+    assert plot.values_in_sight == whole
 
 
 def test_values_are_zoomed_no_farther_than_they_can_be_told_apart(plot: CurvePlot) -> None:
@@ -284,7 +284,7 @@ def test_values_are_zoomed_no_farther_than_they_can_be_told_apart(plot: CurvePlo
                 *where, QPoint(), QPoint(0, turn), Qt.MouseButton.NoButton, CTRL, Qt.ScrollPhase.NoScrollPhase, False
             )
             QApplication.sendEvent(plot.viewport(), event)
-        low, high = plot.range
+        low, high = plot.values_in_sight
         assert 1e-3 <= high - low <= 1e7
 
 
