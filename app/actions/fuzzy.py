@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-WORD_START, ADJACENT, LETTER = 3.0, 2.0, 1.0
-"""What a letter of the query is worth: at the start of a word, next to the one before it, anywhere."""
+FIRST, ADJACENT, WORD_START, LETTER = 3.5, 3.2, 3.0, 1.0
+"""What a letter of the query is worth: at the start of the text, next to the one before it, at the start of a word,
+anywhere. A word that is typed is meant as a whole: its letters are not looked for in several words."""
 LENGTH_COST = 0.02
 """Taken off for each letter of the text: of two texts that fit alike the shorter is meant."""
 
@@ -21,7 +22,7 @@ def fuzzy_score(query: str, text: str) -> float | None:
     cost = LENGTH_COST * len(letters)
     if not wanted:
         return -cost
-    worths = [LETTER + WORD_START * _begins_word(letters, place) for place in range(len(letters))]
+    worths = [LETTER + _worth_of_place(letters, place) for place in range(len(letters))]
     # best[j]: the most that the letters so far are worth, the last of them lying at j.
     best = [worth if letter == wanted[0] else _NONE for worth, letter in zip(worths, letters, strict=True)]
     for letter in wanted[1:]:
@@ -45,5 +46,7 @@ def words_begin(query: str, text: str) -> bool:
     return all(any(word.startswith(wanted) for word in words) for wanted in query.casefold().split())
 
 
-def _begins_word(letters: str, place: int) -> bool:
-    return place == 0 or not letters[place - 1].isalnum()
+def _worth_of_place(letters: str, place: int) -> float:
+    if place == 0:
+        return FIRST
+    return 0.0 if letters[place - 1].isalnum() else WORD_START

@@ -145,7 +145,7 @@ class ClipDialog(QDialog):
             form.addRow(form_label(tr("Layer")), self.layers)
         for title, field in (
             (tr("Colour"), self.colours),
-            (tr("Per second"), self.rate),
+            (tr("Frame rate"), self.rate),
             (tr("Pixel aspect"), self.aspect),
         ):
             form.addRow(form_label(title), field)

@@ -37,7 +37,7 @@ from ..widgets.floating import resize_on_screen
 from . import questions
 
 _ID = Qt.ItemDataRole.UserRole
-MENU_WIDTH, KEYS_WIDTH = 80, 170
+MENU_WIDTH, KEYS_WIDTH = 96, 220
 
 
 class KeyField(QLineEdit):

@@ -173,7 +173,7 @@ class Palette(QFrame):
 
     def _say_nothing(self) -> None:
         """Show a row that says that nothing was found; it can be neither chosen nor run."""
-        item = QTreeWidgetItem([tr("Nothing is called so; try another word, or fewer letters.")])
+        item = QTreeWidgetItem([tr("No action is called that; try another word, or fewer letters.")])
         item.setFlags(Qt.ItemFlag.NoItemFlags)
         self.list.addTopLevelItem(item)
         item.setFirstColumnSpanned(True)

@@ -127,7 +127,7 @@ class ReviewDialog(QDialog):
             side_by_side(self.frames.first, QLabel(tr("to")), self.frames.last, self.frames.in_out, None),
         )
         form.addRow(form_label(tr("Size")), side_by_side(self.scale, weak_label(tr("of the plate")), None))
-        form.addRow(form_label(tr("Speed")), side_by_side(self.fps, None))
+        form.addRow(form_label(tr("Frame rate")), side_by_side(self.fps, None))
         form.addRow(
             form_label(tr("Page")),
             side_by_side(self.columns, weak_label(tr("by")), self.rows, weak_label(tr("pictures")), None),
@@ -249,7 +249,7 @@ class ReviewDialog(QDialog):
         if request.output is Output.SHEET:
             said = tr("{frames} on {pages}", frames=said, pages=tr("%n page(s)", "", pages))
         else:
-            said = tr("{frames}, {width} x {height}", frames=said, width=width, height=height)
+            said = tr("{frames}, {width} × {height}", frames=said, width=width, height=height)
         self.hint.setText(said)
         self.start.setEnabled(True)
 

@@ -86,7 +86,7 @@ class SettingsDialog(QDialog):
         for name, title in presets().items():
             self.preset.addItem(title, name)
         for scale in SCALES:
-            self.scale.addItem(f"{scale:.0%}", scale)
+            self.scale.addItem(f"{100 * scale:.0f} %", scale)
         self.language.addItem(tr("As the desktop"), SYSTEM)
         for code, name in LANGUAGES.items():
             self.language.addItem(name, code)

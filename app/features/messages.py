@@ -50,13 +50,17 @@ class MessageLog(QObject):
         super().__init__(parent)
         self._clock = clock
         self._messages: deque[Message] = deque(maxlen=MOST)
-        view_state.message_changed.connect(lambda: self.note(view_state.message))
+        view_state.message_changed.connect(lambda: self._note_message(view_state))
         under_way.ended.connect(lambda _ending, sentence: self.note(told(sentence, view_state.keymap)))
 
     @property
     def all(self) -> tuple[Message, ...]:
         """What was said, oldest first."""
         return tuple(self._messages)
+
+    def _note_message(self, view_state: ViewState) -> None:
+        if not view_state.is_reading:
+            self.note(view_state.message)
 
     def note(self, text: str) -> None:
         """Keep a sentence."""

@@ -63,7 +63,7 @@ class ViewState(QObject):
         self.is_playing = False
         """Whether the clip is played: the playhead goes its own way."""
         self._message = self._hint = self._advice = ""
-        self._is_said_just_now = self._is_said_in_drag = False
+        self._is_said_just_now = self._is_said_in_drag = self._is_reading = False
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
@@ -176,8 +176,14 @@ class ViewState(QObject):
         """The sentence in the status bar: an error, or what to do next."""
         return self._message
 
-    def say(self, sentence: str) -> None:
+    @property
+    def is_reading(self) -> bool:
+        """Whether the sentence is a measure that changes with the hand: no message to look up later."""
+        return self._is_reading
+
+    def say(self, sentence: str, *, is_reading: bool = False) -> None:
         """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
+        self._is_reading = is_reading
         self._message = told(sentence, self._keymap)
         self._is_said_just_now, self._is_said_in_drag = True, self._preview is not None
         QTimer.singleShot(0, self, self._age)

@@ -58,6 +58,7 @@ class ObjectForm(QWidget):
         row.addWidget(self.level, 1)
         row.addWidget(self.attached)
         form.addRow(form_label(tr("Depth")), row)
+        self.form = form
         self.setLayout(form)
         self.solve.activated.connect(lambda _: self._push_solve(str(self.solve.currentData())))
         self.level.activated.connect(lambda _: self._push_depth(int(self.level.currentData())))

@@ -29,7 +29,7 @@ from ..model.document import Document
 from ..model.reasons import LOCKED_STAYS, outdated_by_blend
 from ..model.view_state import ViewState, selected_shapes
 from ..translation import N_, tr
-from ..widgets.controls import FRAME_LIMIT, dense_form, form_label
+from ..widgets.controls import FRAME_LIMIT, align_labels, dense_form, form_label
 from ..widgets.fields import BlendBox, NameField, NumberField, ScrubLabel, SwitchBox, shared
 from .colour_row import ColourRow
 from .layer_form import LayerForm
@@ -88,6 +88,7 @@ class PropertiesPanel(QWidget):
         self._form.addRow(self.object_form)
         self._build_motion_blur()
         self._build_lifetime()
+        align_labels(self._form, self.object_form.form)
         for signal in (document.replaced, view_state.selection_changed):
             signal.connect(self._forget_typing)
         for signal in (document.changed, document.replaced, view_state.selection_changed):

@@ -92,7 +92,7 @@ class ShapesPanel(QWidget):
         if self.search.text().strip() and not self._document.project.root.children:
             self.search.clear()
         elif not self.tree.found.rows and self.search.text().strip():
-            sentence = tr("Nothing is called so.")
+            sentence = tr("No shape or layer is called that.")
         elif count := len(self.tree.selected_beside):
             sentence = tr("%n selected row(s) is/are not in this list.", "", count)
         self.beside.setText(sentence)

@@ -213,7 +213,9 @@ class MainWindow(QMainWindow):
         self.timeline_height = TimelineHeight(self._halves)
         self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
         self.workspace.add("timeline", tr("Timeline"), lower)
-        self.workspace.add("curves", tr("Curves"), self.timeline.curve_panel, show="view.curves", is_shown_first=False)
+        self.workspace.add(
+            "curves", tr("Curve editor"), self.timeline.curve_panel, show="view.curves", is_shown_first=False
+        )
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
         named = self.tool_column, self.view_bar, self.panel_column, self.transport, self.timeline, self.status

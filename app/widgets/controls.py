@@ -212,6 +212,15 @@ def dense_form() -> QFormLayout:
     return form
 
 
+def align_labels(*forms: QFormLayout) -> None:
+    """Let the fields of forms that lie below each other begin at one place, also where a word is long."""
+    items = [form.itemAt(row, QFormLayout.ItemRole.LabelRole) for form in forms for row in range(form.rowCount())]
+    labels = [label for item in items if item is not None and (label := item.widget()) is not None]
+    widest = max((label.sizeHint().width() for label in labels), default=LABEL_WIDTH)
+    for label in labels:
+        label.setMinimumWidth(max(label.minimumWidth(), widest))
+
+
 def form_label(text: str) -> QLabel:
     """A form's label: weak, of one width in all panels but where a word of another language is longer."""
     label = weak_label(text)

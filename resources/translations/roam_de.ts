@@ -1837,6 +1837,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame des letzten Keyframes</translation>
     </message>
     <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
         <source>Frame selection</source>
         <translation>Auswahl einpassen</translation>
     </message>
@@ -3014,6 +3018,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Nächster Vorschlag</translation>
     </message>
     <message>
+        <source>No action is called that; try another word, or fewer letters.</source>
+        <translation>Nichts heißt so; bitte ein anderes Wort versuchen oder weniger Buchstaben.</translation>
+    </message>
+    <message>
         <source>No backup of {path} can be kept: files of others have the names of its backups.</source>
         <translation>Von {path} kann keine Sicherung aufgehoben werden: Fremde Dateien tragen die Namen der Sicherungen.</translation>
     </message>
@@ -3114,6 +3122,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keine Form ist ausgewählt; bitte einige auswählen oder alle exportieren.</translation>
     </message>
     <message>
+        <source>No shape or layer is called that.</source>
+        <translation>Nichts heißt so.</translation>
+    </message>
+    <message>
         <source>No space left on device</source>
         <translation>Auf dem Datenträger ist kein Platz mehr</translation>
     </message>
@@ -3172,14 +3184,6 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing changed: what is selected has these properties already.</source>
         <translation>Nichts geändert: Die Auswahl hat diese Eigenschaften schon.</translation>
-    </message>
-    <message>
-        <source>Nothing is called so.</source>
-        <translation>Nichts heißt so.</translation>
-    </message>
-    <message>
-        <source>Nothing is called so; try another word, or fewer letters.</source>
-        <translation>Nichts heißt so; bitte ein anderes Wort versuchen oder weniger Buchstaben.</translation>
     </message>
     <message>
         <source>Nothing is selected.</source>
@@ -3629,10 +3633,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Per second</source>
-        <translation>Pro Sekunde</translation>
     </message>
     <message>
         <source>Permission denied</source>
@@ -4671,10 +4671,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Specks</source>
         <translation>Flecken</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
     </message>
     <message>
         <source>Splines of other numbers of points than the first were left out: no point moves between them.</source>
@@ -8366,8 +8362,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{frames} auf {pages}</translation>
     </message>
     <message>
-        <source>{frames}, {width} x {height}</source>
-        <translation>{frames}, {width} x {height}</translation>
+        <source>{frames}, {width} × {height}</source>
+        <translation>{frames}, {width} × {height}</translation>
     </message>
     <message>
         <source>{grey} of the {count} masks are grey for the most part, neither black nor white; if they are pictures, give the masks of them, white inside.</source>

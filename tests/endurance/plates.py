@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QEventLoop
 
+from tests.endurance.environment import environment
 from tests.fuzz import READERS, SEED, damaged
 
 if TYPE_CHECKING:

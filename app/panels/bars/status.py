@@ -205,7 +205,9 @@ class StatusBar(QWidget):
         widths |= {label: least_width(label) for label in ((self._memory, self._hint) if is_any else (self._memory,))}
         shown: set[QWidget | None] = {self.stop} if is_any else set()
         for part, width in widths.items():
-            if GAP + width <= room:
+            # At rest the frames' memory is worth less than the end of the sentence.
+            kept = 0 if is_any or part is not self._memory else self.sentence.whole - LEAST_SENTENCE
+            if GAP + width <= room - kept:
                 room -= GAP + width
                 shown.add(part)
         for each in (self.stop, self.bar, self._hint, self._memory, self._readout):

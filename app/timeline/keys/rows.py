@@ -122,7 +122,10 @@ class KeyRows(QAbstractScrollArea):
     # ---- events
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        was_in_sight = self._is_selected_in_sight(event.oldSize().height())
         self._pull()
+        if was_in_sight:
+            self._show_selected()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton:
@@ -282,11 +285,18 @@ class KeyRows(QAbstractScrollArea):
 
     def _show_selected(self) -> None:
         """Scroll by as little as brings a selected row into sight, if none is."""
-        chosen, height = self._axis.view_state.selection.shapes, self.viewport().height()
-        tops = [index * ROW - self._offset for index, shape in enumerate(self.rows()) if shape.id in chosen]
-        if tops and not any(0 <= top <= height - ROW for top in tops):
+        height, tops = self.viewport().height(), self._selected_tops()
+        if tops and not self._is_selected_in_sight(height):
             self.verticalScrollBar().setValue(self._offset + (tops[0] if tops[0] < 0 else tops[0] + ROW - height))
         self.viewport().update()
+
+    def _selected_tops(self) -> list[int]:
+        chosen = self._axis.view_state.selection.shapes
+        return [index * ROW - self._offset for index, shape in enumerate(self.rows()) if shape.id in chosen]
+
+    def _is_selected_in_sight(self, height: int) -> bool:
+        """Whether the whole row of a selected shape is seen where the rows are so high."""
+        return any(0 <= top <= height - ROW for top in self._selected_tops())
 
     def _select(self, shape: RotoShape, modifiers: Qt.KeyboardModifier, *, keep_selected: bool = False) -> None:
         """Select the shape; with Shift or Ctrl add it or take it away. `keep_selected`: one that is selected stays."""

@@ -83,7 +83,8 @@ class BoxTool(Tool, ABC):
                     "{width:.0f} × {height:.0f} pixels. Shift: equal sides. Ctrl: from the centre.",
                     width=width,
                     height=height,
-                )
+                ),
+                is_reading=True,
             )
 
     def release(self, pointer: Pointer) -> None:

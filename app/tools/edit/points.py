@@ -65,7 +65,8 @@ class PointsTool(GestureTool):
                 "Pattern {pattern:.0f} px, search {search:.0f} px.",
                 pattern=2 * points.pattern,
                 search=2 * points.search,
-            )
+            ),
+            is_reading=True,
         )
         return True
 

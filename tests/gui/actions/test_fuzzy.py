@@ -23,6 +23,8 @@ def test_letters_may_not_change_places_nor_be_added(query: str) -> None:
         ("tf", "Track forward", "Track one frame forward"),  # both begin words; the shorter is meant
         ("sa", "Save as…", "Import shapes…"),  # beginnings of words before letters inside of them
         ("set", "Set key", "Smooth the tangents"),  # letters in a row before scattered ones
+        ("track", "Track forward", "Track to the next key"),  # a word is meant as a whole: no k out of "key"
+        ("track", "Track forward", "Float: Track"),  # what begins so before what ends so
     ],
 )
 def test_the_better_fit_scores_higher(query: str, meant: str, other: str) -> None:

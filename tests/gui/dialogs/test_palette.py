@@ -169,7 +169,7 @@ def test_it_says_when_it_finds_nothing(qtbot: QtBot, window: MainWindow, palette
     assert palette.shown == []
     row = palette.list.topLevelItem(0)
     assert row is not None
-    assert row.text(0) == "Nothing is called so; try another word, or fewer letters."
+    assert row.text(0) == "No action is called that; try another word, or fewer letters."
     qtbot.keyClick(palette.field, Qt.Key.Key_Return)
     assert palette.isVisible(), "there was nothing to run"
     palette.field.setText("motion")

@@ -100,7 +100,7 @@ def test_a_movie_is_proposed_beside_the_project_and_written_off_the_windows_thre
     qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path, plate: Plate
 ) -> None:
     assert dialog.target.text() == str(tmp_path / "shot_review.mp4")
-    assert dialog.hint.text() == "10 frames, 160 x 90"
+    assert dialog.hint.text() == "10 frames, 160 × 90"
     assert write(qtbot, dialog) == f"Wrote 10 frame(s) at 24 fps to {tmp_path / 'shot_review.mp4'}."
     assert movie_length(tmp_path / "shot_review.mp4") == 10
     assert threading.main_thread().name not in plate.threads
@@ -116,7 +116,7 @@ def test_range_size_speed_and_what_is_on_it_are_asked_for(qtbot: QtBot, dialog: 
     assert request.frames == (1003, 1004, 1005)
     assert request.look.burns == frozenset({Burn.FRAME})
     assert request.look.view is ReviewView.CUTOUT
-    assert dialog.hint.text() == "3 frames, 80 x 44"
+    assert dialog.hint.text() == "3 frames, 80 × 44"
     write(qtbot, dialog)
     assert cv2.VideoCapture(str(tmp_path / "shot_review.mp4")).get(cv2.CAP_PROP_FPS) == pytest.approx(12.0)
 

@@ -28,3 +28,12 @@ def test_the_end_of_work_is_kept_as_it_is_said_with_the_keys_that_hold(qapp: obj
     under_way.ended.connect(lambda _ending, sentence: view_state.say(sentence))  # as the status bar does
     under_way.ended.emit(Ending.DONE, "Press <track.stop> to stop.")
     assert [message.text for message in messages.all] == ["Press Esc to stop."]
+
+
+def test_a_measure_that_changes_with_the_hand_is_no_message(qapp: object) -> None:
+    view_state = ViewState()
+    messages = MessageLog(view_state, UnderWay())
+    for width in range(5):
+        view_state.say(f"{width} × 9 pixels.", is_reading=True)
+    view_state.say("Ellipse 1 is drawn.")
+    assert [message.text for message in messages.all] == ["Ellipse 1 is drawn."]

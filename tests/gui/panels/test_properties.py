@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QLocale, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QPalette, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QColorDialog
+from PySide6.QtWidgets import QApplication, QColorDialog, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from app import style
@@ -18,7 +18,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.colour_row import OTHER
 from app.panels.properties import PropertiesPanel
-from app.widgets.controls import ChoiceBox
+from app.widgets.controls import ChoiceBox, align_labels, dense_form, form_label
 from app.widgets.fields import NumberField, ScrubLabel
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.roto import BlendMode, Clip, MotionBlur, Project, RotoShape, Spline, edit
@@ -457,3 +457,17 @@ def test_motion_blur_of_a_file_that_is_seen_nowhere_is_shown(
     assert (panel.shutter.value(), panel.samples.value()) == (blur.shutter, blur.samples)
     type_in(qtbot, panel.opacity, "40")
     assert shape(document).opacity == 0.4
+
+
+def test_fields_of_forms_below_each_other_begin_at_one_place(qtbot: QtBot) -> None:
+    """Also where a word of one of them is long, as in other languages."""
+    page, fields = QWidget(), [NumberField(0.0, 1.0), NumberField(0.0, 1.0)]
+    qtbot.addWidget(page)
+    forms = [dense_form() for _ in fields]
+    column = QVBoxLayout(page)
+    for form, word, field in zip(forms, ("Short", "A label of quite some length"), fields, strict=True):
+        form.addRow(form_label(word), field)
+        column.addLayout(form)
+    align_labels(*forms)
+    page.grab()
+    assert len({field.mapTo(page, QPoint()).x() for field in fields}) == 1

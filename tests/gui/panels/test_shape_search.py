@@ -103,7 +103,7 @@ def test_what_is_selected_stays_so_and_what_is_not_listed_is_told(
     assert view_state.selection.shapes == {sky, arm}
     assert [label.text() for label in (panel.beside,) if label.isVisible()] == ["1 selected row is not in this list."]
     panel.search.setText("wing")
-    assert panel.beside.text() == "Nothing is called so."
+    assert panel.beside.text() == "No shape or layer is called that."
     panel.search.clear()
     assert view_state.selection.shapes == {sky, arm}
     assert not panel.beside.isVisible()

@@ -225,6 +225,11 @@ def test_a_selected_row_scrolls_into_sight(timeline: Timeline, document: Documen
     view_state.select(frozenset({"shape-1"}))
     rows = timeline.rows
     assert rows.shape_at(rows.viewport().height() - 3) is document.project.shape("shape-1")
+    timeline.resize(timeline.width(), 700)
+    timeline.grab()
+    timeline.resize(timeline.width(), 260)  # the curve editor takes room of the rows, too
+    timeline.grab()
+    assert rows.shape_at(rows.viewport().height() - 3) is document.project.shape("shape-1")
 
 
 def test_without_a_clip_there_is_no_time_to_see(timeline: Timeline, document: Document) -> None:

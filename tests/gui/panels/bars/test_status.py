@@ -110,3 +110,17 @@ class Work(QObject):
 
     def stop(self) -> None:
         """Nothing goes on."""
+
+
+def test_at_rest_the_memory_gives_way_to_a_sentence_that_lacks_room(qtbot: QtBot, view_state: ViewState) -> None:
+    status = StatusBar(view_state, UnderWay())
+    qtbot.addWidget(status)
+    status.show_memory(75 * MB, GB)
+    status.resize(420, 26)
+    view_state.say("Short.")
+    assert not status._memory.isHidden()
+    view_state.say("A sentence that tells what to do next and needs nearly all of the bar to tell it.")
+    assert status._memory.isHidden()
+    status.resize(1600, 26)
+    status._fit()
+    assert not status._memory.isHidden()
