@@ -191,8 +191,8 @@ class ClipDialog(QDialog):
         self.picture.setPixmap(QPixmap.fromImage(fitted))
 
     def _choose(self) -> None:
+        self.close()  # before a question about unsaved work is asked, while which it may go
         self.chosen.emit()
-        self.close()
 
 
 def range_sentence(source: PlateSource) -> str:
