@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 
 from roam_core.arguments import picture_of, pixels_of
 from roam_core.arrays import Array, Float32, UInt8
+from roam_core.errors import RoamError
 from roam_core.media.partial import PartialPicture
+from roam_core.translatable import sentence
 
 DECODED_TOGETHER = 32
 """Pixels: parts of a picture are decoded in boxes of whole multiples."""
@@ -104,6 +106,18 @@ class PreparedFrame:
         self._levelled: dict[bytes, PreparedFrame] = {}
         self._resized: dict[tuple[int, int], PreparedFrame] = {}
         self._cropped: dict[Region, PreparedFrame] = {}
+
+    def require_size_of(self, before: PreparedFrame, frame: int) -> None:
+        """Raise `RoamError` where the picture, of `frame`, is of another size than the one before."""
+        if self.size != before.size:
+            raise RoamError(
+                sentence(
+                    "Frame {frame} is {size}, the one before {other}; all frames of a shot need one size.",
+                    frame=frame,
+                    size=f"{self.size[1]}x{self.size[0]}",
+                    other=f"{before.size[1]}x{before.size[0]}",
+                )
+            )
 
     @property
     def plate(self) -> PreparedFrame:

@@ -173,15 +173,7 @@ class PlaneTracker:
             where the picture has another size.
         """
         check = token.check if token is not None else _go_on
-        if picture.size != self._before.size:
-            raise RoamError(
-                sentence(
-                    "Frame {frame} is {size}, the one before {other}; all frames of a shot need one size.",
-                    frame=frame,
-                    size=f"{picture.size[1]}x{picture.size[0]}",
-                    other=f"{self._before.size[1]}x{self._before.size[0]}",
-                )
-            )
+        picture.require_size_of(self._before, frame)
         hidden = inside(covers, (), picture.size) if covers else None
         look = Look(picture, hidden, self.onward() if onward is None else onward, check)
         guesses = self._guesses(look)

@@ -145,15 +145,7 @@ class GroupTracker:
         standing = self.standing
         began = time.perf_counter()
         picture = _prepared(image)
-        if picture.size != standing.picture.size:
-            raise RoamError(
-                sentence(
-                    "Frame {frame} is {size}, the one before {other}; all frames of a shot need one size.",
-                    frame=frame,
-                    size=f"{picture.size[1]}x{picture.size[0]}",
-                    other=f"{standing.picture.size[1]}x{standing.picture.size[0]}",
-                )
-            )
+        picture.require_size_of(standing.picture, frame)
         given = [_artist_key(shape, frame) for shape in standing.shapes]
         set_in_part = [_is_set_in_part(shape, frame) for shape in standing.shapes]
         seen, outlines = standing.view.picture(picture), self._outlines
