@@ -191,7 +191,7 @@ class ClipDialog(QDialog):
         self.picture.setPixmap(QPixmap.fromImage(fitted))
 
     def _choose(self) -> None:
-        self.close()  # before a question about unsaved work is asked, while which it may go
+        self.close()  # first: what is chosen may ask about unsaved work, and this may be gone before the answer
         self.chosen.emit()
 
 

@@ -58,12 +58,12 @@ class MessageLog(QObject):
         """What was said, oldest first."""
         return tuple(self._messages)
 
-    def _note_message(self, view_state: ViewState) -> None:
-        if not view_state.is_reading:
-            self.note(view_state.message)
-
     def note(self, text: str) -> None:
         """Keep a sentence."""
         if text and not (self._messages and self._messages[-1].text == text):
             self._messages.append(Message(self._clock(), text))
             self.added.emit()
+
+    def _note_message(self, view_state: ViewState) -> None:
+        if not view_state.is_reading:
+            self.note(view_state.message)

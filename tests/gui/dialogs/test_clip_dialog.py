@@ -8,9 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtWidgets import QDialogButtonBox, QLabel
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from app.dialogs import questions
 from app.dialogs.clip_dialog import ClipDialog, gaps_sentence
@@ -79,6 +80,22 @@ def test_a_clip_opens_as_it_was_found(
     opened = window.document.project.require_clip()
     assert (opened.path, opened.fps, opened.colour_space, opened.pixel_aspect) == (clip, 24.0, "sRGB", 1.0)
     assert window.personal.recent[0].path == clip
+
+
+def test_it_may_be_gone_before_what_is_chosen_has_come_to_an_end(
+    qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As where unsaved work is asked about, and the dialog is closed while the question waits."""
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    dialog.chosen.disconnect()
+
+    def wait_for_an_answer() -> None:
+        dialog.close()
+        QCoreApplication.sendPostedEvents(dialog, QEvent.Type.DeferredDelete)
+
+    dialog.chosen.connect(wait_for_an_answer)
+    dialog._choose()
+    assert not isValid(dialog)
 
 
 def test_what_the_artist_says_holds_and_comes_back_with_the_project(
