@@ -198,7 +198,7 @@ class MainWindow(QMainWindow):
     def _lay_out(self) -> None:
         actions = self.actions_by_id
         self.workspace = Workspace(self, actions, self._lay_out_anew)
-        second = Panel(tr("Second viewer"), self.second_viewer, (self.second_viewer.mode,))
+        second = Panel("second_viewer", tr("Second viewer"), self.second_viewer, (self.second_viewer.mode,))
         viewers = layout.split(Qt.Orientation.Horizontal, self.canvas, second)
         tools, lower = self.tool_column, layout.column(self.transport, self.timeline)
         parts = PanelParts(
@@ -211,11 +211,10 @@ class MainWindow(QMainWindow):
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
         self.splitters = {"upper": upper, "viewers": viewers}
         self.timeline_height = TimelineHeight(self._halves)
-        self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
+        self.workspace.add(second.name, second.title, second, is_shown_first=False)
         self.workspace.add("timeline", tr("Timeline"), lower)
-        self.workspace.add(
-            "curves", tr("Curve editor"), self.timeline.curve_panel, show="view.curves", is_shown_first=False
-        )
+        curves = self.timeline.curve_panel
+        self.workspace.add(curves.name, curves.title, curves, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
         named = self.tool_column, self.view_bar, self.panel_column, self.transport, self.timeline, self.status

@@ -73,7 +73,7 @@ def restore(kept: Kept, path: Path, config: str = "") -> str:
             switch.setChecked(settings.value(name) == "true")
     folded = str(settings.value("folded", "")).split(",")
     for panel in kept.panels:
-        panel.fold(panel.title in folded)
+        panel.fold(panel.name in folded)
     if (index := kept.mode.findData(config or settings.value("mode"))) >= 0:
         kept.mode.setCurrentIndex(index)
     for name, part in kept.tables.items():
@@ -89,7 +89,7 @@ def keep(kept: Kept, path: Path) -> None:
         settings.setValue(f"splitter/{name}", splitter.saveState())
     for name, switch in kept.switches.items():
         settings.setValue(name, "true" if switch.isChecked() else "false")
-    settings.setValue("folded", ",".join(panel.title for panel in kept.panels if panel.is_folded))
+    settings.setValue("folded", ",".join(panel.name for panel in kept.panels if panel.is_folded))
     settings.setValue("mode", kept.mode.currentData())
     for name, part in kept.tables.items():
         settings.setValue(name, json.dumps(part.remembered()))

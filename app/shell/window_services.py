@@ -30,7 +30,7 @@ class WindowServices(QObject):
         self._actions, self._personal, self._parent = actions, personal, parent
         self.palette = Palette(parent, actions, view_state)
         self.log = LogPanel(messages)
-        self.log_panel = Panel(tr("Messages"), self.log, self.log.tools)
+        self.log_panel = Panel("log", tr("Messages"), self.log, self.log.tools)
         self._editor: KeymapEditor | None = None
         self._settings: SettingsDialog | None = None
 

@@ -86,9 +86,8 @@ class Timeline(QWidget):
         self.value_rows.verbs.takes_paste = self.rows.hasFocus
         self.stretching = Stretching(self, document, view_state, self.keys, self.values, self.value_rows.verbs)
         self.curves = CurveEditor(document, self.axis, self.values)
-        self.curve_panel = Panel(
-            tr("Curve editor"), self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0])
-        )
+        curve_tools = tuple(tool_button(actions, name) for name in VALUE_MENU[0])
+        self.curve_panel = Panel("curves", tr("Curve editor"), self.curves, curve_tools)
         self.curve_panel.hide()  # the workspace shows it
         for name in ("view.curves", "window.float_curves"):
             actions[name].toggled.connect(lambda _: self._pull_curves(actions))

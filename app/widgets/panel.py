@@ -11,13 +11,16 @@ from ..translation import tr
 
 
 class Panel(QWidget):
-    """A header with a fold arrow and a title, over `body`. `tools` are small buttons at the header's right end."""
+    """A header with a fold arrow and a title, over `body`. `tools` are small buttons at the header's right end.
+
+    `name` is what settings know it by, in whichever language its title is.
+    """
 
     def __init__(
-        self, title: str, body: QWidget, tools: tuple[QWidget, ...] = (), parent: QWidget | None = None
+        self, name: str, title: str, body: QWidget, tools: tuple[QWidget, ...] = (), parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self.title, self._body = title, body
+        self.name, self.title, self._body = name, title, body
         body.setObjectName("panelBody")
         body.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         column = QVBoxLayout(self)

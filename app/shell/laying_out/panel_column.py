@@ -50,20 +50,21 @@ class PanelColumn:
     def __init__(self, parts: PanelParts, actions: Actions, workspace: Workspace) -> None:
         self._parts, self._actions = parts, actions
         shape_tools = tuple(tool_button(actions, name) for name in SHAPE_TOOLS)
-        self.history = Panel(tr("History"), parts.history)
-        self.review = Panel(tr("Review"), parts.review, parts.review.tools)
-        self.shape = Panel(tr("Shape"), parts.properties, tuple(tool_button(actions, name) for name in KEY_TOOLS))
-        self.shapes = shapes = Panel(tr("Shapes"), parts.shapes, shape_tools)
-        tracks = Panel(tr("Track"), parts.tracker), Panel(tr("Planar track"), parts.planar)
+        self.history = Panel("history", tr("History"), parts.history)
+        self.review = Panel("review", tr("Review"), parts.review, parts.review.tools)
+        key_tools = tuple(tool_button(actions, name) for name in KEY_TOOLS)
+        self.shape = Panel("shape", tr("Shape"), parts.properties, key_tools)
+        self.shapes = shapes = Panel("shapes", tr("Shapes"), parts.shapes, shape_tools)
+        tracks = Panel("track", tr("Track"), parts.tracker), Panel("planar", tr("Planar track"), parts.planar)
         asked = self.review, self.history, parts.log
         column = layout.column(shapes, *tracks, self.shape, *asked, growing=shapes, is_loose=True)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, self.shape), strict=True):
-            workspace.add(name, panel.title, panel)
-        workspace.add("review", tr("Review"), self.review, show="review.panel", is_shown_first=False)
-        workspace.add("history", tr("History"), self.history, show="edit.history", is_shown_first=False)
-        workspace.add("log", tr("Messages"), parts.log, show="help.log", is_shown_first=False)
+        for panel in (shapes, *tracks, self.shape):
+            workspace.add(panel.name, panel.title, panel)
+        shows = ("review.panel", "edit.history", "help.log")
+        for panel, show in zip(asked, shows, strict=True):
+            workspace.add(panel.name, panel.title, panel, show=show, is_shown_first=False)
         self.area: QScrollArea = layout.scrolled(column)
         actions["view.panels"].toggled.connect(self.area.setVisible)
 

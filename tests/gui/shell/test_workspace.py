@@ -14,6 +14,7 @@ from shiboken6 import isValid
 
 from app.shell.main_window import MainWindow
 from app.shell.workspace import Part
+from app.translation import SOURCE, speak
 from app.widgets.floating import FloatingWindow, in_reach
 from app.widgets.panel import Panel
 from tests.gui.waiting import WAIT
@@ -138,6 +139,19 @@ def test_the_layout_lasts(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> N
         assert again.window.geometry() == QRect(120, 90, 330, 280)
         assert not following.workspace.parts["track"].widget.isVisible()
         assert is_in(following.workspace.parts["planar"], following)
+
+
+def test_a_panel_is_folded_in_another_language_too(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    window.panels.shape.fold(True)
+    window.keep_settings(tmp_path / "window.ini")
+    speak("de")
+    try:
+        with opened_window(qtbot, None, tmp_path / "next") as following:
+            following.restore_settings(tmp_path / "window.ini")
+            assert following.panels.shape.title == "Form"
+            assert following.panels.shape.is_folded
+    finally:
+        speak(SOURCE)
 
 
 def test_what_makes_no_sense_is_left_out(window: MainWindow) -> None:
