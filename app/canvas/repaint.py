@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPicture
 from PySide6.QtWidgets import QWidget
 
+from roam_core.arrays import Bools
 from roam_core.roto import Outline, Project, RotoShape
 
 from ..model.shown import Shown, shown_shapes
@@ -88,10 +89,12 @@ def changed_area(before: Project, after: Project, frame: int, viewport: Viewport
 
 
 def _moved(was: Shown, now: Shown, frame: int, viewport: Viewport) -> QRectF | None:
-    """Where a shape looks different: about the segments whose points moved. None where more than points changed."""
+    """Where a shape looks different: about the segments whose points moved, or are the artist's now, or no more.
+
+    None where more than points changed.
+    """
     a, b = was.shape, now.shape
-    same = ("closed", "colour", "spline", "feather", "interpolation")
-    if any(getattr(a, name, None) != getattr(b, name, None) for name in same):
+    if (a.closed, a.colour, a.spline, a.feather) != (b.closed, b.colour, b.spline, b.feather):
         return None
     first, second = a.at(frame), b.at(frame)
     if a.closed and a.feather_at(frame) != 0.0:  # an even soft edge runs beside the outline
@@ -99,6 +102,7 @@ def _moved(was: Shown, now: Shown, frame: int, viewport: Viewport) -> QRectF | N
     if len(first.points) != len(second.points) or not (_is_plain(first) and _is_plain(second)):
         return None
     different = np.full(len(first.points), _is_doubted(a, frame) is not _is_doubted(b, frame))
+    different |= _pinned(a, frame) != _pinned(b, frame)
     for name in ("points", "control_points"):
         different |= (getattr(first, name) != getattr(second, name)).any(axis=(1, 2))
     reached = np.flatnonzero(different | np.roll(different, 1) | np.roll(different, -1))
@@ -111,6 +115,12 @@ def _is_doubted(shape: RotoShape, frame: int) -> bool:
     """True where rings may stand about vertices; they go when the key becomes the artist's."""
     key = shape.key_at(frame)
     return key is not None and key.vertex_confidence is not None
+
+
+def _pinned(shape: RotoShape, frame: int) -> Bools:
+    """About which points `(P,)` frames stand; they all go when the last of the others becomes the artist's."""
+    key = shape.key_at(frame)
+    return np.isin(np.arange(shape.point_count), () if key is None else key.set_points)
 
 
 def _is_plain(outline: Outline) -> bool:

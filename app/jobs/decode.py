@@ -295,8 +295,9 @@ def _engine_parts(source: PlateSource | None, cache: FrameCache[Image] | None, f
 
 
 def _keep(ready: OrderedDict[int, Ready], frame: int, seen: Ready) -> None:
-    """Remember a converted picture; the longest unseen go first when they are too many."""
+    """Remember a picture converted now; those converted longest ago go first when they are too many."""
     ready[frame] = seen
+    ready.move_to_end(frame)
     held = sum(each.nbytes for each in tuple(ready.values()))
     while held > DISPLAY_BYTES and len(ready) > 1:
         held -= ready.popitem(last=False)[1].nbytes

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Clip, Origin, Project, RotoShape
@@ -97,7 +97,7 @@ def outdated_by(before: Project, after: Project) -> str:
     names = [s.name for s in joined if any(now.is_stale(s, key) and not held.is_stale(s, key) for key in s.keys)]
     if not names:
         return ""
-    told = ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")
+    told = _listed(names)
     ids = {shape.id for shape in before.shapes}
     if there.keys() == ids:
         return tr(
@@ -131,8 +131,14 @@ def outdated_by_blend(before: Project, after: Project) -> str:
         for old, new in joined
         if _is_tracked(old) and any(now.is_stale(new, key) and not held.is_stale(old, key) for key in old.keys)
     ]
-    told = ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")
-    return tr("Tracked frames of {names} are out of date: shapes join otherwise now.", names=told) if names else ""
+    if not names:
+        return ""
+    return tr("Tracked frames of {names} are out of date: shapes join otherwise now.", names=_listed(names))
+
+
+def _listed(names: Sequence[str]) -> str:
+    """The first few names; a mark tells that there are more."""
+    return ", ".join(names[:MOST_NAMES]) + (" …" if len(names) > MOST_NAMES else "")
 
 
 def _is_tracked(shape: RotoShape) -> bool:

@@ -14,7 +14,8 @@ from roam_core.params.tracks import POINT_TRACK
 Spot = tuple[float, float]
 MOST = 4
 """Four points tell a motion in perspective."""
-LEAST_PATTERN, MOST_PATTERN = 4.0, 200.0
+LEAST_PATTERN, MOST_PATTERN = 5.0, 200.0
+"""Of a smaller pattern too few pixels are left inside its rim to know a point again by."""
 
 
 @dataclass(frozen=True)

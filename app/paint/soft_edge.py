@@ -57,8 +57,7 @@ def _divided(line: Array, step: float) -> Array:
     along = polyline.following(line) - line
     lengths = np.hypot(*along.T)
     counts = np.where(lengths > 0.0, np.maximum(np.rint(lengths / step), 1.0), 0.0).astype(np.intp)
-    edge = np.repeat(np.arange(len(line)), counts)
-    share = (np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[edge]
+    edge, share = bezier.even_pairs(counts)
     return np.asarray(line[edge] + share[:, None] * along[edge])
 
 

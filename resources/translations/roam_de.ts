@@ -4857,6 +4857,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Die OpenColorIO-Konfiguration {path} kann nicht gelesen werden: {reason}. ${variable} korrigieren oder löschen.</translation>
     </message>
     <message>
+        <source>The area around a point is too small to know it again by: make it larger.</source>
+        <translation>Der Bereich um einen Punkt ist zu klein, um ihn daran wiederzuerkennen: größer machen.</translation>
+    </message>
+    <message>
         <source>The area of specks must be a number of square pixels, not {speckle:g}.</source>
         <translation>Die Fläche von Flecken muss eine Zahl von Quadratpixeln sein, nicht {speckle:g}.</translation>
     </message>

@@ -125,6 +125,13 @@ def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[In
     return index, u - index
 
 
+def even_pairs(counts: Indices) -> tuple[Indices, Array]:
+    """Pairs `(segment, t)`, `counts (S,)` of them in each segment, at equal steps of `t` from its first anchor on."""
+    segment = np.repeat(np.arange(len(counts)), counts)
+    within = np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return segment, within / counts[segment]
+
+
 def pairs_of_segments(points: Array, count: int) -> tuple[Indices, Array]:
     """`count` pairs `(segment, t)` in each segment of a closed spline, at equal arc length from its first anchor on."""
     t = np.linspace(0.0, 1.0, 33)

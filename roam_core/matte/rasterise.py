@@ -243,9 +243,8 @@ def _lines(outline: Outline) -> tuple[Array, Array | None]:
 
 def _places(counts: Indices) -> tuple[Indices, Array]:
     """Segments `(N,)` and weights `(N, 4)` of their control points for `counts (S,)` equal steps along each segment."""
-    segment = np.repeat(np.arange(len(counts)), counts)
-    first = np.cumsum(counts) - counts
-    return segment, bezier.bernstein((np.arange(len(segment)) - first[segment]) / counts[segment])
+    segment, t = bezier.even_pairs(counts)
+    return segment, bezier.bernstein(t)
 
 
 def _between(line: Array, feathered: Array, size: tuple[int, int]) -> Matte:

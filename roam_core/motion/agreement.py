@@ -57,7 +57,7 @@ def _as_on(here: Drawn, there: Drawn) -> Template | None:
 def _as_drawn(here: Drawn, there: Drawn) -> Array:
     """The pose `(P,)` by which the outline of a part lies as on another key."""
     count, places = len(here.points), here.template.params.places
-    segment, t = np.repeat(np.arange(count), places), np.tile(np.arange(places) / places, count)
+    segment, t = bezier.even_pairs(np.full(count, places))
     return here.template.chain.brought(*(bezier.evaluate(each.points, segment, t) for each in (here, there)))
 
 

@@ -150,6 +150,7 @@ class PlaneTracker:
         self._second: _Reference | None = None
         self._before, self._matrix, self._seen = picture, projective.IDENTITY, self._mask
         self._moved, self._frames = projective.IDENTITY, 1
+        self._lost_on: int | None = None
         self._last: _Match | None = None
         self._scale = scale_for(picture.size)
 
@@ -180,7 +181,7 @@ class PlaneTracker:
         check()
         match = self._found(look, guesses)
         if match is None:
-            self.skip()
+            self._lose(frame)
             raise LostPlane(
                 sentence(
                     "The plane was lost on frame {frame}: too little of it looks as it did; start again there, or "
@@ -283,12 +284,18 @@ class PlaneTracker:
             return None
         return _Reference(texture, self._matrix, last.error, last.seen, last.reference.steps + 1)
 
+    def _lose(self, frame: int) -> None:
+        """The plane is not seen on a frame; one that is looked at again, from elsewhere, goes by once."""
+        if frame != self._lost_on:
+            self._lost_on = frame
+            self.skip()
+
     def _refuse_far(self, matrix: Array, frame: int, picture: PreparedFrame) -> None:
         points = self._key.texture.corners
         far = self.params.far * max(picture.size)
         behind = (projective.depth(matrix, points) <= 0.0).any()
         if behind or np.abs(projective.apply(matrix, points)).max() > far:
-            self.skip()
+            self._lose(frame)
             raise LostPlane(
                 sentence("The plane was lost on frame {frame}: it would tip over; try a simpler motion.", frame=frame)
             )

@@ -22,6 +22,7 @@ from roam_core.geometry import projective
 from roam_core.geometry.bezier import polygon_points
 from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.media.partial import ReadFrame
+from roam_core.media.source import MissingFrame
 from roam_core.motion.bridging import Lost, bridged
 from roam_core.motion.plane_track import Covers, Guess, Look, LostPlane, PlaneTracker, no_covers
 from roam_core.params.tracks import POINT_TRACK, PointTrackParams
@@ -66,7 +67,7 @@ class PatternTracker(PlaneTracker):
     Raises
     ------
     RoamError
-        where the pattern lies outside of the picture.
+        where the pattern lies outside of the picture, or is too small.
     """
 
     def __init__(
@@ -82,6 +83,10 @@ class PatternTracker(PlaneTracker):
         try:
             super().__init__(PlaneMotion(params.motion), picture, [polygon_points(corners)], (), covers, params.plane)
         except RoamError:
+            if np.count_nonzero(self._mask) > (2.0 * pattern - 1.0) ** 2:  # nothing of it is cut off
+                raise RoamError(
+                    sentence("The area around a point is too small to know it again by: make it larger.")
+                ) from None
             raise RoamError(
                 sentence("A point lies outside of the picture, or under what is left out: put it elsewhere.")
             ) from None
@@ -205,6 +210,11 @@ class PointTracker:
         self._places = self._at(motions)
         return PointStep(frame, self._places, confidence)
 
+    def skip(self) -> None:
+        """A frame goes by without a picture: on the next one the points are so much farther on."""
+        for pattern in self._patterns:
+            pattern.skip()
+
     # ---- the rest is private
 
     def _at(self, motions: Sequence[Array]) -> Array:
@@ -250,7 +260,7 @@ def track_points(
     LostPoints
         on the first frame where none is seen any more. Cancelled: at a safe point after `token` was cancelled.
     RoamError
-        when there is no point, or one lies outside of the picture.
+        when there is no point, or one lies outside of the picture, or its pattern is too small.
     """
     start = np.asarray(places, dtype=np.float64).reshape(-1, 2)
     if not 0 < len(start) <= max(KINDS):
@@ -258,7 +268,11 @@ def track_points(
     tracker = PointTracker(PreparedFrame(read(frames[0])), start, pattern, search, params, covers(frames[0]))
 
     def look(frame: int) -> PointStep:
-        return tracker.step(PreparedFrame(read(frame)), frame, covers(frame), token)
+        try:
+            return tracker.step(PreparedFrame(read(frame)), frame, covers(frame), token)
+        except MissingFrame:
+            tracker.skip()
+            raise
 
     first = PointStep(frames[0], start, np.ones(len(start)))
     yield from bridged(first, look, _between, frames[1:], params.plane.waits, token)

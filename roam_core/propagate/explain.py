@@ -10,7 +10,6 @@ import numpy as np
 
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
-from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams
 from roam_core.propagate.between.frames_shown import keys_shown
 from roam_core.propagate.engines.protocol import Account, Step
@@ -111,10 +110,7 @@ def _with_edges(
     if not found:
         return []
     now = edges(read(frame), shapes, frame, {each.shape.id for each in found})
-    try:
-        keyed = edges_on_key(read, shapes, frame, now)
-    except MissingFrame:
-        keyed = {}
+    keyed = edges_on_key(read, shapes, frame, now)
     return [replace(each, edges=now.get(each.shape.id), on_key=keyed.get(each.shape.id)) for each in found]
 
 

@@ -216,8 +216,7 @@ def _sampler(count: int, closed: bool) -> Array:
     segments = bezier.segment_count(count, closed)
     if segments == 0:
         return np.eye(1, 3 * count)
-    segment = np.repeat(np.arange(segments), PLACES)
-    t = np.tile(np.arange(PLACES) / PLACES, segments)
+    segment, t = bezier.even_pairs(np.full(segments, PLACES))
     if not closed:
         segment, t = np.append(segment, segments - 1), np.append(t, 1.0)
     return bezier.design_matrix(count, segment, t, closed)

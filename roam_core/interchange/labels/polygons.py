@@ -34,9 +34,8 @@ class Flattener:
         self.closed = shape.closed
         segments = [self._segments(key.points) for key in shape.keys]
         counts = np.max([step_counts(each, TOLERANCE) for each in segments], axis=0)
-        self._segment = np.repeat(np.arange(len(counts)), counts)
-        first = np.cumsum(counts) - counts
-        self._weights = bezier.bernstein((np.arange(len(self._segment)) - first[self._segment]) / counts[self._segment])
+        self._segment, t = bezier.even_pairs(counts)
+        self._weights = bezier.bernstein(t)
 
     def _segments(self, points: Array) -> Array:
         segments = bezier.segments(points)

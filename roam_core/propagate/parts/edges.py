@@ -8,6 +8,7 @@ is solved. It agrees with where the engine draws to the border of the object's r
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import IntEnum
 
@@ -18,6 +19,7 @@ from roam_core.arrays import Array, Bools, Indices
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier, polyline
+from roam_core.media.source import MissingFrame
 from roam_core.motion.template import contrast
 from roam_core.params import EDGES, scale_for
 from roam_core.propagate.shapes.objects import Role, near, stacked, units
@@ -96,7 +98,8 @@ def edges_on_key(
 ) -> dict[str, tuple[int, Edges]]:
     """For each of the shapes whose edges on `frame` are given, the frame of its key, and the same samples there.
 
-    That is the artist's key that the shape on `frame` goes back to; shapes without one are left out.
+    That is the artist's key that the shape on `frame` goes back to; shapes without one, or without a picture of it, are
+    left out.
     """
     keyed: dict[int, list[str]] = {}
     for shape in shapes:
@@ -108,7 +111,8 @@ def edges_on_key(
             found |= {name: (key, now[name]) for name in ids}
             continue
         samples = {name: (now[name].segment, now[name].t) for name in ids}
-        found |= {name: (key, each) for name, each in edges(read(key), shapes, key, ids, samples).items()}
+        with suppress(MissingFrame):
+            found |= {name: (key, each) for name, each in edges(read(key), shapes, key, ids, samples).items()}
     return found
 
 
@@ -146,19 +150,12 @@ def _sampled(points: Array, scale: float, given: tuple[Indices, Array] | None) -
     if given is None:
         control = bezier.segments(points)
         roughly = np.hypot(*np.diff(control, axis=1).T).sum(axis=0)
-        given = _pairs(np.maximum(np.ceil(roughly / (EDGES.step * scale)).astype(np.intp), 1))
+        given = bezier.even_pairs(np.maximum(np.ceil(roughly / (EDGES.step * scale)).astype(np.intp), 1))
     segment, t = given
     places = bezier.evaluate(points, segment, t)
     ahead = np.hypot(*(polyline.following(places) - places).T)
     unknown = np.full(len(t), Edge.UNKNOWN, dtype=np.intp)
     return Edges(segment, t, places, 0.5 * (ahead + polyline.preceding(ahead)), unknown, np.full(len(t), np.nan))
-
-
-def _pairs(counts: Indices) -> tuple[Indices, Array]:
-    """Pairs (segment, t), so many in each segment, at equal steps of its parameter from its beginning on."""
-    segment = np.repeat(np.arange(len(counts)), counts)
-    within = np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)
-    return segment, within / counts[segment]
 
 
 class _Stack:

@@ -29,9 +29,7 @@ class Places:
         """Places about evenly spaced along a closed spline `points (P, 3, 2)`, each of its points among them."""
         wanted = np.ceil(bezier.segment_lengths(points) / (params.spacing * scale))
         counts = np.clip(wanted, params.least_places, params.most_places).astype(np.intp)
-        segment = np.repeat(np.arange(len(counts)), counts)
-        first = np.cumsum(counts) - counts
-        return cls(segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
+        return cls(*bezier.even_pairs(counts))
 
     def on(self, points: Array) -> tuple[Array, Array]:
         """Where they lie on a closed spline, `(N, 2)`, and the unit normals out of it, zero where it is degenerate."""

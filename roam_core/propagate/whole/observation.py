@@ -19,7 +19,7 @@ from roam_core.propagate.frame.covering import visible
 from roam_core.propagate.frame.redetection import Behind
 from roam_core.propagate.whole import patched
 from roam_core.propagate.whole.interest import corners, grid_around
-from roam_core.propagate.whole.rigid import Pose, Rigidity
+from roam_core.propagate.whole.rigid import PlanePose, Rigidity
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.background import correction
 from roam_core.proposal.cues.evidence import Expectation, KeyMemory, Sources
@@ -40,7 +40,7 @@ class Observation:
     frame : the picture, as it would be in the light of the key. sources : what the cues are drawn from; they know the
         key, carried on to the frame.
     moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
-    rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
+    rigidity : whether it may still move as one piece. plane_pose : where it lies so, if that is to be seen.
     patch_motion : where its patches lie.
     """
 
@@ -49,7 +49,7 @@ class Observation:
     moved: Array
     agreement: float
     rigidity: Rigidity
-    pose: Pose | None
+    plane_pose: PlanePose | None
     patch_motion: PatchMotion | None = None
 
 
@@ -117,7 +117,7 @@ def observed(
         unreliable = grid.warped(np.float32(1.0) - state.flow_reliability, state.region.grid.map_to_image)
         reliable = np.float32(1.0) - unreliable
         lines = label_propagation(pictures, before, (forth, back), reliable, grid, frame.size, params.label_propagation)
-    rigidity, pose = as_one_piece()
+    rigidity, plane_pose = as_one_piece()
     if state.patches is not None and patch_motion is not None:
         patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     background = key.behind_it(view) if params.background is not None else None
@@ -125,7 +125,7 @@ def observed(
         *pictures, grid, expected, back, key, state.colours, misfit.told(agreement, params), params.band, lines,
         sides, background, state.texture,
     )  # fmt: skip
-    return Observation(frame, sources, moved, agreement, rigidity, pose, patch_motion)
+    return Observation(frame, sources, moved, agreement, rigidity, plane_pose, patch_motion)
 
 
 def _drawn_to(

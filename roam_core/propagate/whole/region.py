@@ -19,7 +19,7 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
-from roam_core.motion import pose as motion_pose
+from roam_core.motion.pose import Pose
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.confidence import (
     ConfidenceFeatures,
@@ -36,7 +36,7 @@ from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.propagate.whole import patched, posed
 from roam_core.propagate.whole.interest import grid_around
 from roam_core.propagate.whole.observation import Observation, behind, observed
-from roam_core.propagate.whole.rigid import Pose
+from roam_core.propagate.whole.rigid import PlanePose
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.evidence import SURE, Field, KeyMemory, gathered
 from roam_core.proposal.cues.key_view import lab
@@ -224,8 +224,8 @@ def _carried(
     if token is not None:
         token.check()
     state = replace(state, covers=covers)
-    if observation.pose is not None:
-        return _as_one_piece(state, observation, observation.pose, params)
+    if observation.plane_pose is not None:
+        return _as_one_piece(state, observation, observation.plane_pose, params)
     ratio = evidence(observation, params, covers)
     if token is not None:
         token.check()
@@ -239,7 +239,7 @@ def _carried(
     return _along(state, observation, found, params)
 
 
-def _is_opened(state: RegionState, pose: motion_pose.Pose, size: tuple[int, int]) -> bool:
+def _is_opened(state: RegionState, pose: Pose, size: tuple[int, int]) -> bool:
     """True where, by its pose, more of the object has come into the picture than the key knows of."""
     return state.rigidity.cut_off.is_in_sight(pose.carried, size)
 
@@ -272,7 +272,7 @@ def evidence(observation: Observation, params: RegionParams, covers: Sequence[Ar
     return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
 
 
-def _as_one_piece(state: RegionState, observation: Observation, pose: Pose, params: RegionParams) -> RegionStep:
+def _as_one_piece(state: RegionState, observation: Observation, pose: PlanePose, params: RegionParams) -> RegionStep:
     """The shapes as drawn on the key, carried by the motion of a plane."""
     grid, parts = observation.sources.grid, pose.carried(state.drawn)
     found = Field.of_coverage(grid, enclosed(parts, grid))
@@ -296,7 +296,7 @@ def _as_one_piece(state: RegionState, observation: Observation, pose: Pose, para
 def _as_posed(
     state: RegionState,
     observation: Observation,
-    pose: motion_pose.Pose,
+    pose: Pose,
     parts: tuple[Part, ...],
     params: RegionParams,
 ) -> RegionStep:
@@ -353,8 +353,8 @@ def _after(
     """The step to a frame on which `found` is the object's region and `parts` are its shapes."""
     colours, texture = _adapted(state, observation, found, params)
     key = observation.sources.key
-    if observation.pose is not None:
-        key = replace(key, to_now=observation.pose.similarity)
+    if observation.plane_pose is not None:
+        key = replace(key, to_now=observation.plane_pose.similarity)
     after = replace(
         state,
         frame=observation.frame,

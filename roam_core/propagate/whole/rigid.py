@@ -23,7 +23,7 @@ from roam_core.propagate.whole.cut_off import CutOff
 
 
 @dataclass(frozen=True, eq=False)
-class Pose:
+class PlanePose:
     """Where the object lies as one piece: the motion of a plane `matrix (3, 3)` from the key, and what it rests on."""
 
     matrix: Array
@@ -79,7 +79,7 @@ class Rigidity:
         """The same with the object elsewhere, by `matrix (3, 3)` from the key."""
         return replace(self, matrix=matrix, missed=0, held=False)
 
-    def step(self, frame: PreparedFrame, moved: Array, least: float) -> tuple[Rigidity, Pose | None]:
+    def step(self, frame: PreparedFrame, moved: Array, least: float) -> tuple[Rigidity, PlanePose | None]:
         """Look for the object as one piece on `frame`, to which it `moved (3, 3)`; None where it is not to be seen.
 
         `least` is the share of the corners that must agree.
@@ -96,7 +96,7 @@ class Rigidity:
         if match is None or not self._is_believed(match, guess, least) or self._is_opened(match, frame.size):
             return replace(self, matrix=guess, missed=self.missed + 1, held=False), None
         matrix = _simplest(match, self.params.simpler)
-        return replace(self, matrix=matrix, missed=0, held=True), Pose(matrix, match, self.params)
+        return replace(self, matrix=matrix, missed=0, held=True), PlanePose(matrix, match, self.params)
 
     def _is_believed(self, match: Match, guess: Array, least: float) -> bool:
         corners = self.reference.corners

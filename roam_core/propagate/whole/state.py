@@ -14,8 +14,8 @@ from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.features.texture import texture
 from roam_core.geometry import bezier
-from roam_core.motion import pose as motion_pose
 from roam_core.motion.patches import Patches, PatchMotion
+from roam_core.motion.pose import Pose
 from roam_core.params import RegionParams, TextureParams, scale_for
 from roam_core.propagate.frame.confidence import ConfidenceFeatures, PoseFeatures, expected_overlap
 from roam_core.propagate.frame.contour_fit import enclosed
@@ -59,7 +59,7 @@ class RegionState:
     params: RegionParams
     steps: int = 0
     features: ConfidenceFeatures | PoseFeatures | None = None
-    pose: motion_pose.Pose | None = None
+    pose: Pose | None = None
     covers: tuple[Array, ...] = ()
     patches: Patches | None = None
     patch_motion: PatchMotion | None = None

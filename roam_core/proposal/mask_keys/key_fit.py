@@ -151,9 +151,7 @@ class _Fit:
     def projected(self, points: Array, places: Array) -> Array:
         """The places of the samples moved to the nearest ones on the spline, in order."""
         fine = KEY_FIT.fine
-        segment = np.repeat(np.arange(self.count), fine)
-        t = np.tile(np.arange(fine) / fine, self.count)
-        line = bezier.evaluate(points, segment, t)
+        line = bezier.evaluate(points, *bezier.even_pairs(np.full(self.count, fine)))
         total = len(line)
         index = np.round(places * fine).astype(np.intp)[:, None] + np.arange(-KEY_FIT.window, KEY_FIT.window + 1)
         away = ((line[index % total] - self.samples[:, None]) ** 2).sum(axis=2)

@@ -121,10 +121,9 @@ def _nodes(points: Array, spacing: float) -> tuple[Array, Indices, Array]:
     lengths = bezier.segment_lengths(points)
     spacing = max(min(spacing, lengths.sum() / OUTLINE_MATCH.fewest), lengths.sum() / OUTLINE_MATCH.most)
     counts = np.maximum(1, np.round(lengths / spacing)).astype(np.intp)
-    segment = np.repeat(np.arange(len(points)), counts)
+    segment, t = bezier.even_pairs(counts)
     first = np.cumsum(counts) - counts
-    nodes = bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
-    return nodes, first, np.maximum((lengths / counts)[segment], 1e-6)
+    return bezier.evaluate(points, segment, t), first, np.maximum((lengths / counts)[segment], 1e-6)
 
 
 def _again(match: Match, nodes: Array, near: float) -> Match:

@@ -126,9 +126,7 @@ def _counts(points: Array, scale: float, params: ContourFitParams) -> Indices:
 
 def _nodes(points: Array, counts: Indices) -> Array:
     """The spline at equal steps of its parameter `(N, 2)`, `counts (P,)` of them in each segment."""
-    segment = np.repeat(np.arange(len(points)), counts)
-    first = np.cumsum(counts) - counts
-    return bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
+    return bezier.evaluate(points, *bezier.even_pairs(counts))
 
 
 def _nodes_and_shares(points: Array, counts: Indices, params: ContourFitParams) -> tuple[Array, Array]:

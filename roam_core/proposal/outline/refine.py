@@ -79,8 +79,7 @@ def places_between(at: Int64, samples: Array) -> Array:
 def _nearest(points: Array, places: Array, samples: Array, normals: Array, params: RefineParams) -> Array:
     """The samples' places on a spline that has moved: the nearest, in order."""
     count = len(points)
-    segment, t = np.repeat(np.arange(count), params.fine), np.tile(np.arange(params.fine) / params.fine, count)
-    line = bezier.evaluate(points, segment, t)
+    line = bezier.evaluate(points, *bezier.even_pairs(np.full(count, params.fine)))
     start = np.round(places * params.fine).astype(np.int64) % len(line)
     found = (
         nearest_places(line, polyline.outward_normals(line), samples, normals, start, params.window, params.turn)

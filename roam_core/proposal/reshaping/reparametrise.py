@@ -141,8 +141,7 @@ def untouched(points: Array, changed: Bools, grid: Grid, samples: int, reach: in
     `samples` places on each segment are looked at."""
     near = cv2.dilate(changed.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)) > 0
     count = len(points)
-    owner = np.repeat(np.arange(count), samples)
-    places = grid.to_grid(bezier.evaluate(points, owner, np.tile(np.arange(samples) / samples, count)))
+    places = grid.to_grid(bezier.evaluate(points, *bezier.even_pairs(np.full(count, samples))))
     rows, columns = grid.shape
     x = np.clip(places[:, 0].astype(np.intp), 0, columns - 1)
     y = np.clip(places[:, 1].astype(np.intp), 0, rows - 1)

@@ -227,6 +227,20 @@ def test_the_area_holds_the_segments_beside_a_moved_point(shape: RotoShape, docu
     assert area.width() < 200.0
 
 
+def test_the_area_holds_the_frames_of_points_that_are_the_artists_no_more_by_themselves(
+    shape: RotoShape, document: Document
+) -> None:
+    """The last point of a key is dragged: all are the artist's then, and none has a frame about it."""
+    key = shape.keys[0]
+    *others, last = range(shape.point_count)
+    before = document.project.with_shape(replace(shape, keys=(replace(key, set_points=tuple(others)),)))
+    points = key.points.copy()
+    points[last] += 2.0
+    after = before.with_shape(replace(shape, keys=(replace(key, points=points, set_points=()),)))
+    area = changed_area(before, after, 1, Viewport())
+    assert all(area.contains(QPointF(*anchor)) for anchor in key.points[:, bezier.ANCHOR].tolist())
+
+
 # ---- pieces of outlines
 
 

@@ -265,6 +265,25 @@ def test_what_a_look_is_made_of_comes_with_the_picture(qtbot: QtBot, reader: Pla
     assert reader.plate(2).scalable.shape == (2, 4, 3)
 
 
+def test_what_a_look_is_made_of_is_not_let_go_as_soon_as_it_is_made(
+    qtbot: QtBot, reader: PlateReader, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With it a picture takes more room: what was converted before it makes way, not the picture itself."""
+    viewing = looked_through(reader)
+    reader.open(Large("linear"))
+    monkeypatch.setattr(decode, "DISPLAY_BYTES", 500)
+    for frame in (1, 2, 1):
+        shown(qtbot, reader, frame)
+    pictures: list[int] = []
+    reader.picture.connect(lambda frame, _: pictures.append(frame))
+    with qtbot.waitSignal(reader.picture, timeout=WAIT):
+        viewing.set_look(exposure=-1.0)
+    qtbot.waitUntil(lambda: reader._runner.is_idle, timeout=WAIT)
+    assert pictures == [1]
+    assert reader.plate(1).scalable is not None
+    assert list(reader._ready) == [1]
+
+
 def test_another_size_that_is_asked_for_meanwhile_is_shown_in_the_end(qtbot: QtBot, reader: PlateReader) -> None:
     plate, viewing = Plate("linear"), looked_through(reader)
     reader.open(plate)

@@ -129,6 +129,12 @@ def test_the_nearest_point_of_a_spline() -> None:
     assert np.hypot(*(position - (100.0, 5.0))) == pytest.approx(distance)
 
 
+def test_even_pairs_begin_at_each_anchor_and_leave_out_segments_that_get_none() -> None:
+    segment, t = bezier.even_pairs(np.array([2, 0, 3, 1]))
+    assert segment.tolist() == [0, 0, 2, 2, 2, 3]
+    assert t.tolist() == [0.0, 0.5, 0.0, 1.0 / 3.0, 2.0 / 3.0, 0.0]
+
+
 def test_a_point_on_the_spline_is_its_own_nearest() -> None:
     for pair in zip(*bezier.arc_length_pairs(BLOB, 23), strict=True):
         here = bezier.evaluate(BLOB, np.array([pair[0]]), np.array([pair[1]]))[0]

@@ -59,6 +59,30 @@ def test_it_goes_backward_and_over_a_gap() -> None:
     assert misses(steps).max() < 0.15
 
 
+def moving(frame: int) -> np.ndarray:
+    """A soft texture on grey, which goes 14 pixels a frame."""
+    patch = cv2.GaussianBlur(np.random.default_rng(3).integers(0, 255, (40, 40)).astype(np.uint8), (0, 0), 4.0)
+    image = np.full((120, 240, 3), 110, np.uint8)
+    image[40:80, 20 + 14 * frame : 60 + 14 * frame] = cv2.normalize(patch, None, 0, 255, cv2.NORM_MINMAX)[..., None]
+    return image
+
+
+@pytest.mark.parametrize("is_missing", [False, True])
+def test_behind_a_gap_a_point_is_expected_as_far_on_as_it_went_before(is_missing: bool) -> None:
+    """For three frames it is hidden, or there is no picture; it has gone on meanwhile, beyond its search area."""
+
+    def with_gap(frame: int) -> np.ndarray:
+        if frame not in (4, 5, 6):
+            return moving(frame)
+        if is_missing:
+            raise MissingFrame("gone")
+        return np.full((120, 240, 3), 110, np.uint8)
+
+    steps = list(track_points(with_gap, np.array([(40.0, 60.0)]), range(9), pattern=12.0, search=30.0))
+    found = {step.frame: step.places[0, 0] for step in steps if step.found.all()}
+    assert found == pytest.approx({frame: 40.0 + 14.0 * frame for frame in (1, 2, 3, 7, 8)}, abs=0.1)
+
+
 def test_what_covers_a_point_is_not_followed() -> None:
     """A cloth comes to rest over one point; the others tell where that is."""
 
@@ -93,6 +117,14 @@ def test_what_cannot_be_followed_is_refused() -> None:
             next(track_points(read, places, range(3), **AREAS))
     with pytest.raises(RoamError, match="outside of the picture"):
         next(track_points(read, np.array([(-90.0, 10.0)]), range(3), **AREAS))
+
+
+@pytest.mark.parametrize("aside", [0.0, 0.3, 0.5])
+def test_a_pattern_that_is_too_small_is_told_from_one_outside_of_the_picture(aside: float) -> None:
+    with pytest.raises(RoamError, match="too small"):
+        next(track_points(read, PLACES[:1] + aside, range(3), pattern=4.0, search=28.0))
+    with pytest.raises(RoamError, match="outside of the picture"):
+        next(track_points(read, np.array([(0.0, 50.0)]), range(3), pattern=4.0, search=28.0))
 
 
 def test_it_stops_when_asked() -> None:

@@ -88,7 +88,7 @@ def test_the_areas_grow_together() -> None:
     larger = points.grown(1.5)
     assert larger.pattern == 1.5 * points.pattern
     assert larger.search == 1.5 * points.search
-    assert points.grown(1e-6).pattern == 4.0
+    assert points.grown(1e-6).pattern == 5.0
 
 
 def test_shapes_go_with_two_points(

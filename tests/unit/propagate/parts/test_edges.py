@@ -11,6 +11,7 @@ import pytest
 from roam_core.arrays import Array, Bools
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
+from roam_core.media.source import MissingFrame
 from roam_core.params import EdgesParams
 from roam_core.propagate.parts.edges import Edge, Edges, edges, edges_on_key
 from roam_core.roto import Keyframe, Origin, RotoShape
@@ -155,6 +156,25 @@ def test_on_the_key_the_same_samples_are_measured_again() -> None:
     npt.assert_array_equal(before.t, now["body"].t)
     assert (now["body"].share(Edge.FREE), before.share(Edge.SEAM)) == (1.0, 1.0)
     assert edges_on_key(read, shapes, 1, edges(read(1), shapes, 1))["body"][0] == 1
+
+
+def test_a_key_without_a_picture_takes_nothing_from_the_others() -> None:
+    """The body goes back to frame 1, of which there is no picture; the arm to frame 2."""
+    drawn = {2: picture((ARM, LIGHT)), 4: picture((BODY, GREY), (ARM, LIGHT))}
+
+    def read(frame: int) -> PreparedFrame:
+        if frame not in drawn:
+            raise MissingFrame("gone")
+        return drawn[frame]
+
+    def tracked(name: str, box: Box, key: int) -> RotoShape:
+        points = shape(name, box).keys[0].points
+        keys = Keyframe(key, points), Keyframe(4, points, origin=Origin.ENGINE, inputs="forward:best:0")
+        return replace(shape(name, box), keys=keys)
+
+    shapes = [tracked("body", BODY, 1), tracked("arm", ARM, 2)]
+    found = edges_on_key(read, shapes, 4, edges(read(4), shapes, 4))
+    assert {name: frame for name, (frame, _) in found.items()} == {"arm": 2}
 
 
 @pytest.fixture(scope="module")

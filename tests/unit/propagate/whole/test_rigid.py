@@ -18,7 +18,7 @@ from roam_core.motion.planar import Match
 from roam_core.params import RigidityParams, RoamParams, params_for
 from roam_core.propagate.explain import explain
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.whole.rigid import Pose, Rigidity
+from roam_core.propagate.whole.rigid import PlanePose, Rigidity
 from roam_core.roto import Keyframe, RotoShape
 
 SIZE = (200, 300)
@@ -212,7 +212,7 @@ def test_a_vertex_is_supported_by_the_corners_around_it() -> None:
     sought = rng.uniform(0.0, 100.0, (200, 2))
     agreeing = sought[sought[:, 0] < 50.0]
     part = Part(polygon_points([(0, 0), (100, 0), (100, 100), (0, 100)]))
-    support = Pose(np.eye(3), Match(np.eye(3), sought, agreeing, agreeing, 200), RigidityParams()).support(part)
+    support = PlanePose(np.eye(3), Match(np.eye(3), sought, agreeing, agreeing, 200), RigidityParams()).support(part)
     np.testing.assert_allclose(support[[0, 3]], 1.0, atol=0.05)
     np.testing.assert_allclose(support[[1, 2]], 0.0, atol=0.05)
 
