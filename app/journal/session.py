@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import os
 import time
+from collections import deque
 from pathlib import Path
 
 from PySide6.QtCore import QLockFile
 
 SUFFIX, LOCK = ".journal", "session.lock"
+KEPT_SAVED = 10
+"""Journals of a session kept whose work was saved: an artist who saves every minute begins hundreds, each with a copy
+of the project."""
 DECLINED, RECOVERED, SAVED = ".declined", ".recovered", ".saved"
 """Suffixes of the empty files that remember what became of a journal; the journal itself is never touched again."""
 
@@ -20,6 +24,8 @@ class Session:
         self._root = root
         self.folder: Path | None = None
         self._lock: QLockFile | None = None
+        self._saved: deque[Path] = deque()
+        self._dropped = 0
 
     def new_path(self) -> Path:
         """Where the next journal is to lie; where the folder was deleted it is another one.
@@ -27,12 +33,22 @@ class Session:
         Raises `OSError` when the folder cannot be made.
         """
         if self.folder is None or not self.folder.is_dir():
-            self.folder = _new_folder(self._root)
+            self.folder, self._dropped = _new_folder(self._root), 0
+            self._saved.clear()
             self.hold()
-        number = 1 + len(journals(self.folder))
+        number = 1 + len(journals(self.folder)) + self._dropped
         while (path := self.folder / f"{number:04d}{SUFFIX}").exists():  # one before it was deleted
             number += 1
         return path
+
+    def note_saved(self, journal: Path) -> None:
+        """A journal has ended as saved; of these the newest stay, and what lay beside others goes with them."""
+        self._saved.append(journal)
+        if len(self._saved) > KEPT_SAVED:
+            oldest = self._saved.popleft()
+            for path in (*oldest.parent.glob(f"{oldest.stem}-*"), *oldest.parent.glob(f"{oldest.stem}.*")):
+                path.unlink(missing_ok=True)
+            self._dropped += 1
 
     def hold(self) -> None:
         """Lock the folder: its window is open."""

@@ -218,7 +218,7 @@ class JournalWriter:
     def _end_superseded(self) -> None:
         """End the journals whose work lies elsewhere now; of one that broke nothing more can be written into it."""
         for journal, why in self._superseded:
-            _ended(journal, why)
+            self._end_one(journal, why)
         for path in self._broken:
             with suppress(OSError):
                 if path.exists():
@@ -239,23 +239,26 @@ class JournalWriter:
         self._waiting = None
         self._end_superseded()
         if self._open is not None:
-            _ended(self._open, why)
+            self._end_one(self._open, why)
             self._open = None
+
+    def _end_one(self, journal: _Open, why: str) -> None:
+        """Write that nothing of a journal needs to be recovered, and close it."""
+        try:
+            journal.write(Entry({"kind": "end", "why": why}))
+        except OSError:
+            log.exception("the journal cannot be ended")
+            why = ""
+        journal.close()
+        if why == "saved":
+            with suppress(OSError):
+                self._session.note_saved(journal.path)
 
     def _leave(self) -> None:
         for journal in (*(each for each, _ in self._superseded), self._open):
             if journal is not None:
                 journal.close()
         self._superseded, self._open = [], None
-
-
-def _ended(journal: _Open, why: str) -> None:
-    """Write that nothing of a journal needs to be recovered, and close it."""
-    try:
-        journal.write(Entry({"kind": "end", "why": why}))
-    except OSError:
-        log.exception("the journal cannot be ended")
-    journal.close()
 
 
 class _Open:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, wraps
 from itertools import combinations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -19,6 +20,9 @@ from roam_core.roto.shape import Same
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
+
+How = ParamSpec("How")
+Told = TypeVar("Told")
 
 Box = tuple[float, float, float, float]
 """The lowest x and y, and the highest."""
@@ -77,6 +81,23 @@ def _drawn(same: Same, frame: int) -> Drawn:
 def _by_hand(same: Same) -> RotoShape:
     """A shape without the keys that a run may change."""
     return replace(same.shape, keys=same.shape.drawn_keys)
+
+
+def _once_a_pair(
+    measured: Callable[Concatenate[Drawn, Drawn, How], Told],
+) -> Callable[Concatenate[Drawn, Drawn, How], Told]:
+    """The same, measured once of two that are alive: an edit of one of hundreds asks of all pairs anew."""
+    known: WeakKeyDictionary[Drawn, WeakKeyDictionary[Drawn, dict[object, Told]]] = WeakKeyDictionary()
+
+    @wraps(measured)
+    def told(a: Drawn, b: Drawn, /, *how: How.args, **named: How.kwargs) -> Told:
+        of_both = known.setdefault(a, WeakKeyDictionary()).setdefault(b, {})
+        which = (how, tuple(named.items()))
+        if which not in of_both:
+            of_both[which] = measured(a, b, *how, **named)
+        return of_both[which]
+
+    return told
 
 
 def decisive(shape: RotoShape) -> tuple[object, ...]:
@@ -175,7 +196,7 @@ def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
     ours, theirs = _met(a, b)
     if not (_near_boxes(ours.hull, theirs.hull, gap) and _near_boxes(ours.box, theirs.box, gap)):
         return False
-    if a.compound and a.compound == b.compound and ours.tree.query(theirs.evenly)[0].min() <= gap:
+    if a.compound and a.compound == b.compound and _nearest(ours, theirs) <= gap:
         return True
     return _meet(ours, theirs, _shared(ours, theirs), gap)
 
@@ -186,9 +207,19 @@ def _meet(a: Drawn, b: Drawn, shared: float, gap: float) -> bool:
     smaller = min(a.area, b.area)
     if shared > max(OBJECTS.overlap * smaller, OBJECTS.touch * scale * np.sqrt(smaller)):
         return True
+    return _near_boxes(a.box, b.box, OBJECTS.abut * scale) and _abut(a, b, scale)
+
+
+@_once_a_pair
+def _nearest(a: Drawn, b: Drawn) -> float:
+    """Pixels between the places of two outlines that are nearest to each other."""
+    return float(a.tree.query(b.evenly)[0].min())
+
+
+@_once_a_pair
+def _abut(a: Drawn, b: Drawn, scale: float) -> bool:
+    """Whether the shorter of two outlines runs along the other one, on pictures at this scale."""
     reach = OBJECTS.abut * scale
-    if not _near_boxes(a.box, b.box, reach):
-        return False
     places = [polyline.resample(each.line, max(8, round(polyline.length(each.line) / scale))) for each in (a, b)]
     shorter, longer = sorted(places, key=len)
     return bool((_tree(longer).query(shorter)[0] <= reach).mean() >= OBJECTS.along)
@@ -325,6 +356,7 @@ def _is_within(a: RotoShape, b: RotoShape) -> bool:
     return _shared(inner, outer) >= OBJECTS.enclosed * inner.area
 
 
+@_once_a_pair
 def _shared(a: Drawn, b: Drawn) -> float:
     """The area that both enclose, square pixels."""
     low, high = np.maximum(a.line.min(axis=0), b.line.min(axis=0)), np.minimum(a.line.max(axis=0), b.line.max(axis=0))

@@ -21,7 +21,7 @@ from app.journal import recovery, writer
 from app.journal.journal import Journal
 from app.journal.record import Damaged, Entry, append, encoded, entries
 from app.journal.recovery import KEPT_SESSIONS, Recovery
-from app.journal.session import Session
+from app.journal.session import KEPT_SAVED, Session
 from app.journal.writer import BASES
 from app.model.document import Document
 from roam_core.errors import RoamError
@@ -386,6 +386,28 @@ def test_declining_is_remembered_and_drops_nothing(root: Path, qapp: object) -> 
     assert again.settled == "declined"
     assert again.journal.read_bytes() == before
     assert len(recovery.load(again)[0].shapes) == 1
+
+
+def test_of_a_day_of_saves_the_newest_journals_stay_and_all_that_nobody_saved(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    """Each save began another journal with a copy of the project: a day of them filled the disk."""
+    draw(document)
+    lost = document.project
+    document.open(Project(), None)  # the drawing is thrown away
+    for _ in range(KEPT_SAVED + 5):
+        draw(document)
+        document.save(tmp_path / "mine.roam")
+    draw(document)
+    found = crashed(journal, root)
+    assert [each.settled for each in found] == ["", *["saved"] * KEPT_SAVED, "discarded"]
+    assert [each.journal.name for each in found] == sorted((each.journal.name for each in found), reverse=True)
+    assert recovery.load(found[0]) == (document.project, "")
+    assert recovery.load(found[-1]) == (lost, "")
+    folder = found[0].journal.parent
+    beside = {path.stem.partition("-")[0] for path in folder.glob("*.roam")}
+    assert beside <= {each.journal.stem for each in found}
+    assert len(beside) == KEPT_SAVED + 1
 
 
 def test_settled_sessions_are_pruned_by_count_and_others_never(document: Document, root: Path, tmp_path: Path) -> None:

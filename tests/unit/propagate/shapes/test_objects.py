@@ -10,6 +10,7 @@ import pytest
 
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import polygon_points
+from roam_core.kernels import coverage
 from roam_core.params import OBJECTS
 from roam_core.propagate.shapes import objects as module
 from roam_core.propagate.shapes.objects import Role, Unit, cuts, near, objects, stacked, units
@@ -229,3 +230,30 @@ def test_of_shapes_that_never_come_near_each_other_no_outline_is_asked(monkeypat
     monkeypatch.setattr(module, "_belong", lambda a, b, gap: asked.append((a.id, b.id)) or belong(a, b, gap))
     assert objects(shapes, 20.0) == [[k] for k in range(9)]
     assert asked == [(shape.id, shapes[8].id) for shape in shapes[:8]]
+
+
+def test_an_edit_measures_no_pair_again_that_it_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of hundreds of shapes that overlap, every pair was measured anew with each edit of one of them."""
+    shapes = [square(30 * k, 0, 40) for k in range(9)]
+    measured = list[object]()
+    cover = coverage.coverage
+    monkeypatch.setattr(coverage, "coverage", lambda *given: measured.append(given) or cover(*given))
+    assert objects(shapes, 20.0) == [list(range(9))]
+    assert len(measured) == 2 * 8  # both of each two that overlap
+    measured.clear()
+    moved = [*shapes[:8], edit.set_key(shapes[8], 1, box(241, 0, 40, 40))]
+    assert objects(moved, 20.0) == [list(range(9))]
+    assert len(measured) == 2
+
+
+def test_pairs_that_abut_or_are_near_are_measured_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    shapes = [square(40 * k, 0, 40, of=name) for k, name in enumerate(("", "", "a"))]
+    shapes.append(square(130, 0, 40, of="a"))
+    planted = list[object]()
+    tree = module._tree
+    monkeypatch.setattr(module, "_tree", lambda places: planted.append(places) or tree(places))
+    assert objects(shapes, 20.0) == [[0, 1, 2, 3]]
+    assert planted
+    planted.clear()
+    assert objects([*shapes, square(900, 0, 40)], 20.0) == [[0, 1, 2, 3], [4]]
+    assert not planted
