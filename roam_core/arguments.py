@@ -119,7 +119,7 @@ def pixels_of(image: Any) -> NDArray[Any]:
     if isinstance(image, np.ma.MaskedArray):
         array = np.asarray(image.filled(0))
     elif isinstance(image, np.ndarray):
-        array = image
+        array = np.asarray(image)  # a matrix, such as sparse masks become, takes no third axis: numpy may crash
     else:
         if image is None or isinstance(image, str | bytes | os.PathLike):
             raise ValueError(

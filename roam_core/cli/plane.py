@@ -18,9 +18,10 @@ from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import Picking, add_shapes, picked, trackable
 from roam_core.cli.plate import Plate, loaded, opened
+from roam_core.cli.shown_start import shown_start
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_target
-from roam_core.cli.track import first_key, frame_range, shown_start
+from roam_core.cli.track import first_key, frame_range
 from roam_core.errors import RoamError
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.interchange.authorship import Kind
@@ -73,7 +74,7 @@ def run(arguments: argparse.Namespace) -> int:
         if first is None:
             first = first_key(arguments.project, project, picking, plate.source.frames, backward=arguments.backward)
         else:
-            first = shown_start(first, shapes, plate.source.frames, backward=arguments.backward)
+            first = shown_start(first, shapes, plate, backward=arguments.backward)
         frames = frame_range(plate.source.frames, first, arguments.end, backward=arguments.backward)
         if len(frames) < 2:
             raise RoamError(f"There is no frame to track to from {frames[0]}; name another with --start or --end.")

@@ -22,7 +22,7 @@ from roam_core.cli.targets import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.flatten import TAKING
-from roam_core.interchange.matte_style import SUFFIXES, Gathering, MatteStyle, Parts
+from roam_core.interchange.matte_style import OTHER_SUFFIXES, SUFFIXES, Gathering, MatteStyle, Parts
 from roam_core.interchange.mattes.exporter import NAME, planned, require_places, style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
@@ -59,6 +59,8 @@ def run(arguments: argparse.Namespace) -> int:
     pattern = arguments.name
     if pattern and Path(pattern).suffix.lower() in SUFFIXES:
         style = style_for(Path(pattern), style)
+    elif pattern and Path(pattern).suffix.lower() in OTHER_SUFFIXES:
+        raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {pattern} would be none of these.")
     elif pattern:
         pattern += style.suffix
     if pattern:

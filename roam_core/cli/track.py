@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from bisect import bisect
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -27,6 +27,7 @@ from roam_core.cli.picking import EVERYTHING, NothingToSolve, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plain_start import plain_start
 from roam_core.cli.plate import Plate, add_reading, opened, tell
+from roam_core.cli.shown_start import shown_start
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_target, require_writable
 from roam_core.errors import RoamError
@@ -48,7 +49,7 @@ from roam_core.media.unseen import unseen_of_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
-from roam_core.propagate.shapes.provenance import clip_stamp, has_begun
+from roam_core.propagate.shapes.provenance import clip_stamp
 from roam_core.roto import Clip, Layer, Project, RotoShape, edit, file
 
 Report = Callable[[FrameResult], None]
@@ -103,7 +104,7 @@ def run(arguments: argparse.Namespace) -> int:
         if start is None:
             start = first_key(init, given, picking, plate.source.frames, backward=arguments.backward)
         elif given is not None:
-            start = shown_start(start, trackable(given, picking), plate.source.frames, backward=arguments.backward)
+            start = shown_start(start, trackable(given, picking), plate, arguments.config, backward=arguments.backward)
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(init, given, plate, frames[0])
         if given is None and arguments.start is None:
@@ -350,22 +351,6 @@ def first_key(
         f"The clip has no picture of frame {keyed[0]}, where the keys of {path} begin; set one where it has, or name "
         "the frame to begin on with --start."
     )
-
-
-def shown_start(start: int, shapes: Sequence[RotoShape], frames: tuple[int, ...], *, backward: bool) -> int:
-    """Where a run from `start` begins: in a gap of the clip on the frame before it, as in the window; that is told.
-
-    So a run that ended in a gap goes on from what it found last. Elsewhere, and where none of the shapes has a key
-    behind, it is `start`.
-    """
-    if start in frames or not frames[0] < start < frames[-1]:
-        return start
-    before = bisect(frames, start)
-    behind = frames[before if backward else before - 1]
-    if not any(has_begun(shape, behind, not backward) for shape in shapes):
-        return start
-    tell(f"The run begins on frame {behind}: the clip has no picture of frame {start}.")
-    return behind
 
 
 def initial_project(init: Path, given: Project | None, plate: Plate, start: int) -> Project:

@@ -38,7 +38,7 @@ from roam_core import (
     track,
     write_shapes,
 )
-from roam_core.arguments import frame_number, moment, names_of, pixels_of, shown, size_of
+from roam_core.arguments import frame_number, moment, names_of, picture_of, pixels_of, shown, size_of
 from roam_core.errors import RoamError
 from roam_core.interchange import MaskOptions
 from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
@@ -131,7 +131,9 @@ def test_a_tolerance_is_no_less_than_nothing(tolerance: float) -> None:
         shapes_from_mask(MASK, FIRST, tolerance)
 
 
-def test_lists_are_pictures_and_masks() -> None:
+@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+def test_lists_and_matrices_are_pictures_and_masks() -> None:
+    assert picture_of(np.asmatrix(MASK)).shape == (*MASK.shape, 3)  # a matrix takes no third axis: numpy crashed
     assert tracked(IMAGES[0].tolist()) == tracked()
     assert pixels_of([[0, 256]]).dtype != np.uint8
     hidden = pixels_of(np.ma.masked_array(np.full((1, 2), 9, np.uint8), mask=[[True, False]]))

@@ -244,6 +244,13 @@ def test_frames_without_a_picture_are_named_where_they_get_no_matte(roam: Roam, 
     assert "The plate has no picture of frame(s) 8: no matte is written there" in done.err
 
 
+def test_a_name_of_pictures_that_are_not_written_is_refused(roam: Roam, project: Path, tmp_path: Path) -> None:
+    """As of an export: the mattes were called `hero.0007.jpg.png`."""
+    done = roam("render", project, "--out", tmp_path / "out", "--name", "hero.####.jpg")
+    assert (done.status, (tmp_path / "out").exists()) == (1, False)
+    assert done.err == "roam: Mattes are written as PNG, EXR or TIFF; hero.####.jpg would be none of these.\n"
+
+
 def test_many_files_are_counted_and_few_are_named(roam: Roam, project: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     mattes = out / "m.####.png"

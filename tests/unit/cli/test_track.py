@@ -365,3 +365,23 @@ def test_a_start_in_a_gap_of_the_clip_is_the_frame_before_it(roam: Roam, plate: 
     assert "begins on frame 1002: the clip has no picture of frame 1004" in done.err
     backward = roam("track", plate.folder, "--init", out, "--start", 1003, "--backward", "--save", tmp_path / "b.roam")
     assert "begins on frame 1005: the clip has no picture of frame 1003" in backward.err
+
+
+@pytest.mark.parametrize("how", ["cut short", "black"])
+def test_a_run_that_ended_on_a_frame_that_shows_nothing_is_gone_on_with(
+    roam: Roam, plate: Plate, tmp_path: Path, how: str
+) -> None:
+    """As in a gap: it was refused, after the project was written anew, though a run passes such a frame."""
+    whole, path = tmp_path / "whole.roam", tmp_path / "p.roam"
+    for frame in (1003, 1004):
+        picture = plate.folder / f"plate.{frame}.png"
+        if how == "black":
+            write_picture(picture, np.zeros_like(open_clip(plate.folder).read(1001)))
+        else:
+            picture.write_bytes(picture.read_bytes()[:200])
+    roam("track", plate.folder, "--init", plate.mask, "--save", whole)
+    roam("track", plate.folder, "--init", plate.mask, "--end", 1004, "--save", path)
+    done = roam("track", plate.folder, "--init", path, "--start", 1004, "--save", path)
+    assert done.status == 0, done.err
+    assert "begins on frame 1002: frame 1004 cannot be read, or shows nothing" in done.err
+    assert file.load(path).shapes == file.load(whole).shapes
