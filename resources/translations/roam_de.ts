@@ -9054,6 +9054,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} ist kein Setting von Fusion oder ist abgeschnitten.</translation>
     </message>
     <message>
+        <source>{path} is no valid JSON (line {line}, column {column}).</source>
+        <translation>{path} ist kein gültiges JSON (Zeile {line}, Spalte {column}).</translation>
+    </message>
+    <message>
         <source>{path} is no valid JSON.</source>
         <translation>{path} ist kein gültiges JSON.</translation>
     </message>

@@ -58,5 +58,14 @@ def parsed_json(reader: ShapeReader) -> Any:
         )
     try:
         return json.loads(text)
+    except json.JSONDecodeError as error:
+        raise RoamError(
+            sentence(
+                "{path} is no valid JSON (line {line}, column {column}).",
+                path=reader.called,
+                line=error.lineno,
+                column=error.colno,
+            )
+        ) from None
     except (ValueError, RecursionError):
         raise RoamError(sentence("{path} is no valid JSON.", path=reader.called)) from None

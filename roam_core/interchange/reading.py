@@ -344,6 +344,14 @@ def brief(name: str) -> str:
     return repr(name if len(name) <= 60 else name[:57] + "...")
 
 
+def number_of(text: str) -> float:
+    """The number that a text of a file is, in the program's own words where it is none (`ValueError`)."""
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(sentence("{text!r} is no number", text=text[:20])) from None
+
+
 def are_numbers(values: list[Any]) -> bool:
     """True when all values of a JSON are finite numbers that a float can hold."""
     return all(

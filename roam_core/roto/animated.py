@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import bisect
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import pairwise, zip_longest
@@ -278,14 +278,30 @@ def product(first: Animatable, second: Animatable) -> Animatable:
     """The product of two values, such as the opacities of a shape and of its layer.
 
     Where both vary it has keys on the frames of both; between keys that either has, and where both move on the same
-    span, on every frame, linear in between: exact on whole frames.
+    span, on every frame, linear in between: exact on whole frames. A step stays a step: on the frame before one that
+    either takes, the product is held.
     """
     if not isinstance(first, Animated):
         return scaled(second, first)
     if not isinstance(second, Animated):
         return scaled(first, second)
     frames = _frames_of_product(first, second)
-    return _simplified(ValueKey(frame, first.at(frame) * second.at(frame)) for frame in frames)
+    stepping = {frame - 1 for value in (first, second) for frame in _steps(value)}
+    return _simplified(
+        ValueKey(
+            frame,
+            first.at(frame) * second.at(frame),
+            Interpolation.HOLD if frame in stepping else Interpolation.LINEAR,
+        )
+        for frame in frames
+    )
+
+
+def _steps(value: Animated) -> Iterator[int]:
+    """The frames on which a value steps from what was held to another one."""
+    for before, after in pairwise(value.keys):
+        if before.interpolation is Interpolation.HOLD and before.value != after.value:
+            yield after.frame
 
 
 def _frames_of_product(first: Animated, second: Animated) -> range:

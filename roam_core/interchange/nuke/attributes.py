@@ -64,7 +64,7 @@ def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tu
         *zip(("ro", "go", "bo", "ao"), (red, green, blue, 1.0), strict=True),
     ]
     blur = shape.motion_blur
-    values.append(("mbo", float(blur is not None)))
+    values.append(("mbo", float(shape.is_blurred)))
     if blur is not None:
         values += [("mb", blur.samples / STANDARD_SAMPLES), ("mbs", blur.shutter)]
         values += [("mbsot", CUSTOM), ("mbso", blur.phase)]
@@ -188,12 +188,15 @@ class Attributes:
         return self.animatable(("fx", "fy"), 0.0, reader)
 
     def _blur(self) -> MotionBlur | None:
-        if self.number("mbo", 0) == 0:
+        """None where it is off, but for what blurs nothing however it is set: our writer turns that off, too."""
+        is_on = self.number("mbo", 0) != 0
+        if not is_on and "mbs" not in self._items:
             return None
         shutter = self.number("mbs", 0.5)
         phases = {CENTRED: -0.5 * shutter, AT_START: 0.0, AT_END: -shutter, CUSTOM: self.number("mbso", 0)}
         phase = phases.get(int(self.number("mbsot", CENTRED)), -0.5 * shutter)
-        return MotionBlur(shutter, phase, min(max(round(self.number("mb", 1) * STANDARD_SAMPLES), 1), 1024))
+        blur = MotionBlur(shutter, phase, min(max(round(self.number("mb", 1) * STANDARD_SAMPLES), 1), 1024))
+        return blur if is_on or not blur.is_seen else None
 
     def _lifetime(self, clip: Clip, frame: Callable[[float], int]) -> tuple[int, int] | None:
         kind = int(self.number("ltt", ALWAYS))

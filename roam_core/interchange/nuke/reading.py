@@ -66,7 +66,11 @@ class NukeImporter:
         """
         reader = ShapeReader(path, clip, options)
         script = Script(reader)
-        every = [(species, _switched(knobs, groups)) for species, knobs, groups in script.nodes()]
+        every = [(species, _switched(_readable(knobs), groups)) for species, knobs, groups in script.nodes()]
+        if script.cut is not None:
+            reader.note(
+                sentence("The file ends within the node {name}: what is whole was read.", name=brief(script.cut))
+            )
         nodes = [each for each in every if "curves" in each[1] and each[0] not in ("Root", "Viewer")]
         if not nodes:
             raise RoamError(sentence("{path} holds no Roto or RotoPaint node.", path=reader.called))
@@ -103,6 +107,14 @@ def _shown(layer: Layer, species: str, reader: ShapeReader) -> Layer:
         ),
     )
     return replace(layer, visible=False)
+
+
+def _readable(knobs: dict[str, Word]) -> dict[str, Word]:
+    """The knobs of a node without its curves, where the end of the file left nothing of them."""
+    curves = knobs.get("curves")
+    if curves is None or curves.is_whole or _root(curves) is not None:
+        return knobs
+    return {name: word for name, word in knobs.items() if name != "curves"}
 
 
 def _switched(knobs: dict[str, Word], groups: Sequence[dict[str, Word]]) -> dict[str, Word]:
@@ -197,10 +209,6 @@ class _NodeReader:
                     path=self.reader.called,
                     node=brief(self.node),
                 )
-            )
-        if not curves.is_whole:
-            self.reader.note(
-                sentence("The file ends within the node {name}: what is whole was read.", name=brief(self.node))
             )
         layer = self._layer(root, [], is_root=True)
         return replace(layer, name=self.node, visible=layer.visible and not self._is_off(disabled))

@@ -80,7 +80,12 @@ class Word:
 
 
 class Script:
-    """A text in which braces are matched once; its words are found one level at a time."""
+    """A text in which braces are matched once; its words are found one level at a time.
+
+    Attributes
+    ----------
+    cut : what the node is called within which the script ends, if it does; known once its nodes were gone through.
+    """
 
     def __init__(self, reader: ShapeReader) -> None:
         self.text = reader.text(MAX_SCRIPT)
@@ -94,6 +99,7 @@ class Script:
             )
         self._reader = reader
         self._closing: dict[int, int] = {}
+        self.cut: str | None = None
 
     def nodes(self) -> Iterator[tuple[str, dict[str, Word], tuple[dict[str, Word], ...]]]:
         """Class and knobs of every node, in the order of the script, and the knobs of the groups around it.
@@ -107,6 +113,8 @@ class Script:
                 command = command[-2:]
             if len(command) > 1 and command[1].is_braced:
                 species, knobs = command[0].value, command[1].knobs()
+                if not command[1].is_whole:
+                    self.cut = knobs["name"].value if "name" in knobs else species
                 yield species, knobs, around
                 if species in GROUPS:
                     around = (*around, knobs)

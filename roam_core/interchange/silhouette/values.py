@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from roam_core.arrays import Array
 from roam_core.geometry import projective
-from roam_core.interchange.reading import MAX_NUMBER
+from roam_core.interchange.reading import MAX_NUMBER, number_of
 from roam_core.interchange.xml import local_name
 from roam_core.translatable import sentence
 
@@ -121,7 +121,7 @@ class LayerTransform:
 
 def number(text: str) -> float:
     """A finite number that is not absurdly large, or a `ValueError`."""
-    value = float(text)
+    value = number_of(text)
     if not abs(value) <= MAX_NUMBER:
         raise ValueError(sentence("{text!r} is no sensible number", text=text[:20]))
     return value

@@ -13,7 +13,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, read_shapes
 from roam_core.interchange.nuke.text import tcl_word
-from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, MotionBlur, Project, RotoShape
 from tests.judges import nuke_grammar
 from tests.unit.interchange import tcl
 from tests.unit.interchange.conftest import CLIP, animated, points, roto_script
@@ -148,6 +148,20 @@ def test_attributes_and_flags(project: Project) -> None:
 )
 def test_blend_modes(blend: BlendMode, number: int) -> None:
     assert judged(only(replace(animated("A"), blend=blend)))["A"].attributes["bm"] == number
+
+
+@pytest.mark.parametrize("blur", [MotionBlur(0.0, -0.25, 16), MotionBlur(0.5, -0.25, 1)])
+def test_motion_blur_that_blurs_nothing_is_off_and_comes_back(
+    project: Project, blur: MotionBlur, tmp_path: Path
+) -> None:
+    """On, Nuke would show the shape where it is at the shutter's opening."""
+    shape = replace(project.shapes[0], motion_blur=blur)
+    (written,) = judged(only(shape)).values()
+    assert written.attributes["mbo"] == 0
+    path = tmp_path / "a.nk"
+    EXPORTERS["nuke"].export(only(shape), path)
+    (read,) = read_shapes(path, CLIP).layer.shapes()
+    assert read.motion_blur == blur
 
 
 def test_the_node_knows_the_format_and_the_range(project: Project) -> None:

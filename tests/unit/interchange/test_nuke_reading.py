@@ -415,6 +415,14 @@ def test_a_file_that_is_cut_off_gives_what_is_whole(read: Read) -> None:
     assert any("'Half'" in note and "cut off" in note for note in imported.notes)
 
 
+@pytest.mark.parametrize("end", [" curves {", " label {"])
+def test_a_file_that_ends_within_a_later_node_says_so(read: Read, end: str) -> None:
+    """Also where the lists of its curves are whole, or have not begun."""
+    imported = read(f"{node(group(name='Whole'))}Roto {{\n name Second\n{end}")
+    assert [shape.name for shape in imported.layer.shapes()] == ["Whole"]
+    assert imported.notes == ("The file ends within the node 'Second': what is whole was read.",)
+
+
 @pytest.mark.parametrize(
     ("script", "message"),
     [

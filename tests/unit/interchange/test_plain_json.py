@@ -206,6 +206,11 @@ def test_other_files_are_refused(tmp_path: Path, text: str) -> None:
         read(text, tmp_path)
 
 
+def test_a_damaged_file_is_told_with_its_place(tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match=r"is no valid JSON \(line 2, column 12\)\.$"):
+        read('{"format": "roam-shapes",\n"width": 1,5}', tmp_path)
+
+
 def test_files_beyond_the_limits_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     deep: dict[str, Any] = {"kind": "layer", "items": []}
     for _ in range(250):

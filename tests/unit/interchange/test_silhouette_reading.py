@@ -407,7 +407,7 @@ def test_a_shape_that_cannot_be_read_is_named_and_the_others_are_kept(read: Read
     ("content", "message"),
     [
         ("<Other/>", "no Silhouette shape file"),
-        ('<Silhouette width="x"/>', "what pictures"),
+        ('<Silhouette width="x"/>', "what pictures its shapes belong to: 'x' is no number\\."),
         ('<Silhouette width="0"/>', "that cannot be"),
         ("not xml", "no valid XML"),
         ('<!DOCTYPE a [<!ENTITY x "y">]><Silhouette>&x;</Silhouette>', "document type"),

@@ -78,6 +78,15 @@ def test_a_product_has_the_keys_that_it_needs_and_no_others() -> None:
     assert [(key.frame, key.value) for key in both.keys] == [(1, 0.5), (6, 0.5), (7, 1.0), (8, 1.5)]
 
 
+def test_a_step_of_a_factor_is_a_step_of_the_product() -> None:
+    """Retimes look between frames: what is hidden up to a frame does not fade in before it."""
+    steps = Animated((ValueKey(4, 0.0, Interpolation.HOLD), ValueKey(10, 1.0)))
+    fades = Animated((ValueKey(1, 1.0), ValueKey(21, 0.0)))
+    for both in (product(steps, fades), product(fades, steps)):
+        assert value_at(both, 9.5) == 0.0
+        assert value_at(both, 10.5) == pytest.approx(fades.at(10.5))
+
+
 def test_setting_a_value_sets_a_key_only_where_it_varies() -> None:
     assert set_at(0.5, 10, 0.75) == 0.75
     again = set_at(MOVES, 31, 9.0)
