@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
     QVBoxLayout,
@@ -30,6 +29,7 @@ from .. import style
 from ..jobs.found_clip import FoundClip
 from ..translation import N_, tr
 from ..widgets.controls import dense_form, form_label, weak_label
+from ..widgets.number_boxes import DecimalBox
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -222,8 +222,8 @@ def _depth_word(depth: str) -> str:
     return tr(next((word for word in DEPTHS if word.lower() == depth), depth))
 
 
-def _number(least: float, most: float, value: float) -> QDoubleSpinBox:
-    field = QDoubleSpinBox()
+def _number(least: float, most: float, value: float) -> DecimalBox:
+    field = DecimalBox()
     field.setDecimals(3)
     field.setRange(least, most)
     field.setValue(value)
@@ -231,5 +231,5 @@ def _number(least: float, most: float, value: float) -> QDoubleSpinBox:
     return field
 
 
-def _unless_changed(field: QDoubleSpinBox, *known: float) -> float:
+def _unless_changed(field: DecimalBox, *known: float) -> float:
     return next((each for each in known if field.value() == round(each, field.decimals())), field.value())

@@ -10,12 +10,10 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
-    QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -38,6 +36,7 @@ from ..model.preferences import (
 )
 from ..translation import LANGUAGES, SYSTEM, tr
 from ..widgets.controls import dense_form, weak_label
+from ..widgets.number_boxes import DecimalBox, WholeBox
 
 LABEL_WIDTH, FIELD_WIDTH = 150, 150
 
@@ -64,12 +63,12 @@ class SettingsDialog(QDialog):
     # ---- building
 
     def _build(self) -> None:
-        self.cache = QDoubleSpinBox()
+        self.cache = DecimalBox()
         self.cache.setRange(LEAST_CACHE, MOST_CACHE)
         self.cache.setSingleStep(0.5)
         self.cache.setDecimals(2)
         self.cache.setSuffix(tr(" GB"))
-        self.threads, self.processes, self.backups, self.undo = (QSpinBox() for _ in range(4))
+        self.threads, self.processes, self.backups, self.undo = (WholeBox() for _ in range(4))
         self.threads.setRange(0, MOST_THREADS)
         self.threads.setSpecialValueText(tr("As many as there are"))
         self.processes.setRange(0, MOST_PROCESSES)

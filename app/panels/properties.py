@@ -89,6 +89,9 @@ class PropertiesPanel(QWidget):
         self._build_motion_blur()
         self._build_lifetime()
         align_labels(self._form, self.object_form.form)
+        # Tab goes from number to number: Return, where the next one was meant, pressed the button between them.
+        self.setTabOrder(self.feather, self.opacity_key)
+        self.setTabOrder(self.last, self.from_here)
         for signal in (document.replaced, view_state.selection_changed):
             signal.connect(self._forget_typing)
         for signal in (document.changed, document.replaced, view_state.selection_changed):

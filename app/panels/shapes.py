@@ -274,18 +274,19 @@ class ShapeTree(QTreeWidget):
     def _follow_selection(self) -> None:
         """Mark what is selected; where it was selected elsewhere, bring a row of it into sight: keys, as F2, mean it.
 
-        A folded layer stays so: then it is the layer's row that comes into sight.
+        A folded layer stays so: then it is the layer's row that comes into sight. Of a selected layer and what lies in
+        it the layer is meant: F2 names one that was just made.
         """
         self._pull_selection()
         self.searched.emit()
-        chosen = [row for row in self._rows() if row.isSelected()]
+        chosen = [row for row in self._rows() if row.isSelected() and not _is_in_selected(row)]
         if self._is_pushing or not chosen:
             return
         in_sight = [row for row in chosen if self.viewport().rect().intersects(self.visualItemRect(row))]
         row = (in_sight or [row for row in chosen if _folded_above(row) is None] or chosen)[0]
         folded = _folded_above(row)
         current = self.currentItem()
-        if current is None or not current.isSelected() or folded is not None:
+        if current is None or not current.isSelected() or _is_in_selected(current) or folded is not None:
             self._set_current(row if folded is None else None)
         if not in_sight:
             self.scrollToItem(folded or row)
@@ -430,3 +431,9 @@ def _folded_above(row: QTreeWidgetItem) -> QTreeWidgetItem | None:
     while parent is not None:
         found, parent = (found if parent.isExpanded() else parent), parent.parent()
     return found
+
+
+def _is_in_selected(row: QTreeWidgetItem) -> bool:
+    """Whether a layer around a row is selected."""
+    parent = row.parent()
+    return parent is not None and (parent.isSelected() or _is_in_selected(parent))

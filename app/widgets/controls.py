@@ -9,14 +9,12 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QComboBox,
-    QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QLayout,
     QLineEdit,
     QProgressBar,
-    QSpinBox,
     QToolButton,
     QWidget,
 )
@@ -25,6 +23,7 @@ from roam_core.roto.lifetimes import LAST_FRAME
 
 from .. import style
 from ..actions.actions import Actions
+from .number_boxes import DecimalBox, WholeBox
 
 FRAME_LIMIT = LAST_FRAME
 LABEL_WIDTH = 68
@@ -69,7 +68,7 @@ FRAME_WIDTH, FRAME_ASIDE = 58, 18
 """Of a field for a frame number, in pixels; what of it is beside the digits."""
 
 
-class FrameField(QSpinBox):
+class FrameField(WholeBox):
     """A field for a frame number, as wide as it asks for. The wheel, turned on the way past, changes nothing: only with
     the keyboard in it.
     """
@@ -141,9 +140,9 @@ class ChoiceBox(QComboBox):
         event.ignore()
 
 
-def measure_field(unit: str, value: float, least: float, most: float, step: float, tip: str) -> QDoubleSpinBox:
+def measure_field(unit: str, value: float, least: float, most: float, step: float, tip: str) -> DecimalBox:
     """A dialog's field for a length or an area."""
-    field = QDoubleSpinBox()
+    field = DecimalBox()
     field.setRange(least, most)
     field.setSingleStep(step)
     field.setValue(value)

@@ -7,14 +7,15 @@ from itertools import count
 from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QValidator, QWheelEvent
-from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QLineEdit, QWidget
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
 from roam_core.roto import BlendMode
 
 from .. import style
 from ..translation import N_, tr
 from .controls import LABEL_WIDTH, ChoiceBox, is_being_typed
+from .number_boxes import DecimalBox, Verdict, typed_number
 
 MIXED = N_("mixed")
 """What a control shows for things that differ."""
@@ -60,7 +61,7 @@ def shared(values: Iterable[Value]) -> Value | None:
     return first if all(other == first for other in others) else None
 
 
-class NumberField(QDoubleSpinBox):
+class NumberField(DecimalBox):
     """A number that is typed, stepped (wheel, arrow keys) or dragged by its label. It can show that values differ.
 
     Signals
@@ -147,7 +148,7 @@ class NumberField(QDoubleSpinBox):
     def textFromValue(self, value: float) -> str:
         return "" if self._mixed else super().textFromValue(value)
 
-    def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
+    def validate(self, text: str, position: int) -> Verdict:
         """Point and comma both part the decimals, whatever the language's is: no number here has groups."""
         if not self.decimals():
             return super().validate(text, position)
@@ -187,7 +188,7 @@ class NumberField(QDoubleSpinBox):
             self._is_begun = True
             self.taken.emit()
         # What is no number yet, as a lone sign, is none to give.
-        self._typed = bool(text.removesuffix(self._words).strip()) and self.lineEdit().hasAcceptableInput()
+        self._typed = typed_number(self, text) is not None
 
     def _push_typed(self) -> None:
         was_typed = self._typed

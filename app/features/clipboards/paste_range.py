@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QSpinBox, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from ... import style
 from ...translation import tr
 from ...widgets.asking import lay_out
 from ...widgets.controls import FRAME_LIMIT, dense_form, form_label, weak_label
+from ...widgets.number_boxes import WholeBox
 
 
 class PasteRangeDialog(QDialog):
@@ -45,8 +46,8 @@ class PasteRangeDialog(QDialog):
         return self.step.value()
 
 
-def _field(value: int, lowest: int, highest: int) -> QSpinBox:
-    field = QSpinBox()
+def _field(value: int, lowest: int, highest: int) -> WholeBox:
+    field = WholeBox()
     field.setRange(lowest, highest)
     field.setValue(value)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)

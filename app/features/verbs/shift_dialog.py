@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QDialog, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QDialog, QWidget
 
 from roam_core.roto import Clip
 
@@ -13,6 +13,7 @@ from ... import style
 from ...translation import tr
 from ...widgets.asking import lay_out
 from ...widgets.controls import FRAME_LIMIT, dense_form, form_label, weak_label
+from ...widgets.number_boxes import WholeBox
 
 EVERYTHING, SELECTED = range(2)
 
@@ -39,7 +40,7 @@ class ShiftDialog(QDialog):
         self.what.addItem(tr("The whole project, what is locked and notes too"), EVERYTHING)
         if selected:
             self.what.addItem(tr("What is selected"), SELECTED)
-        self.by = QSpinBox()
+        self.by = WholeBox()
         self.by.setRange(-FRAME_LIMIT, FRAME_LIMIT)
         self.by.setSuffix(tr(" frames"))
         self.by.setAlignment(Qt.AlignmentFlag.AlignRight)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QDialog, QDoubleSpinBox, QGridLayout, QWidget
+from PySide6.QtWidgets import QDialog, QGridLayout, QWidget
 
 from roam_core.arrays import Array
 from roam_core.geometry import affine
@@ -14,6 +14,7 @@ from ... import style
 from ...translation import tr
 from ...widgets.asking import lay_out
 from ...widgets.controls import form_label, weak_label
+from ...widgets.number_boxes import DecimalBox
 
 FURTHEST = 100_000.0
 
@@ -87,8 +88,8 @@ class NumbersDialog(QDialog):
         )
 
 
-def _field(value: float, suffix: str, furthest: float) -> QDoubleSpinBox:
-    field = QDoubleSpinBox()
+def _field(value: float, suffix: str, furthest: float) -> DecimalBox:
+    field = DecimalBox()
     field.setRange(-furthest, furthest)
     field.setDecimals(3)
     field.setSuffix(suffix)

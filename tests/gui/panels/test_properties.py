@@ -367,7 +367,7 @@ def test_what_differs_is_changed_from_the_first_shapes_value_on(
     assert [shape(document, number).lifetime for number in (1, 2)] == [(6, 10), (6, 21)]
 
 
-@pytest.mark.parametrize(("name", "text"), [("feather", "-"), ("opacity", "-"), ("samples", "1")])
+@pytest.mark.parametrize(("name", "text"), [("feather", "-"), ("opacity", "-"), ("samples", "-")])
 def test_what_is_no_number_of_a_mixed_field_gives_nothing(
     qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState, name: str, text: str
 ) -> None:
@@ -471,3 +471,22 @@ def test_fields_of_forms_below_each_other_begin_at_one_place(qtbot: QtBot) -> No
     align_labels(*forms)
     page.grab()
     assert len({field.mapTo(page, QPoint()).x() for field in fields}) == 1
+
+
+def test_tab_goes_from_number_to_number_and_past_no_button(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document
+) -> None:
+    """Return pressed the diamond between them, which keyed the opacity."""
+    edited = edit.set_properties(document.project, "shape-1", lifetime=(1, 21))
+    document.open(edited, None)
+    for first, second, texts in ((panel.opacity, panel.feather, "40 2.5"), (panel.first, panel.last, "3 9")):
+        first.setFocus()
+        first.selectAll()
+        for text in texts.split():
+            QTest.keyClicks(QApplication.focusWidget(), text)
+            QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        assert QApplication.focusWidget() is (panel.opacity_key if second is panel.feather else panel.from_here)
+    assert (shape(document).opacity, shape(document).feather, shape(document).lifetime) == (0.4, 2.5, (3, 10))
+    panel.opacity_key.setFocus()
+    qtbot.keyClick(panel.opacity_key, Qt.Key.Key_Tab)
+    assert QApplication.focusWidget() is panel.feather_key

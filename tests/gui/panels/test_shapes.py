@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QLineEdit, QTreeW
 from pytestqt.qtbot import QtBot
 
 from app import style
+from app.features.verbs.layers import LayerVerbs
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.shapes import EYE, LOCK, NAME, SOLO, ShapesPanel, ShapeTree
@@ -269,6 +270,24 @@ def test_what_is_selected_elsewhere_comes_into_sight_and_is_what_f2_means(
     field = panel.tree.viewport().findChild(QLineEdit)
     assert field.text() == document.project.shape(ids[3]).name
     assert view_state.selection.shapes == {ids[3]}
+
+
+def test_a_layer_that_was_just_made_of_rows_comes_into_sight_and_is_what_f2_means(
+    qtbot: QtBot, panel: ShapesPanel, document: Document, view_state: ViewState
+) -> None:
+    """F2 named the shape that had been clicked last, and the list did not show the layer."""
+    ids = crowd(panel, document)
+    view_state.select(frozenset(ids[:30]))
+    click(qtbot, panel, panel.tree.item(ids[3]), NAME)
+    view_state.select(frozenset(ids[:30]))
+    LayerVerbs(document, view_state).group()
+    (layer,) = view_state.layers
+    assert is_in_sight(panel, layer)
+    panel.tree.setFocus()
+    qtbot.keyClick(panel.tree, Qt.Key.Key_F2)
+    field = panel.tree.viewport().findChild(QLineEdit)
+    assert field.text() == document.project.find(layer).name
+    assert view_state.selection.shapes == set(ids[:30])
 
 
 def test_keys_go_on_from_the_row_whose_lock_was_switched(
