@@ -21,7 +21,6 @@ __all__ = [
     "moment",
     "number",
     "sentence_of",
-    "shown_language",
     "speak",
     "tr",
     "translated",
@@ -115,11 +114,6 @@ def chosen(language: str) -> str:
 def is_asked_for(language: str) -> bool:
     """True where the artist chose a language, and does not leave it to the desktop."""
     return os.environ.get(VARIABLE, "") in LANGUAGES or language in LANGUAGES
-
-
-def shown_language() -> str:
-    """The code of the language that the window speaks."""
-    return _shown[0]
 
 
 def _counted(text: str, n: int) -> str:

@@ -52,11 +52,6 @@ class CurveContext:
         return nodes - np.asarray(self.origin, dtype=np.float64)
 
 
-def tables(nodes: Array, moves: Array, context: CurveContext, params: RoamParams) -> tuple[Array, Array]:
-    """Unary `(N, D)` and pairwise `(N, D, D)` energies of moving each of `nodes (N, 2)` by each of `moves (D, 2)`."""
-    return np.zeros((len(nodes), len(moves))), pairwise_table(nodes, moves, context, params)
-
-
 def pairwise_table(
     nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
 ) -> Array:

@@ -160,21 +160,3 @@ def aligned(points: Array, smooth: Bools) -> Array:
     result[usable, IN] = points[usable, ANCHOR] - unit * reach_back[usable, None]
     result[usable, OUT] = points[usable, ANCHOR] + unit * reach_ahead[usable, None]
     return result
-
-
-def nearest(points: Array, position: ArrayLike, closed: bool = True) -> tuple[int, float, float]:
-    """The pair `(segment, t)` of the spline nearest to `position (2,)`, and its distance in pixels."""
-    target = np.asarray(position, dtype=np.float64)
-    n_segments = segment_count(len(points), closed)
-    t = np.linspace(0.0, 1.0, 33)
-    segment = np.repeat(np.arange(n_segments), len(t))
-    grid = np.tile(t, n_segments)
-    best = int(np.argmin(((evaluate(points, segment, grid, closed) - target) ** 2).sum(axis=1)))
-    index, u, step = int(segment[best]), float(grid[best]), 1.0 / 32
-    for _ in range(24):  # golden rule enough: halve a bracket around the best sample
-        candidates = np.clip(np.array([u - step, u, u + step]), 0.0, 1.0)
-        distance = ((evaluate(points, np.full(3, index), candidates, closed) - target) ** 2).sum(axis=1)
-        u = float(candidates[int(np.argmin(distance))])
-        step *= 0.5
-    found = evaluate(points, np.array([index]), np.array([u]), closed)[0]
-    return index, u, float(np.hypot(*(found - target)))

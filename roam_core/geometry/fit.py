@@ -20,7 +20,7 @@ def fit_closed(line: Array, tolerance: float = 1.0) -> Array:
     Automatically Fitting Digitized Curves", Graphics Gems, 1990). A piece from corner to corner that is straight within
     half the tolerance becomes straight: the tangents that pixels show at a corner would bend it.
     """
-    perimeter = polyline.length(line)
+    perimeter = max(polyline.length(line), float(np.finfo(np.float64).tiny))
     count = max(16, round(perimeter / CURVE_FIT.step))
     dense = polyline.resample(line, count)
     step = perimeter / count
@@ -28,7 +28,8 @@ def fit_closed(line: Array, tolerance: float = 1.0) -> Array:
     sharp = len(cuts) > 0
     if not sharp:
         cuts = np.array([int(np.argmax(((dense - dense.mean(axis=0)) ** 2).sum(axis=1)))])
-    smooth = _smoothed(dense, cuts if sharp else np.empty(0, dtype=int), CURVE_FIT.softness / step)
+    sigma = min(CURVE_FIT.softness / step, float(count))  # over all of a ring, however small, and not around it again
+    smooth = _smoothed(dense, cuts if sharp else np.empty(0, dtype=int), sigma)
     pieces: list[Array] = []
     for k, start in enumerate(cuts):
         stop = cuts[(k + 1) % len(cuts)]

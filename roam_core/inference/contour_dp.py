@@ -61,7 +61,6 @@ def descend(
     params: RoamParams,
     scale: float,
     token: CancelToken | None = None,
-    unary: Unary | None = None,
 ) -> Solution:
     """Rounds of exact best moves, coarse steps first; the energy never rises, for staying is one of the moves.
 
@@ -77,11 +76,11 @@ def descend(
         for _ in range(params.max_iterations):
             if token is not None:
                 token.check()
-            moved, energy = best_moves(nodes, moves, context, params, unary, memory)
+            moved, energy = best_moves(nodes, moves, context, params, memory=memory)
             if simple and not polyline.is_simple(moved):
                 moved = untangled(nodes, moved, params.untangling)
-                energy = joint_energy(moved, context, params, unary)
-                before = trace[-1] if trace else joint_energy(nodes, context, params, unary)
+                energy = total.energies(moved, context, params)["total"]
+                before = trace[-1] if trace else total.energies(nodes, context, params)["total"]
                 if energy > before:
                     moved, energy = nodes, before
             trace.append(energy)
@@ -90,12 +89,6 @@ def descend(
             if converged:
                 break
     return Solution(nodes, tuple(trace), converged)
-
-
-def joint_energy(nodes: Array, context: CurveContext, params: RoamParams, unary: Unary | None = None) -> float:
-    """The oracle's energy at `nodes (N, 2)`, with the further unary terms."""
-    more = 0.0 if unary is None else float(unary(nodes, total.NO_MOVE).sum())
-    return total.energies(nodes, context, params)["total"] + more
 
 
 def untangled(before: Array, after: Array, rounds: int) -> Array:

@@ -107,9 +107,12 @@ def edges_at(
 ) -> dict[Spot, Edge]:
     """What the picture of a frame shows along those shapes that are asked for and have a key there.
 
-    An outline beside or under another of `shapes` is no edge of the object: nothing is read there.
+    An outline beside or under another of `shapes` is no edge of the object: nothing is read there. A single point has
+    no edge.
     """
-    keyed = [shape for shape in asked if shape.key_at(frame) is not None and has_area(shape, frame)]
+    keyed = [
+        shape for shape in asked if shape.point_count > 1 and shape.key_at(frame) is not None and has_area(shape, frame)
+    ]
     if not keyed:
         return {}
     crowd = _crowd([shape for shape in shapes if _joins(shape, frame)], frame, picture.shape[:2], params)

@@ -157,7 +157,7 @@ def _explained(
 ) -> dict[int, Explanation]:
     """The keys of the shapes asked for, all of one run."""
     tracker, together = GroupTracker(run.config), [stamps.shapes[k] for k in run.members]
-    solve_again(tracker, read, together, range(run.begun, frame, 1 if run.forward else -1), token)
+    solve_again(tracker, read, together, range(run.begun, frame, 1 if run.forward else -1), token, forward=run.forward)
     standing = tracker.standing
     step = standing.view.step(standing.engine, read(frame), stacked(together, frame), token)
     keys = [shape.key_at(frame) for shape in together]

@@ -98,9 +98,11 @@ def take_up(
     *,
     forward: bool,
     alone: bool = False,
+    sparse: bool = False,
 ) -> None:
     """Put `tracker` on `frame`, in the state that a run from its `beginning` would be in there.
 
+    One that is `sparse`, whose frames do not all follow each other, passes those alone that hold keys of that run.
     A key of the engine's on `frame` that is out of date gives way to what that run gives there.
     """
     shapes = [stamps.shapes[k] for k in beginning.members]
@@ -111,7 +113,12 @@ def take_up(
     known = None if memory is None else memory.recall(frame, stamp)
     if known is None:
         step = 1 if forward else -1
-        solve_again(tracker, read, shapes, range(beginning.frame, frame + step, step), token)
+        passed: Sequence[int] = range(beginning.frame, frame + step, step)
+        if sparse:
+            config = tracker.params.config
+            left = {each for each in passed if _is_left_on(stamps, beginning, each, config, forward, alone)}
+            passed = [each for each in passed if each in left or each in (beginning.frame, frame)]
+        solve_again(tracker, read, shapes, passed, token, forward=forward)
         known = tracker.standing
     tracker.resume(known, [_renewed(*each, frame, stamps) for each in zip(shapes, known.shapes, strict=True)])
 
@@ -123,10 +130,16 @@ def _renewed(shape: RotoShape, solved: RotoShape, frame: int, stamps: Stamps) ->
 
 
 def solve_again(
-    tracker: GroupTracker, read: ReadPicture, shapes: Sequence[RotoShape], frames: range, token: CancelToken | None
+    tracker: GroupTracker,
+    read: ReadPicture,
+    shapes: Sequence[RotoShape],
+    frames: Sequence[int],
+    token: CancelToken | None,
+    *,
+    forward: bool,
 ) -> None:
     """Carry `shapes` from `frames[0]`, where they are given, to the last of `frames` that has a picture."""
-    tracker.start(read(frames[0]), shapes, frames[0], forward=frames.step > 0)
+    tracker.start(read(frames[0]), shapes, frames[0], forward=forward)
     for frame in frames[1:]:
         if token is not None:
             token.check()
@@ -140,6 +153,14 @@ def _left_by(stamps: Stamps, k: int, frame: int, config: str, forward: bool, alo
     if key is None or key.origin is Origin.ARTIST or stamps.is_stale(stamps.shapes[k], key):
         return None
     return Stamp.read(key.inputs).begun if _is_of(key, config, forward, alone) else None
+
+
+def _is_left_on(stamps: Stamps, beginning: Beginning, frame: int, config: str, forward: bool, alone: bool) -> bool:
+    """Whether the artist, or the run from its `beginning`, keyed any of its shapes on a frame on its way."""
+    return any(
+        frame in stamps.shapes[k].artist_frames or _left_by(stamps, k, frame, config, forward, alone) == beginning.frame
+        for k in beginning.members
+    )
 
 
 def _is_of(key: Keyframe, config: str, forward: bool, alone: bool) -> bool:

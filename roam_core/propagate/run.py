@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
+from itertools import pairwise
 
 from roam_core.arguments import frame_number, names_of, shown
 from roam_core.cancel import CancelToken
@@ -56,7 +57,8 @@ def track(
     ----------
     read : a function that gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1], and raises
         `MissingFrame` where there is none, or a mapping that does so. What else it raises ends the run.
-    frames : in the order in which they are gone through, rising or falling.
+    frames : in the order in which they are gone through, rising or falling. Where they leave some out, a run that is
+        taken up is so through those that hold its keys, and no other is read.
     config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
     clip : identity of the clip for the stamps of ENGINE keys (`provenance.clip_stamp`).
 
@@ -65,7 +67,8 @@ def track(
     Cancelled
         at a safe point after `token` was cancelled.
     ValueError
-        when an argument is not what it should be, such as an id in `only` that no shape has.
+        when an argument is not what it should be, such as an id in `only` that no shape has, or frames that neither
+        rise nor fall.
     MissingFrame, RoamError
         as `read` raises them for the first frame, and where that is blank and holds no key; a gap later on, or a blank
         frame, is passed over and reported as MISSING_FRAME.
@@ -116,6 +119,7 @@ def track(
             token,
             forward=forward,
             alone=alone,
+            sparse=any(abs(after - before) > 1 for before, after in pairwise(frames)),
         )
     under_way = list(runs.values())
     if begun is not None:
@@ -183,7 +187,11 @@ def _regrouped(
 def _numbers(frames: Sequence[int]) -> tuple[int, ...]:
     if not isinstance(frames, Iterable):
         raise ValueError(f"frames are several numbers, the first one to begin on, not {shown(frames)}")
-    return tuple(map(frame_number, frames))
+    numbers = tuple(map(frame_number, frames))
+    steps = [after - before for before, after in pairwise(numbers)]
+    if not (all(step > 0 for step in steps) or all(step < 0 for step in steps)):
+        raise ValueError(f"frames rise or fall, each once, from the one to begin on, not {shown(frames)}")
+    return numbers
 
 
 def _stepped(picture: PreparedFrame, frame: int, token: CancelToken | None, run: _Run) -> tuple[TrackResult, ...]:

@@ -26,7 +26,6 @@ class LayerTransform:
     Frames increase strictly, the plate's own numbers; every matrix has 1 in its last corner and an inverse. Between two
     frames the matrix is the linear blend of theirs; before the first and after the last it holds still.
 
-
     Of a track it also holds, as pairs `(frame, value)` in the order of frames, the `confidence` in [0, 1] where one is
     known; the frames of its adjust keys, on which the artist says that it is right (`adjusted`); four corners in layer
     space by which the surface is pinned there (`surface`), none where no one has asked for them; and of a point track

@@ -129,6 +129,14 @@ def outline_distance(ours: Array, true: Array, closed: bool = True) -> float:
     return float(max(cKDTree(one).query(other)[0].mean() for one, other in ((a, b), (b, a))))
 
 
+def distance_to_line(positions: Array, line: Array) -> Array:
+    """Distances `(K,)` of positions to a closed polyline."""
+    start, along = line, np.roll(line, -1, axis=0) - line
+    t = np.einsum("kec,ec->ke", positions[:, None] - start, along) / (along**2).sum(axis=1)
+    foot = start + np.clip(t, 0.0, 1.0)[..., None] * along
+    return np.asarray(np.hypot(*np.moveaxis(positions[:, None] - foot, 2, 0)).min(axis=1))
+
+
 def dense(points: Array, closed: bool = True, count: int = 800) -> Array:
     """Positions `(count, 2)` at equal arc length along a spline."""
     return bezier.evaluate(points, *bezier.arc_length_pairs(points, count, closed), closed)

@@ -29,7 +29,6 @@ from app.translation import (
     moment,
     number,
     sentence_of,
-    shown_language,
     speak,
     tr,
     translated,
@@ -71,7 +70,6 @@ def test_english_is_what_stands_in_the_code() -> None:
 
 
 def test_german(german: None) -> None:
-    assert shown_language() == "de"
     assert tr("Track forward") == "Vorwärts tracken"
     assert tr("%n frame(s) is/are missing.", "", 1) == "1 Frame fehlt."
     assert tr("%n frame(s) is/are missing.", "", 3) == "3 Frames fehlen."

@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 
 from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.kernels.flattening import step_counts
-from tests.property.strategies import coordinates, point_arrays
+from tests.property.strategies import point_arrays
 
 
 @given(point_arrays(), st.data(), st.floats(0.01, 0.99), st.booleans())
@@ -46,17 +45,6 @@ def test_pairs_lie_on_the_spline_in_order(points: Array, count: int, closed: boo
     assert (t <= 1.0).all()
     assert (segment < bezier.segment_count(len(points), closed)).all()
     assert (np.diff(segment + t) >= 0.0).all()
-
-
-@given(point_arrays(), arrays(np.float64, 2, elements=coordinates()), st.booleans())
-def test_nothing_sampled_is_nearer_than_the_nearest(points: Array, position: Array, closed: bool) -> None:
-    segment, t, distance = bezier.nearest(points, position, closed)
-    here = bezier.evaluate(points, np.array([segment]), np.array([t]), closed)[0]
-    np.testing.assert_allclose(np.hypot(*(here - position)), distance, atol=1e-9)
-    u = np.linspace(0.0, 1.0, 33)
-    for other in range(bezier.segment_count(len(points), closed)):
-        line = bezier.evaluate(points, np.full(33, other), u, closed)
-        assert distance <= np.hypot(*(line - position).T).min() + 1e-9
 
 
 @given(point_arrays(), st.sampled_from([0.02, 0.1, 1.0]), st.booleans())

@@ -61,10 +61,18 @@ class AdjustTool(GestureTool):
         elif layer is None:
             self.view_state.say(tr(NO_TRACK))
         else:
-            here = self.view_state.frame
-            after = pinned(self.document.project, layer.id, here, surface_at(self.document.project, layer.id, here))
-            self.document.apply(tr("Adjust key"), after)
-            self.view_state.say(tr("Adjust key on frame {here}: the track is right here.", here=here))
+            self._set_key(layer)
+
+    def _set_key(self, layer: Layer) -> None:
+        """An adjust key of the corners as they are here; says why where they are those of no surface."""
+        here = self.view_state.frame
+        try:
+            after = pinned(self.document.project, layer.id, here, self.corners(self.document.project, layer))
+        except RoamError as error:
+            self.view_state.say(sentence_of(error))
+            return
+        self.document.apply(tr("Adjust key"), after)
+        self.view_state.say(tr("Adjust key on frame {here}: the track is right here.", here=here))
 
     def press(self, pointer: Pointer) -> None:
         layer = self.layer()

@@ -352,7 +352,7 @@ class Filling:
         return Span(first, last, ahead, behind, view.seen, scale, self.params.region or RegionParams())
 
     def _begun_there(self, shapes: Sequence[RotoShape], frame: int, view: EngineView) -> Engine | None:
-        """The object on a key beyond the span; None where its picture is not to be had."""
+        """The object on a key beyond the span; None where its picture is not to be had, or of another size."""
         try:
             return self._begun(shapes, _key(shapes, frame, view), view)
         except RoamError:

@@ -351,9 +351,19 @@ def _host(k: int, solid: Sequence[int], shapes: Sequence[RotoShape]) -> int | No
 
 
 def _is_within(a: RotoShape, b: RotoShape) -> bool:
-    """Whether `b` surrounds `a` where they met."""
+    """Whether `b` surrounds `a` where they met; of one without an area, such as one drawn in to a point, its line."""
     inner, outer = _met(a, b)
+    if np.isclose(inner.area, 0.0):
+        return _holds(outer, inner.line)
     return _shared(inner, outer) >= OBJECTS.enclosed * inner.area
+
+
+def _holds(drawn: Drawn, places: Array) -> bool:
+    """Whether all `places (K, 2)` lie within a shape, or on its outline."""
+    import cv2  # large: only for shapes without an area
+
+    line = drawn.line.astype(np.float32)
+    return all(cv2.pointPolygonTest(line, place, False) >= 0 for place in places.tolist())
 
 
 @_once_a_pair

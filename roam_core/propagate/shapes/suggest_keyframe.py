@@ -17,7 +17,7 @@ def suggest_keyframe(shape: RotoShape) -> int | None:
     gap between two keys where it was filled from both. So it is the beginning of a bad stretch rather than its worst
     frame: what comes after was carried from there. The earlier frame wins a tie.
     """
-    doubtful = [key for key in shape.living_keys if key.origin is Origin.ENGINE and is_doubtful(key.confidence)]
+    doubtful = [key for key in _engine_keys(shape) if is_doubtful(key.confidence)]
     return max(doubtful, key=lambda key: (_gain(shape, key), -key.frame)).frame if doubtful else None
 
 
@@ -44,4 +44,5 @@ def _direction(key: Keyframe) -> str:
 
 
 def _engine_keys(shape: RotoShape) -> list[Keyframe]:
-    return [key for key in shape.keys if key.origin is Origin.ENGINE]
+    """The engine's keys on frames on which the shape exists: no run solves the others."""
+    return [key for key in shape.living_keys if key.origin is Origin.ENGINE]

@@ -86,11 +86,6 @@ def minimum_cut(ratio: Float32, weights: Float32, free: Bools, held: Bools) -> C
     return Cut(inside, _cost(inside, costs, links))
 
 
-def segmentation_cost(inside: Bools, ratio: Float32, weights: Float32) -> float:
-    """The oracle: the cost in nats, rounded as `minimum_cut` rounds it, of any labelling `(rows, columns)`."""
-    return _cost(inside, *_integers(ratio, weights))
-
-
 OUTSIDE, INSIDE, UNDECIDED = 0, 1, 2
 
 

@@ -54,7 +54,7 @@ WARPED = RoamParams(mu=0.3, l2_rest=0.8)
 
 def test_the_papers_l2_is_the_same_bit_by_bit_whatever_the_prewarp_carried(context: CurveContext) -> None:
     at_rest = replace(context, rest=CARRIED)
-    tables = [total.tables(NODES, MOVES, each, RoamParams())[1] for each in (context, at_rest)]
+    tables = [total.pairwise_table(NODES, MOVES, each, RoamParams()) for each in (context, at_rest)]
     np.testing.assert_array_equal(*tables)
 
 
@@ -113,7 +113,7 @@ def test_any_labelling_of_the_tables_has_the_energy_of_the_papers_equations(
     if params.appearance is None:
         at_rest = replace(at_rest, colours=None)
     nodes = NODES[::-1].copy() if turned else NODES
-    unary, pairwise = total.tables(nodes, MOVES, at_rest, params)
+    unary, pairwise = np.zeros((len(nodes), len(MOVES))), total.pairwise_table(nodes, MOVES, at_rest, params)
     for labels in np.random.default_rng(4).integers(0, len(MOVES), (20, len(NODES))):
         direct = ref_curve_energies(nodes + MOVES[labels], at_rest, params)
         assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], rel=EXACT, abs=EXACT)
@@ -167,6 +167,6 @@ def test_remembered_tables_are_those_made_anew(coloured: CurveContext, params: R
         nodes = nodes.copy()
         nodes[moved] += 1.0
         remembered = memory.pairwise(nodes, MOVES, coloured, params)
-        np.testing.assert_allclose(remembered, total.tables(nodes, MOVES, coloured, params)[1], atol=1e-12)
+        np.testing.assert_allclose(remembered, total.pairwise_table(nodes, MOVES, coloured, params), atol=1e-12)
     finer = memory.pairwise(nodes, 0.5 * MOVES, coloured, params)
-    np.testing.assert_allclose(finer, total.tables(nodes, 0.5 * MOVES, coloured, params)[1], atol=1e-12)
+    np.testing.assert_allclose(finer, total.pairwise_table(nodes, 0.5 * MOVES, coloured, params), atol=1e-12)

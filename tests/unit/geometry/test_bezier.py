@@ -1,4 +1,4 @@
-"""Splines as point arrays: evaluation, splitting, flattening, arc length, the nearest point."""
+"""Splines as point arrays: evaluation, splitting, flattening, arc length."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ import itertools
 import numpy as np
 import pytest
 
-from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from tests.golden.shots import blob, dense
+from tests.golden.shots import blob, dense, distance_to_line
 
 BLOB = blob([30.0, 22.0, 26.0, 34.0, 20.0])
 ARCH = np.array([[(0, 0), (0, 0), (0, 30)], [(40, 0), (40, 30), (40, 0)], [(70, 10), (60, -20), (80, 40)]], dtype=float)
@@ -122,34 +121,7 @@ def test_pairs_at_equal_arc_length_lie_equally_far_apart(closed: bool) -> None:
     np.testing.assert_allclose(steps, np.median(steps), rtol=0.06)
 
 
-def test_the_nearest_point_of_a_spline() -> None:
-    segment, t, distance = bezier.nearest(BLOB, (100.0, 5.0))
-    assert distance == pytest.approx(np.hypot(*(dense(BLOB, count=20000) - (100.0, 5.0)).T).min(), abs=1e-4)
-    position = bezier.evaluate(BLOB, np.array([segment]), np.array([t]))[0]
-    assert np.hypot(*(position - (100.0, 5.0))) == pytest.approx(distance)
-
-
 def test_even_pairs_begin_at_each_anchor_and_leave_out_segments_that_get_none() -> None:
     segment, t = bezier.even_pairs(np.array([2, 0, 3, 1]))
     assert segment.tolist() == [0, 0, 2, 2, 2, 3]
     assert t.tolist() == [0.0, 0.5, 0.0, 1.0 / 3.0, 2.0 / 3.0, 0.0]
-
-
-def test_a_point_on_the_spline_is_its_own_nearest() -> None:
-    for pair in zip(*bezier.arc_length_pairs(BLOB, 23), strict=True):
-        here = bezier.evaluate(BLOB, np.array([pair[0]]), np.array([pair[1]]))[0]
-        assert bezier.nearest(BLOB, here)[2] == pytest.approx(0.0, abs=1e-5)
-
-
-def test_the_nearest_point_of_an_open_spline_is_not_on_the_closing_segment() -> None:
-    segment, _, distance = bezier.nearest(ARCH, (20.0, -50.0), closed=False)
-    assert segment < 2
-    assert distance > bezier.nearest(ARCH, (20.0, -50.0), closed=True)[2] - 1e-9
-
-
-def distance_to_line(positions: Array, line: Array) -> Array:
-    """Distances `(K,)` of positions to a closed polyline."""
-    start, along = line, np.roll(line, -1, axis=0) - line
-    t = np.einsum("kec,ec->ke", positions[:, None] - start, along) / (along**2).sum(axis=1)
-    foot = start + np.clip(t, 0.0, 1.0)[..., None] * along
-    return np.asarray(np.hypot(*np.moveaxis(positions[:, None] - foot, 2, 0)).min(axis=1))

@@ -122,3 +122,12 @@ def inside(line: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
             between = (y >= min(ay, by)) & (y < max(ay, by))
             crossed ^= between & (ax + (y - ay) * (bx - ax) / (by - ay) < x)
     return crossed
+
+
+@pytest.mark.parametrize("size", [0.0, 1e-300, 1e-8, 1e-3])
+def test_a_ring_of_hardly_any_size_is_a_spline_in_its_place(size: float) -> None:
+    """A pixel of a mask that hardly passes a half: to smooth it by so many of its own lengths took hours."""
+    ring = np.array([(7.0, 5.0), (7.0 + size, 5.0), (7.0 + size, 5.0 + size), (7.0, 5.0 + size)])
+    points = fit_closed(ring)
+    assert len(points) >= 3
+    np.testing.assert_allclose(points, np.broadcast_to((7.0, 5.0), points.shape), atol=2.0 * size + 1e-12)

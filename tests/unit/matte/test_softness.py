@@ -215,3 +215,10 @@ def test_nothing_is_read_without_a_picture() -> None:
     found = seen(missing, [shape])
     assert (found.shutter, found.total) == (None, {})
     assert soft(shape, found) == shape
+
+
+def test_a_single_point_has_no_edge_and_stays_as_it_is() -> None:
+    point = RotoShape("point", "point", (Keyframe(1, np.full((1, 3, 2), 60.0)),), feather=2.0)
+    found = seen(lambda _: picture(shape_matte(soft_disc(6.0), 1, SIZE)), [point, disc()])
+    assert set(found.total) == {("disc", 1)}
+    assert soft(point, found) == point

@@ -105,7 +105,9 @@ def test_layers_by_their_names(tmp_path: Path) -> None:
     channels = {name: np.ascontiguousarray(values[..., place % 3] * place) for place, name in enumerate(names)}
     file = tmp_path / "p.exr"
     OpenEXR.File(SCANLINES, channels).write(str(file))
-    for layer in read_header(file).layers:
+    layers = read_header(file).layers
+    assert len(layers) == 4
+    for layer in layers:
         reader = Spy()
         require_same(read_image(file, layer, None, reader), read_image(file, layer))
         assert reader.given == [True]

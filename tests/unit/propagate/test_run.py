@@ -271,6 +271,22 @@ def test_nothing_to_track_is_refused(config: str, blob_shot: Shot) -> None:
         next(track(blob_shot.read, [], blob_shot.frames, config))
 
 
+@pytest.mark.parametrize("frames", [(1001, 1003, 1002), (1001, 1001, 1002), (1003, 1001, 1002), (1001, 1002, 1001)])
+def test_frames_that_neither_rise_nor_fall_are_refused(config: str, frames: tuple[int, ...], blob_shot: Shot) -> None:
+    with pytest.raises(ValueError, match="rise or fall"):
+        next(track(blob_shot.read, [blob_shot.shape(frames[0])], frames, config))
+
+
+@pytest.mark.parametrize("frames", [(1001, 1003, 1004, 1006), (1006, 1004, 1003, 1001)])
+def test_a_run_that_leaves_frames_out_goes_on_as_if_it_had_not_been_stopped(
+    config: str, frames: tuple[int, ...], blob_shot: Shot
+) -> None:
+    pictures = {frame: blob_shot.read(frame) for frame in frames}
+    whole = list(track(pictures, [blob_shot.shape(frames[0])], frames, config))
+    rest = last(list(track(pictures, [whole[0].results[0].shape], frames[1:], config)))
+    assert rest == last(whole)
+
+
 def test_one_frame_is_a_run_of_none(config: str, blob_shot: Shot) -> None:
     assert list(track(blob_shot.read, [blob_shot.shape()], blob_shot.frames[:1], config)) == []
 

@@ -82,6 +82,21 @@ def test_return_says_that_it_is_right_here(hand: Hand, document: Document, track
     np.testing.assert_allclose(surface_at(document.project, tracked, 6), SQUARE[:, 0], atol=1e-9)
 
 
+def test_a_surface_that_is_a_line_is_refused_in_a_sentence(
+    hand: Hand, document: Document, view_state: ViewState, tracked: str
+) -> None:
+    """Of the layer's shapes a level stroke alone is left."""
+    project, stroke = edit.new_shape(
+        document.project, polygon_points([(100.0, 90.0), (200.0, 90.0)]), 1, closed=False, layer_id=tracked
+    )
+    project = edit.remove_items(project, view_state.selection.shapes)
+    document.open(project, None)
+    view_state.select(frozenset({stroke.id}))
+    hand.key(Qt.Key.Key_Return)
+    assert view_state.message.startswith("The four corners must stay corners")
+    assert document.project is project
+
+
 def test_a_corner_that_folds_the_surface_is_refused_in_a_sentence(
     hand: Hand, document: Document, view_state: ViewState, tracked: str
 ) -> None:

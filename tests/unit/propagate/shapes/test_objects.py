@@ -189,6 +189,15 @@ def test_shapes_without_an_area_belong_somewhere_all_the_same() -> None:
     assert sorted(k for unit in found for k in unit.members) == [0, 1, 2, 3]
 
 
+@pytest.mark.parametrize(("width", "height"), [(0, 0), (20, 0), (0, 20)])
+def test_a_hole_drawn_in_to_a_point_or_a_line_belongs_to_the_shape_around_it(width: float, height: float) -> None:
+    left, right = square(0, 0, 40), square(38, 0, 40)
+    drawn_in = RotoShape("h", "H", (Keyframe(1, box(5, 10, width, height)),), blend=BlendMode.SUBTRACT)
+    assert units([left, right, drawn_in], 20.0) == [part(0, 2), part(1)]
+    across = RotoShape("h", "H", (Keyframe(1, box(30, 10, 20, 0)),), blend=BlendMode.SUBTRACT)
+    assert units([left, right, across], 20.0) == [part(0), part(1), occluder(2)]
+
+
 def test_depth_comes_before_the_stack() -> None:
     shapes = [square(k, 0, 40) for k in range(3)]
     assert stacked(shapes, 1) == [0, 1, 2]

@@ -46,6 +46,12 @@ def test_frames_on_which_the_shape_does_not_exist_are_not_offered() -> None:
     assert suggest_keyframe(replace(ended, lifetime=(1, 3))) is None
 
 
+def test_keys_that_a_shortened_lifetime_left_beside_it_make_no_frame_worth_more() -> None:
+    first, second = {2: BAD, 3: 0.99}, {12: BAD, 13: 0.99, 14: 0.99}
+    ended = replace(shape(artist(1), *tracked(second), *tracked(first, "fill")), lifetime=(1, 13))
+    assert suggest_keyframe(ended) == 2
+
+
 def test_backwards_a_bad_stretch_begins_at_its_end() -> None:
     falling = {2: BAD, 3: BAD, 4: BAD, 5: 0.99}
     assert suggest_keyframe(shape(artist(6), *tracked(falling, "backward"))) == 4

@@ -7,7 +7,7 @@ import numpy.testing as npt
 import pytest
 
 from roam_core.arrays import Bools, Float32
-from roam_core.proposal.segment.graph_cut import PER_NAT, contrast_weights, minimum_cut, segmentation_cost
+from roam_core.proposal.segment.graph_cut import PER_NAT, contrast_weights, minimum_cut
 from tests.reference.graph_cut import ref_augmenting_paths, ref_cost, ref_every_labelling
 
 Problem = tuple[Float32, Float32, Bools, Bools]
@@ -48,7 +48,6 @@ def test_it_is_the_cut_that_augmenting_paths_find_one_by_one(seed: int, coarse: 
 def test_its_cost_is_the_oracles(seed: int) -> None:
     ratio, weights, free, held = problem(seed, (12, 15), 4)
     found = minimum_cut(ratio, weights, free, held)
-    assert found.cost == segmentation_cost(found.inside, ratio, weights)
     assert round(found.cost * PER_NAT) == ref_cost(found.inside, ratio, weights)
 
 
