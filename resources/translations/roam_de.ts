@@ -106,6 +106,10 @@
         <translation>&quot;colour&quot; muss eine Liste aus drei Zahlen sein</translation>
     </message>
     <message>
+        <source>&quot;depth&quot; must be a list of frames, each with -1, 0 or 1</source>
+        <translation>&quot;depth&quot; muss eine Liste von Frames sein, jeder mit -1, 0 oder 1</translation>
+    </message>
+    <message>
         <source>&quot;kind&quot; must be &quot;layer&quot; or &quot;shape&quot;</source>
         <translation>&quot;kind&quot; muss &quot;layer&quot; oder &quot;shape&quot; sein</translation>
     </message>
@@ -6941,6 +6945,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>it has no polyline</source>
         <translation>keine Polylinie</translation>
+    </message>
+    <message>
+        <source>it has none of the known forms</source>
+        <translation>keine der bekannten Formen</translation>
     </message>
     <message>
         <source>it has two keys on one frame</source>

@@ -38,6 +38,7 @@ from roam_core.roto import (
 )
 from roam_core.roto.animated import Animatable, Slopes
 from roam_core.roto.imported import IMPORT
+from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.roto.value_curves import bounded
 from roam_core.translatable import N_, said_by, sentence
@@ -145,6 +146,9 @@ class _Writer(ShapeWriter):
             else {"shutter": blur.shutter, "phase": blur.phase, "samples": blur.samples},
             "lifetime": None if shape.lifetime is None else [frame + offset for frame in shape.lifetime],
             **({"compound": shape.compound} if shape.compound else {}),
+            **({"link": shape.link} if shape.link else {}),
+            **({} if shape.attached else {"attached": False}),
+            **({"depth": [[frame + offset, level] for frame, level in shape.depth]} if shape.depth else {}),
             "keys": [self._key(key) for key in shape.keys],
         }
 
@@ -255,6 +259,9 @@ class JsonReader(ShapeReader):
                 visible=self._truth(values, "visible", True, place),
                 locked=self._truth(values, "locked", False, place),
                 compound=self._text(values, "compound", place),
+                link=self._text(values, "link", place),
+                attached=self._truth(values, "attached", True, place),
+                depth=self._depth(values, place),
             )
         except ValueError as error:
             raise self._refusal(place, said_by(error)) from None
@@ -402,11 +409,25 @@ class JsonReader(ShapeReader):
             raise self._refusal(place, sentence('"lifetime" must not end before it begins'))
         return start, stop
 
+    def _depth(self, values: dict[str, Any], place: str) -> tuple[tuple[int, int], ...]:
+        """From which frames on a shape lies before (1) or behind (-1) the others of its object, or as stacked (0)."""
+        rows = values.get("depth", [])
+        if not isinstance(rows, list) or not all(map(_is_depth, rows)):
+            raise self._refusal(place, sentence('"depth" must be a list of frames, each with -1, 0 or 1'))
+        self.check_keys(len(rows))
+        return tuple(sorted({self._frame(frame, place): int(level) for frame, level in rows}.items()))
+
     def _frame(self, number: float, place: str) -> int:
         try:
             return self.frame(number)
         except ValueError as error:
             raise self._refusal(place, said_by(error)) from None
+
+
+def _is_depth(row: Any) -> bool:
+    """Whether it is a frame and a level."""
+    is_pair = isinstance(row, list) and len(row) == 2 and are_numbers(row)
+    return is_pair and row[1] in (BEHIND, AS_STACKED, IN_FRONT)
 
 
 def _as_bspline(shape: RotoShape) -> RotoShape:

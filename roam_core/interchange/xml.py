@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 from typing import Any, Literal
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
@@ -11,6 +12,7 @@ from defusedxml.ElementTree import DefusedXMLParser
 
 from roam_core.errors import RoamError
 from roam_core.interchange.reading import MAX_PARTS, ShapeReader
+from roam_core.interchange.recognition import text_of
 from roam_core.translatable import said_by, sentence
 
 CHUNK = 1 << 20
@@ -36,10 +38,10 @@ def parsed(
         when the file is no XML, too large or too deep, or when it declares a document type or an entity: files of
         shapes need neither, and they are the ways to make a reader fetch other files or grow without end.
     """
-    told = None if reader.options.content is None else "utf-8"  # a text that was copied; what it says was its file's
+    content, told = _as_it_is(reader.content() if content is None else content)
+    told = told if reader.options.content is None else "utf-8"  # a text that was copied; what it says was its file's
     parser: Any = DefusedXMLParser(target=_ShallowTree(reader), encoding=told, forbid_dtd=doctype == "refused")
     try:
-        content = reader.content() if content is None else content
         if content.count(b"=") > MAX_PARTS:  # attributes, of which one element may have as many as the file is long
             raise RoamError(
                 sentence(
@@ -64,6 +66,29 @@ def parsed(
         ) from None
     assert isinstance(root, Element)
     return root
+
+
+def _as_it_is(content: bytes) -> tuple[bytes, str | None]:
+    """The content, and its encoding where that is not what it says of itself.
+
+    A byte order mark says more than a declaration, which programs keep that save the text anew; letters of Western
+    Windows stand in files that declare UTF-8, or nothing.
+    """
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return text_of(content).encode("utf-8", "replace"), "utf-8"
+    if content.startswith(codecs.BOM_UTF8):
+        return content, "utf-8"
+    declared = _DECLARED.match(content)
+    if (declared and declared[1].lower() not in (b"utf-8", b"utf8")) or content.isascii() or b"\0" in content[:4]:
+        return content, None
+    try:
+        content.decode("utf-8")
+    except UnicodeDecodeError:
+        return text_of(content).encode("utf-8", "replace"), "utf-8"
+    return content, None
+
+
+_DECLARED = re.compile(rb"""\s*<\?xml\s[^>]{0,200}?\bencoding\s*=\s*["']([\w.:-]*)""")
 
 
 def local_name(element: Element) -> str:

@@ -17,7 +17,7 @@ from roam_core.geometry import bezier, bspline, merging
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import control_points as controls
 from roam_core.roto.animated import Interpolation
-from roam_core.roto.linking import fresh_compounds
+from roam_core.roto.linking import fresh_compounds, fresh_links
 from roam_core.roto.plain_fields import plain
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import NO_COLOUR, Keyframe, Origin, Outline, RotoShape, Spline
@@ -80,11 +80,12 @@ def add_items(
 ) -> tuple[Project, list[str]]:
     """Put copies of layers, with what lies in them, and of shapes in plate space on top of a layer.
 
-    Returns the project and the ids of the copies (not of what lies in them). Ids and compounds that are taken are
-    replaced by free ones; names stay, and colours where there are any.
+    Returns the project and the ids of the copies (not of what lies in them). Ids, links and compounds that are taken
+    are replaced by free ones; names stay, and colours where there are any.
     """
     items = tuple(items)
-    compounds = fresh_compounds(project, (shape for item in items for shape in _shapes_of(item)))
+    joining = [shape for item in items for shape in _shapes_of(item)]
+    links, compounds = fresh_links(project, joining), fresh_compounds(project, joining)
     taken = {project.root.id} | {item.id for item in project.root.items()}
     numbers = {kind: count(1) for kind in ("layer", "shape")}
     added = count()
@@ -97,8 +98,8 @@ def add_items(
         taken.add(item_id)
         if isinstance(item, Layer):
             return replace(item, id=item_id, children=tuple(copied(child) for child in item.children))
-        compound = compounds.get(item.compound, item.compound)
-        return replace(_coloured(project, item, next(added)), id=item_id, compound=compound)
+        link, compound = links.get(item.link, item.link), compounds.get(item.compound, item.compound)
+        return replace(_coloured(project, item, next(added)), id=item_id, link=link, compound=compound)
 
     copies = tuple(copy if isinstance(copy, Layer) else project.stored(copy, layer_id) for copy in map(copied, items))
     grown = project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, *copies)))

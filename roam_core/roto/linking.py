@@ -72,12 +72,16 @@ def relinked(project: Project, copies: Sequence[RotoShape]) -> list[RotoShape]:
 
     So are their compounds: copies are the outlines of things of their own.
     """
-    names = _renamed(links(project), {copy.link for copy in copies}, "object")
-    compounds = fresh_compounds(project, copies)
+    names, compounds = fresh_links(project, copies), fresh_compounds(project, copies)
     return [
         replace(copy, link=names.get(copy.link, copy.link), compound=compounds.get(copy.compound, copy.compound))
         for copy in copies
     ]
+
+
+def fresh_links(project: Project, shapes: Iterable[RotoShape]) -> dict[str, str]:
+    """The links of shapes that are about to join a project which has some of the name, and free names for them."""
+    return _renamed(links(project), {shape.link for shape in shapes}, "object")
 
 
 def fresh_compounds(project: Project, shapes: Iterable[RotoShape]) -> dict[str, str]:

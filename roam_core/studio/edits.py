@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -57,8 +58,12 @@ def jobs_of_edit(timeline: Any, path: Path, inits: Path, handles: int, steps: St
             (inits / f"{name}{suffix}" for suffix in INIT_SUFFIXES if (inits / f"{name}{suffix}").exists()), None
         )
         if init is None:
+            if clip.source_range is None:  # how long it lasts is asked for where mattes are laid above it
+                with suppress(RoamError):
+                    _require_range(clip, open_clip(_media_path(clip, path.absolute().parent, name)), name)
             continue
         plate = open_clip(_media_path(clip, path.absolute().parent, name))
+        _require_range(clip, plate, name)
         first, last = _frames(clip, plate, name, handles)
         chosen = steps(init) if callable(steps) else steps
         is_mask = init.suffix.lower() != ".roam"
@@ -80,7 +85,8 @@ def write_with_mattes(timeline: Any, jobs: Jobs, path: Path) -> None:
     made = timeline.deepcopy()
     by_name = {job.name: job for job in jobs.jobs}
     named = list(_named_clips(made))
-    for track in list(made.video_tracks()):
+    tracks = made.find_children(otio.schema.Track)  # those in stacks within others, too
+    for track in [each for each in tracks if each.kind == otio.schema.TrackKind.Video]:
         mattes = otio.schema.Track(name=f"{track.name} mattes".strip(), kind=track.kind)
         has_any = False
         for item in track:
@@ -91,7 +97,7 @@ def write_with_mattes(timeline: Any, jobs: Jobs, path: Path) -> None:
             has_any = has_any or reference is not None
             mattes.append(_above(item, reference))
         if has_any:
-            made.tracks.insert(made.tracks.index(track) + 1, mattes)
+            track.parent().insert(track.parent().index(track) + 1, mattes)
     write_atomically(path, otio.core.serialize_json_to_string(made, indent=1).encode())
 
 
@@ -105,10 +111,16 @@ def _above(item: Any, reference: Any) -> Any:
     """A copy of a clip with mattes for its media, or a gap as long as the item."""
     otio = studio_module(LIBRARY)
     if reference is None:
-        return otio.schema.Gap(source_range=otio.opentime.TimeRange(duration=item.duration()))
+        try:
+            return otio.schema.Gap(source_range=otio.opentime.TimeRange(duration=item.duration()))
+        except otio.exceptions.CannotComputeAvailableRangeError:
+            raise RoamError(
+                f"How long {item.name or 'a clip'} lasts is not said in the edit; relink it first."
+            ) from None
     clip = otio.schema.Clip(
         name=item.name, media_reference=reference, source_range=item.trimmed_range(), metadata=item.metadata
     )
+    clip.enabled = item.enabled
     clip.effects.extend(effect.deepcopy() for effect in item.effects)
     return clip
 
@@ -191,7 +203,8 @@ def _frames(clip: Any, plate: PlateSource, name: str, handles: int) -> tuple[int
     speed = max([1.0, *(abs(effect.time_scalar) for effect in clip.effects if _is_warp(effect))])
     first = _frame_at(clip, plate, shown.start_time)
     last = first + round(shown.duration.rescaled_to(_rate(clip)).value * speed) - 1
-    before, after = clip.parent().neighbors_of(clip)
+    is_in_track = isinstance(clip.parent(), otio.schema.Track)  # else it lies in a stack, alone
+    before, after = clip.parent().neighbors_of(clip) if is_in_track else (None, None)
     if isinstance(before, otio.schema.Transition):
         first -= round(before.in_offset.rescaled_to(_rate(clip)).value)
     if isinstance(after, otio.schema.Transition):
@@ -200,6 +213,34 @@ def _frames(clip: Any, plate: PlateSource, name: str, handles: int) -> tuple[int
     if last < there[0] or first > there[1]:
         raise RoamError(f"The clip {name} shows the frames {first} to {last}; its plate has {there[0]} to {there[1]}.")
     return max(first - handles, there[0]), min(last + handles, there[1])
+
+
+def _require_range(clip: Any, plate: PlateSource, name: str) -> None:
+    """Give the media of a clip, of which an edit need not say it, the range of time that they last.
+
+    They are as long as the plate, and begin at 0 or at the number of its first frame: where only one of these takes in
+    what the clip shows, it is meant. Raises `RoamError` where both do, or neither.
+    """
+    otio = studio_module(LIBRARY)
+    media, shown = clip.media_reference, clip.source_range
+    if media.available_range is not None:
+        return
+    rate = plate.fps if shown is None else shown.start_time.rate
+    first, length = plate.frames[0], plate.frames[-1] - plate.frames[0] + 1
+    starts = {0, first}
+    if shown is None:
+        starts = {first}
+    else:
+        begin, end = shown.start_time.value, shown.end_time_exclusive().value
+        starts = {start for start in starts if start <= begin and end <= start + length}
+    if len(starts) != 1:
+        raise RoamError(
+            f"The clip {name} does not say at which time its media begin (available_range), and by its plate, frames "
+            f"{first} to {plate.frames[-1]}, it cannot be told; give it that in the edit."
+        )
+    media.available_range = otio.opentime.TimeRange(
+        otio.opentime.RationalTime(starts.pop(), rate), otio.opentime.RationalTime(length, rate)
+    )
 
 
 def _is_warp(effect: Any) -> bool:

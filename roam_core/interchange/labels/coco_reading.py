@@ -47,17 +47,18 @@ class CocoReader(ShapeReader):
         self.check_parts(len(document["images"]) + len(document["annotations"]))
         images = [image for image in document["images"] if isinstance(image, dict)]
         frames, size = self._frames(images), self._size(images)
+        categories = document.get("categories")
         names = {
             category.get("id"): str(category.get("name", ""))
-            for category in document.get("categories") or ()
+            for category in (categories if isinstance(categories, list) else ())
             if isinstance(category, dict) and isinstance(category.get("id"), int)
         }
         tracks: dict[tuple[Any, ...], dict[int, Any]] = {}
         for row in document["annotations"]:
-            if not isinstance(row, dict) or row.get("image_id") not in frames:
+            if not isinstance(row, dict) or (image := _id(row.get("image_id"))) not in frames:
                 self.note(sentence("Annotations without an image of the file were left out."))
                 continue
-            frame, name = frames[row["image_id"]], names.get(row.get("category_id"), "Object")
+            frame, name = frames[image], names.get(_id(row.get("category_id")), "Object")
             if row.get("segmentation") in (None, []):
                 self.note(sentence("{name} has boxes without outlines, which were left out.", name=brief(name)))
                 continue
@@ -99,7 +100,7 @@ class CocoReader(ShapeReader):
 
     def _frames(self, images: list[dict[str, Any]]) -> dict[Any, int]:
         """The clip's frame of each image: by its `frame`, else by the number in its name, else by its place."""
-        ids = [image["id"] if isinstance(image.get("id"), int | str) else None for image in images]
+        ids = [_id(image.get("id")) for image in images]
         told = [image.get("frame") for image in images]
         if images and all(isinstance(frame, int) and not isinstance(frame, bool) for frame in told):
             found = [self._framed(frame) for frame in told]
@@ -259,6 +260,11 @@ class CocoReader(ShapeReader):
                 )
             )
         return mask
+
+
+def _id(value: Any) -> int | str | None:
+    """A number or word by which a file names one of its parts; None for what is neither."""
+    return value if isinstance(value, int | str) else None
 
 
 def _sides(image: dict[str, Any]) -> list[Any]:

@@ -39,7 +39,7 @@ from roam_core.interchange.reading import (
     sensible,
 )
 from roam_core.roto import Clip, Keyframe, Layer, LayerTransform, RotoShape
-from roam_core.translatable import N_, said_by, sentence
+from roam_core.translatable import N_, Sentence, said_by, sentence
 
 PER_CURVE = 2
 """Parts that the curve of one coordinate counts for."""
@@ -172,6 +172,12 @@ def _name(knobs: dict[str, Word]) -> str:
 def _says_nothing(layer: Layer) -> bool:
     is_plain = layer.visible and not layer.locked and not layer.invert and layer.transform is None
     return is_plain and layer.opacity == 1.0
+
+
+def _reason(error: Exception) -> str:
+    """What a list lacks that cannot be read: in a sentence of ours, never in Python's words."""
+    told = said_by(error)
+    return told if isinstance(told, Sentence) else sentence("it has none of the known forms")
 
 
 def _flags(words: list[Word]) -> int:
@@ -307,7 +313,7 @@ class _NodeReader:
             )
         except (ValueError, IndexError, OverflowError) as error:
             self.reader.note(
-                sentence("The shape {name} was left out: {reason}.", name=brief(name), reason=said_by(error))
+                sentence("The shape {name} was left out: {reason}.", name=brief(name), reason=_reason(error))
             )
 
     def _whole_shape(self, name: str, parts: list[Word], outer: Sequence[Transform]) -> RotoShape:
@@ -408,7 +414,7 @@ class _NodeReader:
             )
             return Transform({})
         except (ValueError, IndexError) as error:
-            self._teller(kind, name)(sentence("its transform was left out, {reason}", reason=said_by(error)))
+            self._teller(kind, name)(sentence("its transform was left out, {reason}", reason=_reason(error)))
             return Transform({})
         for part in form.unknown:
             self._teller(kind, name)(sentence("the {part} of its transform was left out", part=sentence(part)))

@@ -183,13 +183,10 @@ def decoded(word: str) -> float:
 
     Raises `ValueError` for anything else, for what is not finite or absurdly large.
     """
-    if word.startswith("x"):
-        digits = bytes.fromhex(word[1:])
-        if len(digits) != 4:
-            raise ValueError(sentence("{text!r} is no number", text=word[:20]))
-        number: float = struct.unpack(">f", digits)[0]
-    else:
-        number = float(word)
+    try:
+        number: float = struct.unpack(">f", bytes.fromhex(word[1:]))[0] if word.startswith("x") else float(word)
+    except (ValueError, struct.error):
+        raise ValueError(sentence("{text!r} is no number", text=word[:20])) from None
     if not abs(number) <= MAX_NUMBER:
         raise ValueError(sentence("{text!r} is no sensible number", text=word[:20]))
     return number

@@ -418,3 +418,26 @@ def test_cocos_boxes_without_outlines_are_told(tmp_path: Path) -> None:
     assert [shape.name for shape in made.layer.shapes()] == ["Cat"]
     told = [note for note in made.notes if "boxes without outlines" in note]
     assert ["'Cat'" in " ".join(told), "'Dog'" in " ".join(told), "'Cow'" in " ".join(told)] == [False, True, True]
+
+
+@pytest.mark.parametrize(
+    ("place", "told"),
+    [
+        (("annotations", 0, "image_id"), "Annotations without an image"),
+        (("annotations", 0, "category_id"), ""),
+        (("categories",), ""),
+    ],
+)
+@pytest.mark.parametrize("value", [[1], {"a": 1}, -7])
+def test_parts_of_coco_that_are_of_another_kind_are_none(
+    tmp_path: Path, place: tuple[Any, ...], told: str, value: Any
+) -> None:
+    document = coco_document(project(car()))[0]
+    inner: Any = document
+    for step in place[:-1]:
+        inner = inner[step]
+    inner[place[-1]] = value
+    (tmp_path / "c.json").write_text(json.dumps(document))
+    found = read_shapes(tmp_path / "c.json", CLIP)
+    assert len(list(found.layer.shapes())) >= 1
+    assert told in " ".join(found.notes)

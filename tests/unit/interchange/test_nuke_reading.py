@@ -456,3 +456,17 @@ def test_a_clip_of_another_pixel_grid_only_scales(read: Read) -> None:
     script = node(group(), knobs=' format "200 100 0 0 200 100 1 small"')
     doubled = only(read(script, clip=replace(CLIP, size=(400, 200))))
     np.testing.assert_allclose(doubled.keys[0].points, 2 * only(read(script)).keys[0].points)
+
+
+@pytest.mark.parametrize("word", ["hello", "xzz112233", "x123", "1,5"])
+def test_a_damaged_number_is_named(read: Read, word: str) -> None:
+    points = f"{{p {{}} {{{word} 2}} {{}}}}"
+    assert read(node(group(points))).notes == (f"The shape 'A' was left out: {word!r} is no number.",)
+
+
+def test_lists_that_lack_something_are_told_in_our_words(read: Read) -> None:
+    assert read(node("{curvegroup B 512 bezier {{cc}} {a}}")).notes == (
+        "The shape 'B' was left out: it has none of the known forms.",
+    )
+    told = read(node(group("{p {} {1 2} {}}", form="{t éa 2}"))).notes
+    assert told == ("The shape 'A': its transform was left out, 'éa' is no number.",)

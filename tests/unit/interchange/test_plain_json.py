@@ -56,6 +56,38 @@ def test_compounds_come_back_and_one_that_is_no_text_is_refused(project: Project
         read(json.dumps(document), tmp_path)
 
 
+def test_what_tracking_goes_by_comes_back(project: Project, tmp_path: Path) -> None:
+    shape = replace(project.shapes[0], link="object-1", attached=False, depth=((1001, 1), (1010, 0), (1020, -1)))
+    text = json_document(project.with_shape(shape), ExportOptions(frame_offset=100))[0]
+    document = json.loads(text)
+    first = next(_shapes(document))
+    assert (first["link"], first["attached"], first["depth"]) == ("object-1", False, [[1101, 1], [1110, 0], [1120, -1]])
+    back = list(read(text, tmp_path, options=ImportOptions(frame_offset=100)).layer.shapes())
+    assert (back[0].link, back[0].attached, back[0].depth) == (shape.link, shape.attached, shape.depth)
+    assert all((each.link, each.attached, each.depth) == ("", True, ()) for each in back[1:])
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "said"),
+    [
+        ("link", 1, '"link" must be a text'),
+        ("attached", 1, '"attached" must be true or false'),
+        ("depth", {}, '"depth" must be a list of frames'),
+        ("depth", [[1001, 2]], '"depth" must be a list of frames'),
+        ("depth", [[1001]], '"depth" must be a list of frames'),
+        ("depth", [["1001", 1]], '"depth" must be a list of frames'),
+        ("depth", [[1e9, 1]], "is no frame number"),
+    ],
+)
+def test_what_tracking_goes_by_is_refused_where_it_is_none(
+    project: Project, tmp_path: Path, field: str, value: Any, said: str
+) -> None:
+    document = json.loads(json_document(project)[0])
+    next(_shapes(document))[field] = value
+    with pytest.raises(RoamError, match=said):
+        read(json.dumps(document), tmp_path)
+
+
 def _shapes(item: dict[str, Any]) -> Iterator[dict[str, Any]]:
     """All shapes of a document, or of a layer in it."""
     for child in item["items"]:

@@ -48,3 +48,23 @@ def test_a_namespace_is_no_part_of_the_local_name(tmp_path: Path) -> None:
 
 def test_characters_that_xml_cannot_hold_are_replaced() -> None:
     assert xml_text("a\0b\ud83d\ufffe\tc\N{HAIRCUT}") == "a\ufffdb\ufffd\ufffd\tc\N{HAIRCUT}"
+
+
+@pytest.mark.parametrize(
+    ("declared", "encoding"),
+    [
+        ("utf-8", "utf-16"),  # saved anew by an editor of Windows, which leaves the declaration as it was
+        ("UTF-16", "utf-16"),
+        ("UTF-16", "utf-16-be"),
+        ("UTF-16", "utf-8-sig"),
+        ("utf-8", "cp1252"),
+        ("", "cp1252"),
+        ("", "utf-8"),
+        ("iso-8859-5", "iso-8859-5"),
+    ],
+)
+def test_text_is_what_its_mark_says_or_what_its_bytes_are(tmp_path: Path, declared: str, encoding: str) -> None:
+    name = "Щука" if encoding == "iso-8859-5" else "Größe"
+    head = f'<?xml version="1.0" encoding="{declared}"?>' if declared else ""
+    root = parsed(reader(tmp_path, f'{head}<a label="{name}"/>'.encode(encoding)))
+    assert root.get("label") == name

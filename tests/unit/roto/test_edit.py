@@ -64,6 +64,14 @@ def test_compounds_that_are_taken_are_replaced_by_free_ones() -> None:
     assert [each.compound for each in project.shapes] == ["compound-1"] * 2 + ["mask-a"] + ["compound-2"] * 2 + [""]
 
 
+def test_links_that_are_taken_are_replaced_by_free_ones() -> None:
+    """Shapes of another project are no part of an object of this one, whose link has the same name."""
+    pieces = tuple(replace(shape(), id=f"shape-{k}", link="object-1") for k in (1, 2))
+    project, _ = edit.add_items(Project(), [Layer("layer-1", "Group", pieces)])
+    project, _ = edit.add_items(project, [Layer("layer-1", "Group", pieces), shape()])
+    assert [each.link for each in project.shapes] == ["object-1"] * 2 + ["object-2"] * 2 + [""]
+
+
 def test_shapes_without_a_colour_take_those_of_the_palette_in_turn() -> None:
     """As files without colours and programs give them, one by one and in layers; a colour of its own is kept."""
     plain = RotoShape("hero", "Hero", (Keyframe(1, SQUARE),))

@@ -151,3 +151,80 @@ def test_mattes_are_referred_to_by_the_digits_that_count(edit: Path, tmp_path: P
     assert media.number_of_images_in_sequence() == 4
     places = [Path(otio.url_utils.filepath_from_url(media.target_url_for_image_number(k))) for k in range(4)]
     assert places == sorted(mattes.iterdir())
+
+
+def changed(edit: Path, change: Any) -> None:
+    """The edit, saved anew with a change to it."""
+    timeline = read_edit(edit)
+    change(timeline)
+    edit.write_text(otio.core.serialize_json_to_string(timeline))
+
+
+def without_ranges(timeline: Any) -> None:
+    for item in timeline.find_clips():
+        item.media_reference.available_range = None
+
+
+def test_media_need_not_say_how_long_they_are(edit: Path, tmp_path: Path) -> None:
+    """`available_range` is optional in OpenTimelineIO, and many leave it out: that ended in an error of Python's."""
+    changed(edit, without_ranges)
+    assert ranges(edit, 0) == {"sh010": (1002, 1003), "sh_020": (1003, 1005)}
+
+    def from_zero(timeline: Any) -> None:
+        timeline.video_tracks()[0][0].source_range = span(1, 2)
+        timeline.video_tracks()[0][3].source_range = None
+
+    changed(edit, from_zero)
+    assert ranges(edit, 0) == {"sh010": (1002, 1003), "sh_020": (1001, 1006)}
+
+
+@pytest.mark.parametrize("first", [500, -3])
+def test_media_that_leave_their_time_open_are_told(edit: Path, tmp_path: Path, first: int) -> None:
+    changed(edit, without_ranges)
+    changed(edit, lambda timeline: setattr(timeline.video_tracks()[0][0], "source_range", span(first, 2)))
+    with pytest.raises(RoamError, match=r"sh010 does not say at which time its media begin \(available_range\)"):
+        jobs_from(edit, inits=tmp_path / "inits")
+
+
+def test_mattes_go_above_clips_in_nested_tracks_and_clips_without_a_length(edit: Path, tmp_path: Path) -> None:
+    def nested(timeline: Any) -> None:
+        track = timeline.video_tracks()[0]
+        track[0].enabled = False
+        track[1].media_reference.available_range = track[1].source_range = None
+        inner, stack = track.deepcopy(), otio.schema.Stack(name="nest")
+        del track[:]
+        stack.append(inner)
+        track.append(stack)
+
+    changed(edit, nested)
+    found = jobs_from(edit, inits=tmp_path / "inits", out=tmp_path / "out")
+    mattes = tmp_path / "out" / "sh010" / "mattes"
+    mattes.mkdir(parents=True)
+    for frame in (1002, 1003):
+        (mattes / f"plate.{frame}.png").touch()
+    found.write_timeline(tmp_path / "with.otio")
+    (stack,) = read_edit(tmp_path / "with.otio").video_tracks()[0]
+    _, above = stack
+    assert [(type(item).__name__, item.duration().value) for item in above] == [("Clip", 2), ("Gap", 6), ("Gap", 2)]
+    assert not above[0].enabled
+
+
+def test_a_clip_that_lies_in_a_stack_has_no_neighbours(edit: Path) -> None:
+    def stacked(timeline: Any) -> None:
+        track, stack = timeline.video_tracks()[0], otio.schema.Stack(name="nest")
+        stack.append(track[0].deepcopy())
+        track[0] = stack
+
+    changed(edit, stacked)
+    assert ranges(edit, 0) == {"sh010": (1002, 1003), "sh_020": (1003, 1005)}
+
+
+def test_a_clip_of_no_length_whose_media_are_gone_is_told(edit: Path, tmp_path: Path) -> None:
+    def gone(timeline: Any) -> None:
+        titles = timeline.video_tracks()[0][1]
+        titles.media_reference, titles.source_range = otio.schema.MissingReference(), None
+
+    changed(edit, gone)
+    found = jobs_from(edit, inits=tmp_path / "inits", out=tmp_path / "out")
+    with pytest.raises(RoamError, match="How long titles lasts is not said"):
+        found.write_timeline(tmp_path / "with.otio")
