@@ -264,7 +264,7 @@ class CanvasView(PointedWidget):
         edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
         look = viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges
         alone, chosen = self._view_state.solo.told(project), self._view_state.selection
-        return ViewSnapshot(below, image, *look, alone, self.stabiliser.travelled, whole, chosen)
+        return ViewSnapshot(below, image, *look, alone, self.stabiliser.travelled, whole, chosen, viewing.shows_joints)
 
     def _scene(self) -> Scene | None:
         """What is to be shown magnified of what is shown now."""

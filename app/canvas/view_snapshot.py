@@ -38,6 +38,7 @@ class ViewSnapshot:
     travelled : how far a stabilised view had gone along with what it follows, image pixels.
     is_whole : whether the picture or matte below is that of the frame, and none of before in its place.
     chosen : what was selected: whose ghosts the onion skin shows.
+    joints : whether those of the shapes are asked for.
     """
 
     below: Below
@@ -52,6 +53,7 @@ class ViewSnapshot:
     travelled: Travel = STANDING
     is_whole: bool = True
     chosen: Selection = field(default_factory=Selection)
+    joints: bool = False
 
 
 class SnapshotPainter:

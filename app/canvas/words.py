@@ -19,6 +19,7 @@ from .view_snapshot import ViewSnapshot
 
 DRAW_HINT = N_("Draw a shape: press <tool.bezier>")
 NO_BASE = N_("Empty: what is shown only takes away, and nothing lies below it")
+NO_JOINTS = N_("Joints: on frames with keys of yours alone")
 OPENING, NO_PLATE = N_("Opening …"), N_("Drop a folder of images or a movie here")
 
 
@@ -64,9 +65,15 @@ def label_of(snapshot: ViewSnapshot) -> str:
     told = [_view_of(snapshot)]
     if snapshot.alone and snapshot.mode is not ViewMode.SOURCE:
         told.append(tr("Solo: {names}", names=snapshot.alone))
+    if snapshot.joints and snapshot.shows_shapes and not _has_key(snapshot):
+        told.append(tr(NO_JOINTS))
     if snapshot.mode in OF_MATTE and lacks_base(snapshot.project, snapshot.frame):
         told.append(tr(NO_BASE))
     return "  ·  ".join(filter(None, told))
+
+
+def _has_key(snapshot: ViewSnapshot) -> bool:
+    return any(snapshot.frame in shape.artist_frames for shape in snapshot.project.shapes)
 
 
 def _view_of(snapshot: ViewSnapshot) -> str:

@@ -78,7 +78,7 @@ class ExportDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
-        self._number, self._written, self._format = 0, Path(), ""
+        self._number, self._format = 0, ""
         """The number of the export that was started here, 0 where none is under way; where it goes, and its format."""
         self._ending = ""
         """What the format that was proposed for last puts after the name."""
@@ -379,9 +379,9 @@ class ExportDialog(QDialog):
     def _start(self) -> None:
         self._foresight.drop()
         self.notes.clear()
-        self._written, self._format = self.path, self.exporter.name
+        self._format = self.exporter.name
         options = replace(self.options, lossy=bool(self._losses))
-        self._number = self._export.start(self.exporter.name, self._written, options, self.shapes)
+        self._number = self._export.start(self.exporter.name, self.path, options, self.shapes)
         self._pull_running()
 
     @property
@@ -405,7 +405,7 @@ class ExportDialog(QDialog):
 
     def _show_notes(self, notes: tuple[str, ...]) -> None:
         if self._is_told:
-            self.notes.setPlainText("\n".join([tr("Exported to {path}.", path=self._written), *map(translated, notes)]))
+            self.notes.setPlainText("\n".join(notes))
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
         if not self._is_told:

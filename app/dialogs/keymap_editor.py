@@ -152,6 +152,7 @@ class KeymapEditor(QDialog):
         column.addLayout(middle)
         column.addWidget(self.word)
         column.addLayout(lower)
+        self.search.setFocus()  # letters meant for it would choose other keys where these are chosen
 
     def _connect(self) -> None:
         self.preset.currentIndexChanged.connect(lambda _: self._push_preset())

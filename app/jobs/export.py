@@ -34,7 +34,8 @@ class Export(QObject):
     Signals
     -------
     progress(fraction, text), finished(ending, sentence) : the job's news.
-    noted(sentences) : a tuple: what the format cannot hold and was left out or changed, before `finished`.
+    noted(sentences) : a tuple: where it was written to, and what the format cannot hold and was left out or changed;
+        before `finished`.
     written(path) : an export was made as a whole, to the file or folder that was asked for.
     failed(request, sentence) : one could not be made, and why; `finished` tells that, too. `again` takes the request.
 
@@ -206,7 +207,22 @@ def _export(report: Report, request: Request) -> str:
     report.progress(0.0, tr("Exporting to {name} …", name=path.name))
     options = request.options or ExportOptions()
     lossy = options.lossy or request.loses
-    told = replace(options, lossy=lossy, progress=report.progress, token=report.token)
-    losses = EXPORTERS[request.format_name].export(request.project, path, told)
-    report.partial(losses)
-    return " ".join([tr("Exported to {path}.", path=path), *map(translated, losses)])
+    used = replace(options, lossy=lossy, progress=report.progress, token=report.token)
+    losses = EXPORTERS[request.format_name].export(request.project, path, used)
+    told = _written(request, options), *map(translated, losses)
+    report.partial(told)
+    return " ".join(told)
+
+
+def _written(request: Request, options: ExportOptions) -> str:
+    """Where it was written to: formats of one shape a file write beside the name that was chosen."""
+    from roam_core.interchange import EXPORTERS
+    from roam_core.interchange.targets import exported
+
+    path, others = request.path, 0
+    if not request.is_folder:
+        (path, _), *more = exported(EXPORTERS[request.format_name], request.project, path, options)
+        others = len(more)
+    if others:
+        return tr("Exported to {path} and %n other file(s) beside it.", "", others, path=path)
+    return tr("Exported to {path}.", path=path)

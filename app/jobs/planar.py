@@ -26,6 +26,7 @@ from ..model.document import Document
 from ..model.track_points import Spot, TrackPoints
 from ..model.view_state import ViewState
 from ..translation import tr
+from . import warm_up
 from .runner import Ending, Job, Report, Runner
 from .solving.run import told_of
 
@@ -139,7 +140,7 @@ class PlanarTrack(QObject):
         known = {shape.id: shape for shape in shapes}
         self._run = _Run(job, tuple(shapes), frames[0], self._view.frame, merge_key, "", points, vertices, known)
         self._run.keeps_undone = not self._document.undo_stack.canRedo()
-        self.progress.emit(0.0, tr("Starting the planar track …"))
+        warm_up.tell_beginning(self._runner, job, self.progress.emit, tr("Starting the planar track …"))
         self.running_changed.emit()
 
     def stop(self) -> None:

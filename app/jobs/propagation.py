@@ -19,6 +19,7 @@ from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
+from . import warm_up
 from .filling import Filled, FillRequest, Gap, WaitingFills, fill
 from .runner import Ending, Report, Runner
 from .solving.company import Company, is_changed
@@ -28,8 +29,7 @@ ReadFrame = Callable[[int], Any]
 PATIENCE = 200
 """Milliseconds that a run that was told to stop may take to end by itself."""
 
-FORWARD = N_("Tracking {names} forward: {place} · {pace}")
-BACKWARD = N_("Tracking {names} backward: {place} · {pace}")
+FORWARD, BACKWARD = N_("Tracking {names} forward: {place}"), N_("Tracking {names} backward: {place}")
 NO_WAY_FORWARD, NO_WAY_BACKWARD = (
     N_("There is no frame to track forward to."),
     N_("There is no frame to track backward to."),
@@ -231,7 +231,7 @@ class Propagation(QObject):
         run.keeps_undone = not self._document.undo_stack.canRedo()
         run.job.progress.connect(self.progress)
         run.job.ended.connect(self._end)
-        self.progress.emit(0.0, sentence)
+        warm_up.tell_beginning(self._runner, run.job, self.progress.emit, sentence)
         self.running_changed.emit()
 
     def _apply(self, result: FrameResult) -> None:
@@ -370,13 +370,12 @@ def _track(report: Report, request: _Request) -> str:
         _make_ready(result)
         report.partial(result)
         done, solved = done + 1, solved.plus(result)
-        pace = tr("{pace:.0f} ms a frame", pace=1000 * solved.seconds / solved.frames)
-        place = tr("frame {frame} of {last}", frame=result.frame, last=frames[-1])
+        place = solved.told_at(result.frame, frames[-1])
         sentence = FORWARD if frames.step > 0 else BACKWARD
-        report.progress(done / max(len(frames) - 1, 1), tr(sentence, names=names, place=place, pace=pace))
+        report.progress(done / max(len(frames) - 1, 1), tr(sentence, names=names, place=place))
     if done == 0:
         return tr(NO_WAY_FORWARD if frames.step > 0 else NO_WAY_BACKWARD)
-    each = 1000 * solved.seconds / solved.frames
+    each = 1000 * solved.pace
     paced = (
         tr("{done} frames, {each:.0f} ms each", done=solved.frames, each=each)
         if solved.frames > 1

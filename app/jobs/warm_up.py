@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
 
+from ..translation import tr
 from .runner import Job, Report, Runner
 
 
@@ -44,3 +46,13 @@ def start(runner: Runner, config: str) -> Job:
         return ""
 
     return runner.start("warm-up", work)
+
+
+def tell_beginning(runner: Runner, job: Job, tell: Callable[[float, str], object], sentence: str) -> None:
+    """Tell that a track or a fill begins, and what it waits for while the engine is still being prepared."""
+    if runner.running("warm-up") is None:
+        tell(0.0, sentence)
+        return
+    waits = tr("The engine is prepared first, which may take a minute, once on this machine.")
+    tell(0.0, f"{sentence} {waits}")
+    job.started.connect(lambda: tell(0.0, sentence))

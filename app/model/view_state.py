@@ -206,11 +206,11 @@ class ViewState(QObject):
     def _age(self) -> None:
         self._is_said_just_now = False
 
-    def say_hint(self, hint: str) -> None:
+    def say_hint(self, hint: str, *, is_shy: bool = False) -> None:
         """Tell what the tool in the hand expects, in place of the last tool's hint, which goes also where `hint` is
-        empty; any other message then stays.
+        empty; any other message then stays, as it does where the hint `is_shy`.
         """
-        if hint or (self._hint and self._message == self._hint):
+        if (hint and not is_shy) or (self._hint and self._message == self._hint):
             self.say(hint)
         self._hint = told(hint, self._keymap)
 

@@ -295,7 +295,8 @@ def _line(text: str) -> str:
 
 
 def _summary(entries: Iterable[Entry]) -> str:
-    count = Counter(entry.kind for entry in entries)
+    """How many frames are listed of each kind; one that several shapes are listed on is one frame."""
+    count = Counter(kind for kind, _ in {(entry.kind, entry.frame) for entry in entries})
     notes, doubts, boils = count[Listed.NOTE], count[Listed.DOUBT], count[Listed.BOIL]
     said = (
         tr("%n note(s)", "", notes) if notes else "",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from typing import Generic, TypeVar
+from weakref import ref
 
 from PySide6.QtCore import QObject, Signal
 
@@ -15,7 +16,7 @@ P = TypeVar("P", bound=Hashable)
 
 
 class ChosenPlaces(QObject, Generic[P]):
-    """Chosen places of keys. Those whose keys are gone are chosen no more.
+    """Chosen places of keys. Those whose keys are gone are chosen no more, until undo brings them back.
 
     Signals
     -------
@@ -28,6 +29,9 @@ class ChosenPlaces(QObject, Generic[P]):
         super().__init__(parent)
         self._document = document
         self._places: frozenset[P] = frozenset()
+        self._project = document.project
+        self._before: list[tuple[ref[Project], frozenset[P]]] = []
+        """What was chosen in states of the project that undo or redo may bring back."""
         document.changed.connect(self._prune)
         document.replaced.connect(self.clear)
 
@@ -49,8 +53,15 @@ class ChosenPlaces(QObject, Generic[P]):
         self.select(places & self.places_in(self._document.project))
 
     def clear(self) -> None:
+        self._project, self._before = self._document.project, []
         self.select(frozenset())
 
     def _prune(self, _ids: object = None) -> None:
+        """Keys that are gone are not chosen; after undo or redo those are that were chosen in their place."""
+        left, self._project = self._project, self._document.project
         if self._places:
-            self.select(self._places & self.places_in(self._document.project))
+            others = [each for each in self._before if each[0]() is not None and each[0]() is not left]
+            self._before = [*others, (ref(left), self._places)]
+            held = self.places_in(self._project)
+            back = [places for state, places in others if state() is self._project]
+            self.select((self._places if self._places <= held else self._places.union(*back)) & held)

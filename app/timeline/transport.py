@@ -44,8 +44,8 @@ class Transport(QWidget):
         self._speed = QLabel()
         self._build(actions)
         self._frame.valueChanged.connect(view_state.set_frame)
-        self._in.valueChanged.connect(lambda first: self._set_range(first, view_state.play_range[1]))
-        self._out.valueChanged.connect(lambda last: self._set_range(view_state.play_range[0], last + 1))
+        self._in.valueChanged.connect(lambda first: self._set_range(first, max(view_state.play_range[1], first + 1)))
+        self._out.valueChanged.connect(lambda last: self._set_range(min(view_state.play_range[0], last), last + 1))
         view_state.frame_changed.connect(self._pull)
         view_state.range_changed.connect(self._pull)
         playback.playing_changed.connect(self._pull)
@@ -96,6 +96,7 @@ class Transport(QWidget):
             switch.toggled.connect(partial(choose, repeat))
 
     def _set_range(self, first: int, stop: int) -> None:
+        """Take a range of which one end was typed; the other end goes along with one that passes it."""
         self._view.set_play_range(first, stop)
         self._pull()
 
@@ -104,8 +105,8 @@ class Transport(QWidget):
         play_first, play_stop = self._view.play_range
         for field, value, low, high in (
             (self._frame, self._view.frame, first, stop - 1),
-            (self._in, play_first, first, play_stop - 1),
-            (self._out, play_stop - 1, play_first, stop - 1),
+            (self._in, play_first, first, stop - 1),
+            (self._out, play_stop - 1, first, stop - 1),
         ):
             field.show_frame(value, low, high)
         self._pull_speed()

@@ -54,6 +54,8 @@ class Tool:
     title: ClassVar[str] = ""
     hint: ClassVar[str] = ""
     """What to do with the tool, for the status bar; it goes with the tool."""
+    is_hint_shy: ClassVar[bool] = False
+    """Whether the hint is told only in place of another tool's: what was just done and said matters more."""
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self.document = document
@@ -68,7 +70,7 @@ class Tool:
 
     def activate(self) -> None:
         """The tool comes into the hand."""
-        self.view_state.say_hint(tr(self.hint))
+        self.view_state.say_hint(tr(self.hint), is_shy=self.is_hint_shy)
 
     def deactivate(self) -> None:
         """The tool is laid down; nothing may be left half done."""

@@ -978,6 +978,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Objekt anklicken oder einrahmen, um es zu finden; Eingabe findet das Markierte.</translation>
     </message>
     <message>
+        <source>Click selects, a drag moves; beside the outlines it frames points. Ctrl+Alt and a click add a point.</source>
+        <translation>Klicken wählt, Ziehen bewegt; neben den Umrissen rahmt es Punkte ein. Strg+Alt+Klick fügt einen Punkt ein.</translation>
+    </message>
+    <message>
         <source>Clip settings</source>
         <translation>Clip-Einstellungen</translation>
     </message>
@@ -1567,6 +1571,13 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Export: {title}</source>
         <translation>Export: {title}</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported to {path} and %n other file(s) beside it.</source>
+        <translation>
+            <numerusform>Exportiert nach {path} und in %n weitere Datei daneben.</numerusform>
+            <numerusform>Exportiert nach {path} und in %n weitere Dateien daneben.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Exported to {path}.</source>
@@ -2383,6 +2394,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Joins with what lies under it, soft edges as one painted over the other</source>
         <translation>Verbindet sich mit dem, was darunter liegt, weiche Kanten wie übereinander gemalt</translation>
+    </message>
+    <message>
+        <source>Joints: on frames with keys of yours alone</source>
+        <translation>Gelenke: nur auf Frames mit eigenen Keyframes</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -4983,6 +4998,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Engine wird vorbereitet, einmal auf diesem Rechner; Zeichnen geht inzwischen.</translation>
     </message>
     <message>
+        <source>The engine is prepared first, which may take a minute, once on this machine.</source>
+        <translation>Zuerst wird die Engine vorbereitet, das dauert bis zu einer Minute, einmal auf diesem Rechner.</translation>
+    </message>
+    <message>
         <source>The engine is ready.</source>
         <translation>Die Engine ist bereit.</translation>
     </message>
@@ -5896,12 +5915,12 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Tracken angehalten, bevor ein Frame fertig war.</translation>
     </message>
     <message>
-        <source>Tracking {names} backward: {place} · {pace}</source>
-        <translation>{names} wird rückwärts getrackt: {place} · {pace}</translation>
+        <source>Tracking {names} backward: {place}</source>
+        <translation>{names} wird rückwärts getrackt: {place}</translation>
     </message>
     <message>
-        <source>Tracking {names} forward: {place} · {pace}</source>
-        <translation>{names} wird vorwärts getrackt: {place} · {pace}</translation>
+        <source>Tracking {names} forward: {place}</source>
+        <translation>{names} wird vorwärts getrackt: {place}</translation>
     </message>
     <message>
         <source>Tracks hold how shapes and layers move, not their outlines.</source>

@@ -43,6 +43,7 @@ class SteadyDialog(QDialog):
         )
         explained = weak_label(tr("Your keys stay as they are; tracking again replaces what is moved."))
         lay_out(self, form, tr("Steady"), explained)
+        self.steadiness.selectAll()  # what is typed at once replaces the number
 
     @property
     def strength(self) -> float:

@@ -34,11 +34,24 @@ class Count:
     frames: int = 0
     bridged: int = 0
     seconds: float = 0.0
+    first: float = 0.0
+    """The seconds of the first of them, which learns what the object looks like, and may have to compile."""
 
     def plus(self, result: FrameResult) -> Count:
         """With one more frame."""
         bridged = all(each.termination is Termination.MISSING_FRAME for each in result.results)
-        return Count(self.frames + 1, self.bridged + bridged, self.seconds + result.seconds)
+        first = self.first if self.frames else result.seconds
+        return Count(self.frames + 1, self.bridged + bridged, self.seconds + result.seconds, first)
+
+    @property
+    def pace(self) -> float:
+        """Seconds a frame, without the first where there are others: it says nothing of those to come."""
+        return (self.seconds - self.first) / (self.frames - 1) if self.frames > 1 else self.first
+
+    def told_at(self, frame: int, last: int) -> str:
+        """How far a track is, and how fast once that is known."""
+        place = tr("frame {frame} of {last}", frame=frame, last=last)
+        return f"{place} · {tr('{pace:.0f} ms a frame', pace=1000 * self.pace)}" if self.frames > 1 else place
 
 
 class Run:

@@ -30,6 +30,8 @@ class SelectTool(GestureTool):
 
     name = "select"
     title = N_("Select")
+    hint = N_("Click selects, a drag moves; beside the outlines it frames points. Ctrl+Alt and a click add a point.")
+    is_hint_shy = True
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)

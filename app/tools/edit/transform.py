@@ -43,6 +43,7 @@ class TransformTool(SelectTool):
 
     name = "transform"
     title = N_("Transform")
+    is_hint_shy = False
     hint = N_(
         "Inside moves, handles scale, Ctrl pins corners, sides shear, beside a corner turns; Shift, Ctrl vary it."
     )

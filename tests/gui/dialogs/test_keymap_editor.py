@@ -207,3 +207,10 @@ def test_keys_that_cannot_be_read_are_told_at_the_start(qtbot: QtBot, tmp_path: 
     with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
         assert "keymap.json is damaged" in window.status.sentence.text()
         assert window.actions_by_id.keymap == load_keymap()
+
+
+def test_what_is_typed_at_once_is_searched_and_chooses_no_other_keys(qtbot: QtBot, editor: KeymapEditor) -> None:
+    qtbot.waitUntil(lambda: editor.focusWidget() is not None, timeout=WAIT)
+    qtbot.keyClicks(editor.focusWidget(), "mark")
+    assert editor.search.text() == "mark"
+    assert editor.preset.currentText() == "ROAM"

@@ -128,3 +128,19 @@ def test_stopping_stops_what_waits_too(qtbot: QtBot, drawn: Document, runner: Ru
     qtbot.waitUntil(lambda: not export.is_writing, timeout=WAIT)
     assert told == [(number, Ending.CANCELLED) for number in numbers]
     assert list(tmp_path.iterdir()) == []
+
+
+def test_files_beside_the_one_that_was_named_are_told(
+    qtbot: QtBot, drawn: Document, runner: Runner, tmp_path: Path
+) -> None:
+    square = polygon_points([(40, 10), (50, 10), (50, 30), (40, 30)])
+    drawn.apply("Draw", edit.new_shape(drawn.project, square, 1001)[0])
+    export, noted = Export(drawn, runner), list[tuple[str, ...]]()
+    export.noted.connect(noted.append)
+    with qtbot.waitSignal(export.finished, timeout=WAIT) as finished:
+        export.start("mlt", tmp_path / "a.json")
+    first, second = sorted(tmp_path.iterdir())
+    told = f"Exported to {first} and 1 other file beside it."
+    assert finished.args[1].startswith(told)
+    assert noted[0][0] == told
+    assert second.exists()

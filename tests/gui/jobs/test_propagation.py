@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -16,8 +17,9 @@ from app.model.view_state import ViewState
 from app.tools.in_hand import ToolInHand
 from app.tools.tool import Pointer
 from roam_core.geometry.bezier import polygon_points
+from roam_core.propagate.frame.result import FrameResult
 from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit, layers
-from tests.gui.engines import OUT_OF_DATE, GlidingEngine, put_in
+from tests.gui.engines import OUT_OF_DATE, Asked, GlidingEngine, put_in
 from tests.gui.waiting import WAIT
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -126,6 +128,26 @@ def test_the_status_tells_what_how_far_and_how_fast(
     with qtbot.waitSignal(propagation.finished, timeout=WAIT):
         propagation.start(["shape-1"], range(1, 6))
     assert told[-1] == (1.0, "Tracking Shape 1 forward: frame 5 of 5 · 10 ms a frame")
+
+
+def test_the_first_frame_which_compiles_says_nothing_of_the_pace(
+    qtbot: QtBot, propagation: Propagation, engine: GlidingEngine, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def slow_at_first(asked: Asked) -> Iterator[FrameResult]:
+        for each in GlidingEngine.found(engine, asked):
+            yield replace(each, seconds=7.4) if each.frame == 2 else each
+
+    monkeypatch.setattr(engine, "found", slow_at_first)
+    told: list[str] = []
+    propagation.progress.connect(lambda _, text: told.append(text))
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(lambda: told[-1] == "Tracking Shape 1 forward: frame 2 of 5", timeout=WAIT)
+    engine.allow(3)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        pass
+    assert told[-1] == "Tracking Shape 1 forward: frame 5 of 5 · 10 ms a frame"
+    assert finished.args[1].startswith("Tracked Shape 1 to frame 5: 4 frames, 10 ms each.")
 
 
 def test_stop_keeps_the_frames_that_are_finished(

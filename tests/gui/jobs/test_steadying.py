@@ -209,3 +209,14 @@ def test_the_window_has_it_between_its_in_and_out(qtbot: QtBot, tmp_path: Path) 
         assert moved(before, window.document.project) == [FIRST + k for k in range(1, 5)]
         window.actions_by_id["edit.undo"].trigger()
         assert window.document.project == before
+
+
+def test_what_is_typed_at_once_replaces_the_steadiness(qtbot: QtBot, window: QWidget) -> None:
+    dialog = SteadyDialog(1, (1001, 1011), window)
+    qtbot.addWidget(dialog)
+    with qtbot.waitExposed(dialog, timeout=WAIT):
+        dialog.show()
+    assert dialog.focusWidget() is dialog.steadiness
+    qtbot.keyClicks(dialog.steadiness, "80")
+    dialog.accept()
+    assert dialog.strength == pytest.approx(0.8)

@@ -10,7 +10,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.jobs import warm_up
-from app.jobs.runner import Ending, Runner
+from app.jobs.runner import Ending, Job, Runner
 from tests.gui.waiting import WAIT
 
 
@@ -56,3 +56,26 @@ def test_threads_are_set_in_the_libraries_themselves(qtbot: QtBot) -> None:
     finally:
         cv2.setNumThreads(before)
         assert runner.close()
+
+
+def test_what_a_track_waits_for_is_told_until_it_begins(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    is_ready, told = threading.Event(), list[str]()
+    monkeypatch.setattr(import_module("roam_core.propagate.warming"), "warm_up", lambda config: is_ready.wait(WAIT))
+    runner = Runner("solver")
+
+    def begin() -> Job:
+        job = runner.start("track", lambda report: "")
+        warm_up.tell_beginning(runner, job, lambda _, sentence: told.append(sentence), "Starting …")
+        return job
+
+    warm_up.start(runner, "baseline")
+    job = begin()
+    waits = "Starting … The engine is prepared first, which may take a minute, once on this machine."
+    assert told == [waits]
+    with qtbot.waitSignal(job.ended, timeout=WAIT):
+        is_ready.set()
+    assert told == [waits, "Starting …"]
+    with qtbot.waitSignal(begin().ended, timeout=WAIT):
+        pass
+    assert told == [waits, "Starting …", "Starting …"]
+    assert runner.close()

@@ -209,3 +209,12 @@ def test_without_a_clip_a_note_has_no_frame(
     leave(qtbot, panel)
     assert document.project.marks == ()
     assert view_state.message == "Open a clip first: notes lie on its frames."
+
+
+def test_a_frame_that_two_shapes_are_doubted_on_counts_once(
+    qtbot: QtBot, panel: ReviewPanel, document: Document
+) -> None:
+    arm = document.project.shapes[0]
+    document.apply("Duplicate", edit.add_shape(document.project, replace(arm, id="hand", name="Hand")))
+    qtbot.waitUntil(lambda: sum(entry.frame == DOUBTED for entry in panel.entries) == 2, timeout=WAIT)
+    assert panel.count.text().startswith("1 doubtful frame, ")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QSpinBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.actions.actions import Actions
@@ -88,3 +88,22 @@ def test_the_speed_is_told_and_what_is_really_shown(
     assert transport._speed.text() == "10 of 24 fps × 2"
     click(qtbot, transport, "time.pause")
     assert transport._speed.text() == "24 fps"
+
+
+def test_an_end_of_the_range_that_is_typed_beyond_the_other_takes_it_along(
+    qtbot: QtBot, transport: Transport, view_state: ViewState
+) -> None:
+    def typed(field: QSpinBox, frame: int) -> tuple[int, int]:
+        field.setFocus()
+        field.selectAll()
+        qtbot.keyClicks(field, str(frame))
+        qtbot.keyClick(field, Qt.Key.Key_Return)
+        return view_state.play_range
+
+    first, last = CLIP.frame_range[0], CLIP.frame_range[-1]
+    assert typed(transport._out, first + 3) == (first, first + 4)
+    assert typed(transport._in, first + 8) == (first + 8, first + 9)
+    assert transport._out.value() == first + 8
+    assert typed(transport._out, first + 5) == (first + 5, first + 6)
+    assert transport._in.value() == first + 5
+    assert typed(transport._in, last + 100) == (last, last + 1)

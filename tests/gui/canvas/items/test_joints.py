@@ -8,6 +8,7 @@ from PySide6.QtGui import QImage, QPainter
 
 from app.canvas.items.joints import RING, paint_joints
 from app.canvas.view import CanvasView
+from app.canvas.words import NO_JOINTS, label_of
 from app.features.belonging import Bone
 from app.model.document import Document
 from app.model.view_state import ViewState
@@ -97,3 +98,14 @@ def test_the_switch_is_remembered() -> None:
     assert other.shows_joints
     other.recall({})
     assert not other.shows_joints
+
+
+def test_where_no_joints_are_drawn_it_is_said_why(
+    canvas: CanvasView, shapes: None, document: Document, view_state: ViewState
+) -> None:
+    canvas.viewing.show_joints(True)
+    assert label_of(canvas._snapshot()) == ""
+    view_state.set_frame(2)
+    assert label_of(canvas._snapshot()) == NO_JOINTS
+    canvas.viewing.show_joints(False)
+    assert label_of(canvas._snapshot()) == ""

@@ -72,3 +72,21 @@ def test_where_there_is_nothing_to_stretch_it_is_said(
     document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
     assert asked(timeline) is None
     assert view_state.message == "What the chosen keys belong to is locked; unlock it to stretch them."
+
+
+def test_undo_and_redo_choose_the_keys_where_they_lie_then(timeline: Timeline, document: Document) -> None:
+    before = timing.artist_places(document.project)
+    timeline.keys.select(before)
+    dialog = asked(timeline)
+    assert dialog is not None
+    dialog.last.setValue(1040)
+    dialog.accept()
+    after = timing.artist_places(document.project)
+    document.undo_stack.undo()
+    assert timeline.keys.places == before
+    document.undo_stack.redo()
+    assert timeline.keys.places == after
+    document.undo_stack.undo()
+    timeline.keys.select(frozenset({("shape-1", 1001)}))
+    document.undo_stack.redo()
+    assert timeline.keys.places == {("shape-1", 1001)}, "chosen since, and still there"
