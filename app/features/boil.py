@@ -14,7 +14,7 @@ from roam_core.roto import Keyframe, RotoShape
 
 from ..model.document import Document
 
-AT_ONCE = 100_000
+AT_ONCE = 10_000
 """Points of keys that are measured in one go: the window answers in between."""
 LOOKED_AT = 8
 """Points that are measured in the time that it takes to see that a key is what it was."""

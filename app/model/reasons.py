@@ -94,7 +94,7 @@ def outdated_by(before: Project, after: Project) -> str:
         return ""
     held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
     joined = [shape for shape in left if now.together(shape) != held.together(shape)]  # to compare all keys takes long
-    names = [s.name for s in joined if any(now.is_stale(s, key) and not held.is_stale(s, key) for key in s.keys)]
+    names = [s.name for s in joined if not set(now.stale_frames(s)) <= set(held.stale_frames(s))]
     if not names:
         return ""
     told = _listed(names)
@@ -129,7 +129,7 @@ def outdated_by_blend(before: Project, after: Project) -> str:
     names = [
         old.name
         for old, new in joined
-        if _is_tracked(old) and any(now.is_stale(new, key) and not held.is_stale(old, key) for key in old.keys)
+        if _is_tracked(old) and not set(now.stale_frames(new)) <= set(held.stale_frames(old))
     ]
     if not names:
         return ""

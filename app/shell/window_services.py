@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QWidget
+from shiboken6 import isValid
 
 from ..actions.actions import Actions
 from ..dialogs.help_dialogs import AboutDialog, KeysDialog
@@ -31,6 +32,8 @@ class WindowServices(QObject):
         self.palette = Palette(parent, actions, view_state)
         self.log = LogPanel(messages)
         self.log_panel = Panel("log", tr("Messages"), self.log, self.log.tools)
+        self._shown: dict[type[QDialog], QDialog] = {}
+        """Those that are deleted on closing, by their kinds."""
         self._editor: KeymapEditor | None = None
         self._settings: SettingsDialog | None = None
 
@@ -38,8 +41,8 @@ class WindowServices(QObject):
         """What the actions of this part call, by id."""
         return {
             "help.palette": self.palette.open,
-            "help.keys": lambda: KeysDialog(self._actions, self._parent).show(),
-            "help.about": lambda: AboutDialog(self._parent).show(),
+            "help.keys": lambda: self._show_one(KeysDialog, lambda: KeysDialog(self._actions, self._parent)),
+            "help.about": lambda: self._show_one(AboutDialog, lambda: AboutDialog(self._parent)),
             "edit.keymap": self.edit_keys,
             "edit.settings": self.edit_settings,
         }
@@ -58,3 +61,12 @@ class WindowServices(QObject):
             self._settings.keys_asked.connect(self.edit_keys)
         self._settings.show()
         self._settings.activateWindow()
+
+    def _show_one(self, kind: type[QDialog], make: Callable[[], QDialog]) -> None:
+        """Show a dialog that is deleted on closing; the one that is open comes to the front."""
+        dialog = self._shown.get(kind)
+        if dialog is None or not isValid(dialog) or not dialog.isVisible():
+            dialog = self._shown[kind] = make()
+        dialog.show()
+        dialog.raise_()
+        dialog.activateWindow()

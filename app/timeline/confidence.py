@@ -18,6 +18,7 @@ from ..model.document import Document
 from ..model.view_state import shapes_in_hand
 from ..translation import number, tr
 from ..widgets.broad_line import BroadLine
+from ..widgets.thin_lines import ThinLine, ThinLines
 from ..widgets.tipped import tells
 from .axis import TimeAxis, place_playhead, show_frames
 from .marks import KeyMarks, MarksOf, on_each_frame
@@ -94,9 +95,9 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         super().__init__(background=style.PANEL)
         self._document, self._axis, self._marks = document, axis, marks
         self._pressed = QPointF()
-        self._curves: dict[str, pg.PlotCurveItem] = {}
+        self._thin = ThinLines()
         self._drawn: dict[str, tuple[KeyMarks, tuple[float, float, float]]] = {}
-        """What each curve shows: a tracked frame changes one of many."""
+        """What each line shows: a tracked frame changes one of many."""
         self._least = BroadLine(LEAST, 3.0)
         self._doubt = pg.BarGraphItem(x0=[], x1=[], y0=[], y1=[], pen=None, brush=pg.mkBrush(DOUBT))
         self._box = pg.ViewBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -105,7 +106,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         self._box.setYRange(LOW, HIGH, padding=0)
         self._playhead = pg.InfiniteLine(pen=pg.mkPen(style.ACCENT, width=1))
         threshold = pg.InfiniteLine(DOUBTFUL, angle=0, pen=pg.mkPen(style.DISABLED, style=Qt.PenStyle.DashLine))
-        for item in (self._doubt, self._least, threshold, self._playhead):
+        for item in (self._doubt, self._least, threshold, self._playhead, self._thin):
             self._box.addItem(item, ignoreBounds=True)
         for signal in (document.changed, document.replaced, axis.view_state.selection_changed):
             signal.connect(self._pull)
@@ -118,12 +119,25 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
 
     def _pull(self, _ids: object = None) -> None:
         shown = self._shown()
-        for shape_id in set(self._curves) - set(shown):
-            self._box.removeItem(self._curves.pop(shape_id))
-            self._drawn.pop(shape_id, None)
-        for shape_id in shown:
-            self._pull_curve(shape_id)
+        drawn = {shape_id: self._told_of(shape_id) for shape_id in shown}
+        # Of hundreds of drawn shapes each would have a line of nothing.
+        drawn = {shape_id: told for shape_id, told in drawn.items() if len(told[0].confidence)}
+        known, lines = self._drawn, self._thin.lines
+        if list(drawn) != list(known) or any(not _are_same(known[each], told) for each, told in drawn.items()):
+            self._thin.show_lines(
+                {
+                    shape_id: lines[shape_id]
+                    if shape_id in known and _are_same(known[shape_id], told)
+                    else ThinLine(*_with_gaps(told[0].confidence), QColor.fromRgbF(*told[1]))
+                    for shape_id, told in drawn.items()
+                }
+            )
+            self._drawn = drawn
         self._pull_least([self._marks(self._document.project.shape(shape_id)).confidence for shape_id in shown])
+
+    def _told_of(self, shape_id: str) -> tuple[KeyMarks, tuple[float, float, float]]:
+        shape = self._document.project.shape(shape_id)
+        return self._marks(shape), shape.colour
 
     def _pull_least(self, shown: list[Array]) -> None:
         """How far the worst of the shapes can be trusted on each frame, and where that is not far enough."""
@@ -132,21 +146,6 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         doubtful = least[least[:, 1] < DOUBTFUL]
         frames, values = doubtful.T
         self._doubt.setOpts(x0=frames, x1=frames + 1.0, y0=values, y1=np.full(len(values), DOUBTFUL))
-
-    def _pull_curve(self, shape_id: str) -> None:
-        shape = self._document.project.shape(shape_id)
-        marks, known = self._marks(shape), self._drawn.get(shape_id)
-        if known is not None and known[0] is marks and known[1] == shape.colour:
-            return
-        if shape_id not in self._curves and not len(marks.confidence):
-            return  # of hundreds of drawn shapes each would have a curve of nothing
-        self._drawn[shape_id] = marks, shape.colour
-        if shape_id not in self._curves:
-            self._curves[shape_id] = pg.PlotCurveItem(connect="finite")
-            self._box.addItem(self._curves[shape_id], ignoreBounds=True)
-        colour = QColor.fromRgbF(*shape.colour)
-        self._curves[shape_id].setPen(pg.mkPen(colour, width=1))
-        self._curves[shape_id].setData(*_with_gaps(marks.confidence))
 
     def _pull_time(self) -> None:
         show_frames(self._box, self._axis, self.width())
@@ -222,6 +221,10 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x() + LABEL_WIDTH)
+
+
+def _are_same(a: tuple[KeyMarks, tuple[float, float, float]], b: tuple[KeyMarks, tuple[float, float, float]]) -> bool:
+    return a[0] is b[0] and a[1] == b[1]
 
 
 def _with_gaps(confidence: Array) -> tuple[Array, Array]:

@@ -8,7 +8,8 @@ shapes, interpolated keys and feather offsets stay what they are.
 
 from __future__ import annotations
 
-from functools import lru_cache
+from collections.abc import Callable
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,8 @@ from roam_core.params import CONTROL_POLYGON
 MOST_DENSE = 1000
 """Points of a spline up to which the maps between polygon and curve are full matrices: their memory grows by the
 square of the points, and the time by the cube."""
+AT_ONCE = 100_000
+"""Places on curves that are looked at in one go: they are held in memory."""
 FEW = 8
 """Points of a spline on which all rows of such a map can be read."""
 
@@ -46,27 +49,44 @@ def bezier_points(control: Array, closed: bool = True) -> Array:
     return points
 
 
+def all_bezier_points(control: Array, closed: bool = True) -> Array:
+    """What `bezier_points` gives of many control polygons `(K, P, 2)`: `(K, P, 3, 2)`."""
+    return np.ascontiguousarray(np.moveaxis(bezier_points(np.moveaxis(control, 0, 1), closed), 2, 0))
+
+
 def control_polygon(points: Array, closed: bool = True) -> Array:
     """The control polygon `(P, 2)` whose spline lies nearest to the curve of `points (P, 3, 2)`.
 
     Nearest in the least squares of a few places on each segment, at equal parameters; the one of a B-spline comes
     back as it was (up to rounding).
     """
-    if len(points) < 2:
-        return points[:, ANCHOR].copy()
-    segment, t = _places(len(points), closed)
-    curve = bezier.evaluate(points, segment, t, closed)
-    if len(points) > MOST_DENSE:
-        from scipy.sparse.linalg import splu  # a large library, for splines of very many points alone
+    return np.asarray(control_polygons(points[None], closed)[0])
 
-        design = _sparse_design(len(points), closed)
-        return np.asarray(splu((design.T @ design).tocsc()).solve(design.T @ curve))
-    return np.asarray(_fitting(len(points), closed) @ curve)
+
+def control_polygons(points: Array, closed: bool = True) -> Array:
+    """What `control_polygon` gives of many curves `(K, P, 3, 2)` of as many points, to the bit: `(K, P, 2)`."""
+    count = points.shape[1]
+    if count < 2:
+        return points[:, :, ANCHOR].copy()
+    segment, t = _places(count, closed)
+    weights, solve = bezier.bernstein(t), _solver(count, closed)
+    polygons = np.empty((len(points), count, 2))
+    at_once = max(AT_ONCE // len(segment), 1)
+    for start in range(0, len(points), at_once):
+        some = slice(start, start + at_once)
+        control = bezier.segments(points[some], closed)[:, segment]
+        polygons[some] = solve(np.einsum("nk,ankc->anc", weights, control))
+    return polygons
 
 
 def is_bspline(points: Array, closed: bool = True, tolerance: float = 1e-6) -> bool:
     """True when `points (P, 3, 2)` are those of a uniform B-spline, within `tolerance` pixels."""
-    return bool(np.abs(bezier_points(control_polygon(points, closed), closed) - points).max() <= tolerance)
+    return all_bsplines(points[None], closed, tolerance)
+
+
+def all_bsplines(points: Array, closed: bool = True, tolerance: float = 1e-6) -> bool:
+    """True when `is_bspline` is, of each of the curves `(K, P, 3, 2)`."""
+    return bool(np.abs(all_bezier_points(control_polygons(points, closed), closed) - points).max() <= tolerance)
 
 
 def inserted(control: Array, segment: int, t: float, closed: bool = True) -> Array:
@@ -133,6 +153,17 @@ def _sparse_design(count: int, closed: bool) -> Any:
     columns = columns % count if closed else np.clip(columns, 0, count - 1)
     places = np.repeat(np.arange(len(segment)), len(beside))
     return csc_array((weights.ravel(), (places, columns.ravel())), shape=(len(segment), count))
+
+
+def _solver(count: int, closed: bool) -> Callable[[Array], Array]:
+    """From curves `(K, N, 2)` at `_places` to the control polygons `(K, count, 2)` nearest to them."""
+    if count <= MOST_DENSE:
+        return partial(np.matmul, _fitting(count, closed))
+    from scipy.sparse.linalg import splu  # a large library, for splines of very many points alone
+
+    design = _sparse_design(count, closed)
+    factors = splu((design.T @ design).tocsc())
+    return lambda curves: np.stack([factors.solve(design.T @ curve) for curve in curves])
 
 
 @lru_cache(maxsize=16)

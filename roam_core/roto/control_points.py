@@ -38,9 +38,7 @@ def is_of_its_kind(shape: RotoShape, tolerance: float = 1e-3) -> bool:
 
     Perspective makes such keys: the spline of the carried control points is another curve than the carried spline.
     """
-    return shape.spline is Spline.BEZIER or all(
-        bspline.is_bspline(key.points, shape.closed, tolerance) for key in shape.keys
-    )
+    return shape.spline is Spline.BEZIER or bspline.all_bsplines(_stacked(shape), shape.closed, tolerance)
 
 
 def with_spline(shape: RotoShape, spline: Spline) -> RotoShape:
@@ -49,7 +47,10 @@ def with_spline(shape: RotoShape, spline: Spline) -> RotoShape:
     To Bezier no outline changes. To a B-spline every key becomes the nearest one of as many points.
     """
     changed = replace(shape, spline=spline)
-    return _mapped(changed, lambda points: settled(points, changed), lambda feather: feather)
+    if spline is Spline.BEZIER:
+        return changed
+    polygons = bspline.control_polygons(_stacked(shape), shape.closed)
+    return _with_points(changed, bspline.all_bezier_points(polygons, shape.closed))
 
 
 def with_control(
@@ -60,10 +61,9 @@ def with_control(
     `on_feather` does the like to the feather offsets `(P, 3, 2)`, to as many points.
     """
 
-    def on_points(points: Array) -> Array:
-        return bspline.bezier_points(on_control(bspline.control_polygon(points, shape.closed)), shape.closed)
-
-    return _mapped(shape, on_points, on_feather)
+    polygons = bspline.control_polygons(_stacked(shape), shape.closed)
+    changed = np.stack([on_control(polygon) for polygon in polygons])
+    return _with_points(shape, bspline.all_bezier_points(changed, shape.closed), on_feather)
 
 
 def opened_or_closed(shape: RotoShape) -> RotoShape:
@@ -72,17 +72,25 @@ def opened_or_closed(shape: RotoShape) -> RotoShape:
     if shape.spline is Spline.BEZIER:
         return turned
 
-    def on_points(points: Array) -> Array:
-        return bspline.bezier_points(bspline.control_polygon(points, shape.closed), turned.closed)
-
-    return _mapped(turned, on_points, lambda feather: feather)
+    polygons = bspline.control_polygons(_stacked(shape), shape.closed)
+    return _with_points(turned, bspline.all_bezier_points(polygons, turned.closed))
 
 
-def _mapped(shape: RotoShape, on_points: Callable[[Array], Array], on_feather: Callable[[Array], Array]) -> RotoShape:
-    def mapped(key: Keyframe) -> Keyframe:
-        points = on_points(key.points)
+def _stacked(shape: RotoShape) -> Array:
+    """The points of every key, `(K, P, 3, 2)`."""
+    return np.stack([key.points for key in shape.keys])
+
+
+def _with_points(
+    shape: RotoShape, points: Array, on_feather: Callable[[Array], Array] = lambda feather: feather
+) -> RotoShape:
+    """The shape with these `points (K, Q, 3, 2)` of its keys."""
+    same = points.shape[1] == shape.point_count
+
+    def given(key: Keyframe, own: Array) -> Keyframe:
         feather = None if key.feather is None else on_feather(key.feather)
-        same = len(points) == len(key.points)
-        return replace(key, points=points, feather=feather, vertex_confidence=key.vertex_confidence if same else None)
+        if same:
+            return key.with_points(own, feather)
+        return replace(key, points=own, feather=feather, vertex_confidence=None)
 
-    return replace(shape, keys=tuple(mapped(key) for key in shape.keys))
+    return replace(shape, keys=tuple(map(given, shape.keys, points)))

@@ -17,7 +17,7 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto.control_points import points_of
 from roam_core.roto.imported import is_import
 from roam_core.roto.keying import Change
-from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
+from roam_core.roto.shape import Origin, Outline, RotoShape
 
 Turn = Callable[[Array, int, int, tuple[float, float]], Array]
 """Puts one handle of points `(P, 3, 2)` at a position: `(points, index, part, position) -> points`."""
@@ -29,19 +29,20 @@ def curve(outline: Outline) -> Array:
 
 
 def frames_along(points: Array, closed: bool = True) -> Array:
-    """At each point the unit vectors along and across the curve, `(P, 2, 2)`; across is to the right of along.
+    """At each point the unit vectors along and across the curve, `(..., P, 2, 2)`; across is to the right of along.
 
-    Of a point without handles the direction is that of its neighbours' chord.
+    `points (..., P, 3, 2)` are of one or more curves. Of a point without handles the direction is that of its
+    neighbours' chord.
     """
-    anchors = points[:, ANCHOR]
-    before, after = np.roll(anchors, 1, axis=0), np.roll(anchors, -1, axis=0)
+    anchors = points[..., ANCHOR, :]
+    before, after = np.roll(anchors, 1, axis=-2), np.roll(anchors, -1, axis=-2)
     if not closed:
-        before[0], after[-1] = anchors[0], anchors[-1]
-    tangent, chord = points[:, OUT] - points[:, IN], after - before
-    tangent = np.where(np.hypot(*tangent.T)[:, None] > 1e-9, tangent, chord)
-    length = np.hypot(*tangent.T)[:, None]
+        before[..., 0, :], after[..., -1, :] = anchors[..., 0, :], anchors[..., -1, :]
+    tangent, chord = points[..., OUT, :] - points[..., IN, :], after - before
+    tangent = np.where(_lengths(tangent) > 1e-9, tangent, chord)
+    length = _lengths(tangent)
     tangent = np.where(length > 1e-9, tangent / np.maximum(length, 1e-9), [1.0, 0.0])
-    return np.stack([tangent, np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)], axis=1)
+    return np.stack([tangent, np.stack([-tangent[..., 1], tangent[..., 0]], axis=-1)], axis=-2)
 
 
 def pulled(points: Array, feather: Array | None, weights: Array, along: float, across: float, closed: bool) -> Array:
@@ -131,16 +132,26 @@ def on_all_keys(shape: RotoShape, frame: int, indices: Iterable[int]) -> RotoSha
     told = np.zeros_like(here.points) if here.feather is None else here.feather
     sideways = frames_along(here.points, shape.closed)
     local = np.einsum("pij,pkj->pki", sideways, told)
-
-    def given(key: Keyframe) -> Keyframe:
-        turned = np.einsum("pij,pki->pkj", frames_along(key.points, shape.closed), local)
-        feather = np.zeros_like(key.points) if key.feather is None else key.feather.copy()
-        feather[chosen] = turned[chosen]
-        return replace(key, feather=tidy(feather))
-
-    return shape.with_keys(given(key) for key in shape.keys if key.frame != frame)
+    others = [key for key in shape.keys if key.frame != frame]
+    if not others:
+        return shape
+    along = frames_along(np.stack([key.points for key in others]), shape.closed)
+    turned = np.einsum("npij,pki->npkj", along, local)
+    given = np.stack([np.zeros_like(key.points) if key.feather is None else key.feather for key in others])
+    given[:, chosen] = turned[:, chosen]
+    is_there = [bool(each.any()) for each in given]
+    return shape.with_keys(
+        key.with_points(key.points, own if soft else None)
+        for key, own, soft in zip(others, given, is_there, strict=True)
+        if soft or key.feather is not None
+    )
 
 
 def tidy(feather: Array) -> Array | None:
     """The feather, or None where it is nothing."""
     return feather if feather.any() else None
+
+
+def _lengths(vectors: Array) -> Array:
+    """Of vectors `(..., 2)`, as `(..., 1)`."""
+    return np.hypot(vectors[..., :1], vectors[..., 1:])

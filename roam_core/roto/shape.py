@@ -150,6 +150,13 @@ class Keyframe:
                 raise ValueError(sentence("a key's vertex_confidence has shape {shape}, its points {points}", **sizes))
             object.__setattr__(self, "vertex_confidence", trusted)
 
+    def with_points(self, points: Array, feather: Array | None) -> Keyframe:
+        """The key with as many other points, and their feather or None: nothing is looked at again, on many keys."""
+        key = object.__new__(type(self))
+        vars(key).update(vars(self), points=frozen_array(points))
+        vars(key)["feather"] = None if feather is None else frozen_array(feather)
+        return key
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Keyframe) and self._value() == other._value()
 

@@ -40,7 +40,7 @@ NO_CHOICE = {
     "kernels/colour_bins.py": {"BINS"},
     "kernels/keeping.py": {"DIGEST"},
     # Rounding, and bounds that change the time or keep a loop from going on for ever.
-    "geometry/bspline.py": {"MOST_DENSE", "FEW"},
+    "geometry/bspline.py": {"MOST_DENSE", "AT_ONCE", "FEW"},
     "kernels/alignment.py": {"BEAM", "ROUNDING"},
     "kernels/hypotheses.py": {"BLOCK"},
     "kernels/oblivious_trees.py": {"BLOCK"},

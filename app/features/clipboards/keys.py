@@ -92,8 +92,11 @@ class KeyClipboard:
 
 def copied_keys() -> list[RotoShape] | None:
     """The shapes, each with its one copied key, that the clipboard holds; None where it holds no keys."""
+    text = QGuiApplication.clipboard().text()
+    if f'"{MARK}"' not in text:  # hundreds of whole shapes are not read to find that out
+        return None
     try:
-        held = file.loads(QGuiApplication.clipboard().text(), Path(), tr("the clipboard"))
+        held = file.loads(text, Path(), tr("the clipboard"))
     except RoamError:
         return None
     return list(held.shapes) if held.extra.get(MARK) == "keys" else None

@@ -35,7 +35,8 @@ class SplineVerbs:
         """Give the selected shapes control points in place of their points; says by how much outlines moved."""
 
         def told(before: RotoShape, after: RotoShape) -> str:
-            moved = max(np.abs(a.points - b.points).max() for a, b in zip(before.keys, after.keys, strict=True))
+            were, are = (np.stack([key.points for key in shape.keys]) for shape in (before, after))
+            moved = np.abs(are - were).max()
             return tr(
                 "its curve is smooth everywhere now, and its points moved by up to {moved:.1f} pixels", moved=moved
             )
@@ -54,16 +55,11 @@ class SplineVerbs:
                 already = tr("The selected shapes are B-spline already.")
             self._view.say(already if shapes else why_not(project, self._view))
             return
-        sentences = []
-        for shape in turning:
-            after = control_points.with_spline(shape, spline)
-            project = project.with_shape(after)
-            sentences.append(f"{shape.name}: {told(shape, after)}.")
-        self._document.apply(text, project)
+        turned = [control_points.with_spline(shape, spline) for shape in turning]
+        self._document.apply(text, project.with_shapes(turned))
         # Points of one kind are not those of the other.
         self._view.select(chosen)
+        said = f"{turning[0].name}: {told(turning[0], turned[0])}."
         self._view.say(
-            sentences[0]
-            if len(sentences) == 1
-            else tr("{count} shapes changed. {sentence}", count=len(sentences), sentence=sentences[0])
+            said if len(turned) == 1 else tr("{count} shapes changed. {sentence}", count=len(turned), sentence=said)
         )

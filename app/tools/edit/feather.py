@@ -235,10 +235,11 @@ class FeatherActions:
         if not shapes:
             view.say(why_not(project, view))
             return
+        given = []
         for shape in shapes:
             indices = selected_indices(shape, view.selection) if view.selection.points else range(shape.point_count)
-            project = project.with_shape(feather.on_all_keys(shape, view.frame, indices))
-        self._document.apply(tr("Feather for all keys"), project)
+            given.append(feather.on_all_keys(shape, view.frame, indices))
+        self._document.apply(tr("Feather for all keys"), project.with_shapes(given))
 
 
 def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Pointer) -> PointHit | None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QTreeWidget
+from PySide6.QtWidgets import QDialog, QTreeWidget
 from pytestqt.qtbot import QtBot
 
 from app.dialogs.help_dialogs import AboutDialog, KeysDialog, libraries
@@ -67,6 +67,21 @@ def test_about_tells_the_version_and_every_librarys_licence(qtbot: QtBot, window
     assert named["openexr"].licence == "BSD-3-Clause"
     assert named["numpy"].version == metadata.version("numpy")
     assert all(library.licence for library in named.values())
+
+
+@pytest.mark.parametrize(("action", "kind"), [("help.keys", KeysDialog), ("help.about", AboutDialog)])
+def test_a_dialog_that_is_open_comes_to_the_front_and_a_closed_one_is_made_anew(
+    qtbot: QtBot, window: MainWindow, action: str, kind: type[QDialog]
+) -> None:
+    for _ in range(2):
+        window.actions_by_id[action].trigger()
+    (first,) = window.findChildren(kind)
+    assert first.isVisible()
+    first.close()
+    window.actions_by_id[action].trigger()
+    (second,) = [dialog for dialog in window.findChildren(kind) if dialog.isVisible()]
+    assert second is not first
+    second.close()
 
 
 def test_messages_are_kept_with_their_times(qtbot: QtBot, window: MainWindow) -> None:

@@ -105,13 +105,31 @@ def test_another_button_than_the_left_one_neither_goes_to_a_frame_nor_selects(
 
 def test_a_line_is_made_anew_where_its_shape_changed_and_no_other(timeline: Timeline, document: Document) -> None:
     lines = timeline.confidence.lines
-    before = {shape_id: curve.getData()[1] for shape_id, curve in lines._curves.items()}
+    before = dict(lines._thin.lines)
     sure = Keyframe(1015, SQUARE, origin=Origin.ENGINE, confidence=0.7)
     changed = replace(edit.set_engine_keys(document.project.shape("shape-2"), [sure]), colour=(1.0, 0.0, 0.0))
     document.apply("Track", document.project.with_shape(changed))
-    assert lines._curves["shape-1"].getData()[1] is before["shape-1"]
-    assert 0.7 in lines._curves["shape-2"].getData()[1]
-    assert lines._curves["shape-2"].opts["pen"].color().getRgbF()[:3] == (1.0, 0.0, 0.0)
+    assert lines._thin.lines["shape-1"] is before["shape-1"]
+    assert 0.7 in lines._thin.lines["shape-2"].values
+    assert lines._thin.lines["shape-2"].colour.getRgbF()[:3] == (1.0, 0.0, 0.0)
+
+
+def test_all_lines_are_one_item_of_the_plot(timeline: Timeline, document: Document, view_state: ViewState) -> None:
+    lines = timeline.confidence.lines
+    view_state.select(frozenset({"shape-1"}))
+    assert list(lines._thin.lines) == ["shape-1"]
+    items = len(lines.scene().items())
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    assert set(lines._thin.lines) == {"shape-1", "shape-2"}
+    assert len(lines.scene().items()) == items
+
+
+def test_lines_are_painted_in_the_colours_of_their_shapes(timeline: Timeline, document: Document) -> None:
+    for colour in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)):
+        document.apply("Colour", document.project.with_shape(replace(document.project.shape("shape-2"), colour=colour)))
+        picture = timeline.confidence.lines.grab().toImage()
+        seen = {picture.pixelColor(x, y).getRgb()[:3] for x in range(picture.width()) for y in range(picture.height())}
+        assert tuple(round(255 * part) for part in colour) in seen
 
 
 def test_a_shape_has_no_part_in_frames_on_which_it_does_not_exist(

@@ -135,3 +135,16 @@ def test_a_spline_of_very_many_points_takes_no_memory_for_their_square() -> None
     angles = np.arange(50_000) * 2.0 * np.pi / 50_000
     control = 1e4 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
     np.testing.assert_allclose(bspline.control_polygon(bspline.bezier_points(control)), control, atol=1e-6)
+
+
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize("count", [1, 2, 5, 24, bspline.MOST_DENSE + 3])
+def test_many_curves_have_to_the_bit_what_each_has_alone(
+    count: int, closed: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(bspline, "AT_ONCE", 100)  # some at a time
+    points = np.random.default_rng(3).normal(scale=80.0, size=(5, count, 3, 2))
+    polygons = bspline.control_polygons(points, closed)
+    np.testing.assert_array_equal(polygons, [bspline.control_polygon(each, closed) for each in points])
+    curves = bspline.all_bezier_points(polygons, closed)
+    np.testing.assert_array_equal(curves, [bspline.bezier_points(each, closed) for each in polygons])

@@ -154,3 +154,9 @@ def test_a_feather_for_all_keys_leaves_other_points_alone() -> None:
     one = feathered(tracked(1), 1, 8.0)
     given = feather.on_all_keys(one, 5, [2])
     assert widths(given) == widths(one)
+
+
+def test_keys_to_which_all_keys_brings_no_feather_stay_the_very_same() -> None:
+    shape = RotoShape("a", "a", tuple(Keyframe(frame, SQUARE + frame) for frame in range(1, 5)))
+    given = feather.on_all_keys(shape, 1, range(len(SQUARE)))
+    assert all(after is before for after, before in zip(given.keys, shape.keys, strict=True))

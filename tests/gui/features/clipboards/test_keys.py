@@ -20,7 +20,7 @@ from app.features.clipboards.shapes import ShapeClipboard
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import edit
+from roam_core.roto import edit, file
 from tests.gui.hand import ALT, CTRL, SHIFT, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape, only, square
 
@@ -253,3 +253,15 @@ def test_a_range_is_where_the_shape_has_to_exist_not_the_playhead(
     clipboard.paste_through(range_, 0)
     assert only().artist_frames == ((1, range_[0], range_[-1]) if is_there else (1,))
     assert ("does not exist on frame" in view_state.message) is not is_there
+
+
+def test_what_was_copied_is_read_once_as_it_is_pasted(
+    keys: None, document: Document, view_state: ViewState, square: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clipboard = ShapeClipboard(document, view_state)
+    clipboard.copy()
+    texts: list[str] = []
+    monkeypatch.setattr(file, "loads", lambda text, *given, own=file.loads: texts.append(text) or own(text, *given))
+    clipboard.paste()
+    assert len(document.project.shapes) == 2
+    assert len(texts) == 1

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from app.features.verbs.splines import SplineVerbs
 from app.model.document import Document
 from app.model.view_state import ViewState
-from roam_core.geometry import bspline, primitives
+from roam_core.geometry import bezier, bspline, primitives
 from roam_core.roto import Project, RotoShape, Spline, edit
 
 
@@ -58,3 +60,16 @@ def test_locked_shapes_stay(verbs: SplineVerbs, document: Document, view_state: 
     verbs.to_bspline()
     assert only(document).spline is Spline.BEZIER
     assert "is locked" in view_state.message
+
+
+def test_keys_of_many_frames_become_splines_in_one_go(
+    verbs: SplineVerbs, document: Document, ellipse: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shape = only(document)
+    keys = [replace(shape.keys[0], frame=frame, points=shape.keys[0].points + frame) for frame in range(2, 40)]
+    document.open(document.project.with_shape(shape.with_keys(keys)), None)
+    calls: list[int] = []
+    monkeypatch.setattr(bezier, "bernstein", lambda t, own=bezier.bernstein: calls.append(len(t)) or own(t))
+    verbs.to_bspline()
+    assert only(document).spline is Spline.BSPLINE
+    assert len(calls) < len(keys) / 4  # not once for every key
