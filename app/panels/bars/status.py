@@ -70,7 +70,7 @@ class StatusBar(QWidget):
         self._stop_keys = ""
         self._readout: Readout | None = None
         self._modes: QWidget | None = None
-        self._longest = 0
+        self._longest = LEAST_SENTENCE
         """The room that the sentences of this work took so far: nothing comes and goes with the length of each."""
         self._work = ""
         """What was told last of the work under way; empty where that ended."""
@@ -197,7 +197,10 @@ class StatusBar(QWidget):
     def _fit(self) -> None:
         """Show what has room beside the sentence, what matters more before what matters less."""
         is_any = self._under_way.is_any
-        self._longest = max(self._longest, self.sentence.whole) if is_any else LEAST_SENTENCE
+        if not is_any:
+            self._longest = LEAST_SENTENCE
+        elif self._work:  # until it tells something, what was said before it stands there
+            self._longest = max(self._longest, self.sentence.whole)
         room = self.width() - self.minimumSizeHint().width() - (self._longest - LEAST_SENTENCE)
         widths: dict[QWidget, int] = {self.bar: BAR_WIDTH} if is_any else {}
         if self._readout is not None:

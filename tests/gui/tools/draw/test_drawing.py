@@ -10,6 +10,7 @@ from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.tools.draw.drawing import DrawingTool
+from app.tools.edit.select import SelectTool
 from app.tools.toolbox import TOOLS
 from roam_core.geometry.bezier import IN, OUT, polygon_points
 from roam_core.roto import Clip, Origin, Project, edit
@@ -153,7 +154,7 @@ def test_a_finished_shape_says_what_comes_next(
     view_state.select(view_state.selection.shapes, frozenset({(only_id, 0) for only_id in view_state.selection.shapes}))
     assert follow in view_state.message
     view_state.select(frozenset())
-    assert view_state.message == ""
+    assert view_state.message == SelectTool.hint
 
 
 def test_escape_forgets_a_single_point(canvas: CanvasView, hand: Hand, document: Document, drawing: str) -> None:
