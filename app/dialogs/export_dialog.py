@@ -27,8 +27,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
 from roam_core.interchange.foresight import Foreseen
+from roam_core.interchange.protocol import WritesSeveral
+from roam_core.interchange.targets import replaces_any
+from roam_core.roto.layers import only
 
 from .. import style
 from ..jobs.export import MATTES, Export
@@ -56,6 +60,7 @@ SMOOTHING = N_(
 NOTES_HEIGHT = 44
 """What is left of them on a small screen."""
 ANYWAY = N_("Export anyway")
+REPLACES = N_("Replaces files that are there.")
 LOOKING, NOTHING_LOST = (
     N_("Looking for what the format cannot hold …"),
     N_("The format holds all that is chosen."),
@@ -178,9 +183,11 @@ class ExportDialog(QDialog):
         self._foresight.refused.connect(self._show_refused)
         self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
         self.target.textChanged.connect(lambda _: self._pull_target())
-        self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
-        self.frames.first.valueChanged.connect(lambda _: self._pull_hint())
+        for choice in (self.mattes.file, self.mattes.parts, self.mattes.gathering):
+            choice.currentIndexChanged.connect(lambda _: self._pull_hint())
+        self.mattes.resumes.toggled.connect(lambda _: self._pull_hint())
         for field in (self.frames.first, self.frames.last):
+            field.valueChanged.connect(lambda _: self._pull_hint())
             field.valueChanged.connect(lambda _: self._look_ahead())
         self.all_frames.clicked.connect(self._take_all_frames)
         self.browse.clicked.connect(self._browse)
@@ -316,9 +323,21 @@ class ExportDialog(QDialog):
             self.hint.setText(tr("No shape is selected; select some, or export all."))
         elif self._is_folder:
             first = f"matte.{self.frames.chosen.start:04d}{self.mattes.chosen.suffix}"
-            self.hint.setText(tr("A folder; its pictures are {first} and so on.", first=first))
+            told = tr("A folder; its pictures are {first} and so on.", first=first)
+            self.hint.setText(f"{told} {tr(REPLACES)}" if self._replaces else told)
+        elif isinstance(self.exporter, WritesSeveral):
+            self.hint.setText(tr(REPLACES) if self._replaces else "")
         else:
             self.hint.setText(tr("Replaces the file that is there.") if questions.is_file(self.path) else "")
+
+    @property
+    def _replaces(self) -> bool:
+        """Whether one of the files is there that the export would write."""
+        try:
+            chosen = only(self._document.project, self.shapes)
+            return replaces_any(self.exporter, chosen, self.path, self.options)
+        except RoamError:  # there would be none; why is told by what looks ahead
+            return False
 
     def _take_all_frames(self) -> None:
         if (clip := self._document.project.clip) is not None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -59,6 +60,16 @@ class SettingsDialog(QDialog):
         self._lay_out()
         self._pull()
         self._connect()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.cache.setFocus()
+        self.cache.selectAll()  # what is typed at once replaces the number
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Cancel):
+            self._pull()  # a number that is half typed is dropped; losing the focus would take it
+        super().keyPressEvent(event)
 
     # ---- building
 

@@ -140,6 +140,7 @@ class PlanarTrack(QObject):
         known = {shape.id: shape for shape in shapes}
         self._run = _Run(job, tuple(shapes), frames[0], self._view.frame, merge_key, "", points, vertices, known)
         self._run.keeps_undone = not self._document.undo_stack.canRedo()
+        self._view.follows_points = points is not None
         warm_up.tell_beginning(self._runner, job, self.progress.emit, tr("Starting the planar track …"))
         self.running_changed.emit()
 
@@ -218,6 +219,7 @@ class PlanarTrack(QObject):
         run, self._run = self._run, None
         if run is None:
             return
+        self._view.follows_points = False
         if ending is Ending.CANCELLED:
             before = tr("The planar track stopped before a frame was finished; the finished frames stay.")
             there = tr("The planar track stopped at frame {frame}; the finished frames stay.", frame=run.reached)

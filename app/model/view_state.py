@@ -73,6 +73,8 @@ class ViewState(QObject):
         """(shape id, point index, part) under the pointer, or None."""
         self.track_points: TrackPoints | None = None
         """What a point track is to follow; None: what the track of the shapes in hand followed."""
+        self.follows_points = False
+        """Whether a point track goes on: Esc stops it, and takes no points away."""
 
     @property
     def frame(self) -> int:

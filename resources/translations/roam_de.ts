@@ -3229,6 +3229,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>In {name} ist nichts weiß; das Objekt weiß malen und den Rest schwarz.</translation>
     </message>
     <message>
+        <source>Nothing lies over what is selected from this frame on; it is in front already.</source>
+        <translation>Ab diesem Bild liegt nichts über dem Ausgewählten; es liegt schon vorn.</translation>
+    </message>
+    <message>
+        <source>Nothing lies under what is selected from this frame on; it is behind already.</source>
+        <translation>Ab diesem Bild liegt nichts unter dem Ausgewählten; es liegt schon hinten.</translation>
+    </message>
+    <message>
         <source>Nothing of it was found on this frame: it is hidden, has left the picture, or was lost</source>
         <translation>Nichts davon wurde auf diesem Bild gefunden: Es ist verdeckt, hat das Bild verlassen oder ging verloren</translation>
     </message>
@@ -4040,6 +4048,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Rendering the matte …</source>
         <translation>Matte wird gerendert …</translation>
+    </message>
+    <message>
+        <source>Replaces files that are there.</source>
+        <translation>Ersetzt vorhandene Dateien.</translation>
     </message>
     <message>
         <source>Replaces the file that is there.</source>

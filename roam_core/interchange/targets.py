@@ -6,7 +6,7 @@ import errno
 import os
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from roam_core.errors import RoamError
@@ -15,7 +15,7 @@ from roam_core.interchange.matte_style import MATTES
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, WritesSeveral
 from roam_core.media import PlateSource, open_clip
 from roam_core.media.decoding import image_extensions
-from roam_core.media.numbering import parse_pattern
+from roam_core.media.numbering import parse_pattern, split_number
 from roam_core.roto import Clip, Project
 from roam_core.roto.backups import rotate
 from roam_core.translatable import N_, sentence
@@ -69,6 +69,41 @@ def exported(
     files = exporter.files(project, path, options) if isinstance(exporter, WritesSeveral) else (path,)
     kind = Kind.PICTURE if exporter.name == MATTES else Kind.SHAPES
     return [(file, kind) for file in files]
+
+
+def replaces_any(exporter: Exporter, project: Project, path: Path, options: ExportOptions = STANDARD) -> bool:
+    """Whether an export would write over a file that is there.
+
+    Quickly told of long sequences, too: only frames whose numbers are borne by files in their folders are asked about.
+    Mattes that skip what is there replace nothing. Raises `RoamError` as `exported` does.
+    """
+    if exporter.name != MATTES:
+        return any(file.name in _files_in(file.parent) for file, _ in exported(exporter, project, path, options))
+    frames = options.frames_of(project.require_clip())
+    if options.mattes.resumes or not frames:
+        return False
+
+    def files(frame: int) -> list[Path]:
+        return [file for file, _ in exported(exporter, project, path, replace(options, frames=range(frame, frame + 1)))]
+
+    first = files(frames[0])
+    there = {folder: _files_in(folder) for folder in dict.fromkeys(file.parent for file in first)}
+    suffixes = {file.suffix for file in first}
+    names = (Path(name) for held in there.values() for name in held)
+    numbered = [split_number(name.stem) for name in names if name.suffix in suffixes]
+    found = {int(parts[1]) for parts in numbered if parts is not None}
+    numbers = {signed - options.frame_offset for number in found for signed in (number, -number)}
+    asked = (file for frame in frames if frame in numbers for file in files(frame))
+    return any(file.name in there.get(file.parent, ()) for file in asked)
+
+
+def _files_in(folder: Path) -> set[str]:
+    """The names of the files of a folder; none where it cannot be read."""
+    try:
+        with os.scandir(folder) as entries:
+            return {entry.name for entry in entries if entry.is_file()}
+    except (OSError, ValueError):
+        return set()
 
 
 @dataclass(frozen=True)

@@ -67,6 +67,19 @@ def set_depth(project: Project, shape_ids: Iterable[str], frame: int, level: int
     return _each(project, shape_ids, lambda shape: replace(shape, depth=_with_pair(shape.depth, frame, level)))
 
 
+def lie_alike(one: Project, other: Project) -> bool:
+    """Whether the same shapes lie before one another alike on every frame, in two states of a project."""
+    shapes, others = tuple(one.root.shapes()), tuple(other.root.shapes())
+    starts = {start for shape in (*shapes, *others) for start, _ in shape.depth}
+    frames = sorted(starts | {start - 1 for start in starts})
+    return all(_bottom_first(shapes, frame) == _bottom_first(others, frame) for frame in frames)
+
+
+def _bottom_first(shapes: Sequence[RotoShape], frame: int) -> list[str]:
+    """The ids of shapes that come as they are stacked, the farthest on a frame first."""
+    return [shape.id for shape in sorted(shapes, key=lambda shape: shape.depth_at(frame))]
+
+
 def relinked(project: Project, copies: Sequence[RotoShape]) -> list[RotoShape]:
     """Copies that are about to join a project: linked with each other as their originals are, with those no more.
 

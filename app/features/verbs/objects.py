@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection
 from roam_core.errors import RoamError
 from roam_core.roto import Project, RotoShape, linking
 from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
+from roam_core.translatable import sentence
 
 from ...model.document import Document
 from ...model.reasons import LOCKED_STAYS
@@ -22,6 +23,11 @@ PLACES = {
     AS_STACKED: N_("as stacked again"),
 }
 """Where a shape lies, in a sentence."""
+LIES_THERE = {
+    IN_FRONT: N_("Nothing lies over what is selected from this frame on; it is in front already."),
+    BEHIND: N_("Nothing lies under what is selected from this frame on; it is behind already."),
+}
+"""What is said of a level that would bring a shape past no other."""
 
 Verb = Callable[[Project, Collection[str]], Project]
 
@@ -67,9 +73,19 @@ class ObjectVerbs:
         )
 
     def set_depth(self, level: int) -> None:
-        """Let the selected shapes lie in front, behind or as stacked, from this frame on."""
+        """Let the selected shapes lie in front, behind or as stacked, from this frame on.
+
+        What would bring them past no other shape is left: the engine would have to solve anew for nothing.
+        """
         frame = self._view.frame
-        if names := self._edit(tr(LEVELS[level]), lambda project, ids: linking.set_depth(project, ids, frame, level)):
+
+        def lay(project: Project, ids: Collection[str]) -> Project:
+            laid = linking.set_depth(project, ids, frame, level)
+            if level in LIES_THERE and laid != project and linking.lie_alike(project, laid):
+                raise RoamError(sentence(LIES_THERE[level]))
+            return laid
+
+        if names := self._edit(tr(LEVELS[level]), lay):
             where = tr(PLACES[level])
             one = tr("{name} lies {where} from frame {frame} on.", name=names[0], where=where, frame=frame)
             all_ = tr("{count} shapes lie {where} from frame {frame} on.", count=len(names), where=where, frame=frame)

@@ -39,7 +39,10 @@ class PointsTool(GestureTool):
 
     @property
     def claimed_keys(self) -> frozenset[str]:
-        return super().claimed_keys or (TAKE_BACK | {CLEAR} if self.here().places else frozenset())
+        if held := super().claimed_keys:
+            return held
+        clearing = frozenset() if self.view_state.follows_points else frozenset({CLEAR})  # the track is stopped first
+        return TAKE_BACK | clearing if self.here().places else frozenset()
 
     def here(self) -> TrackPoints:
         """The points on the present frame: where they were put, carried as the shapes in hand were tracked."""

@@ -103,6 +103,41 @@ def test_keys_tolerance_and_frames_reach_the_file(qtbot: QtBot, dialog: ExportDi
     assert dialog.options.frames is None
 
 
+@pytest.mark.parametrize("parts", [Parts.ALL, Parts.SHAPE])
+def test_the_hint_tells_of_mattes_that_are_there(
+    qtbot: QtBot, dialog: ExportDialog, tmp_path: Path, parts: Parts
+) -> None:
+    dialog.choose("mattes")
+    pick(dialog.mattes.parts, parts)
+    dialog.target.setText(str(tmp_path / "mattes"))
+    assert dialog.hint.text() == "A folder; its pictures are matte.1001.png and so on."
+    dialog.frames.take(range(1003, 1005))
+    export(qtbot, dialog)
+    assert dialog.hint.text().endswith(" and so on. Replaces files that are there.")
+    dialog.frames.take(range(1001, 1011))
+    assert dialog.hint.text().endswith("Replaces files that are there.")
+    dialog.mattes.resumes.setChecked(True)
+    assert "Replaces" not in dialog.hint.text()
+    dialog.mattes.resumes.setChecked(False)
+    dialog.frames.take(range(1006, 1011))
+    assert "Replaces" not in dialog.hint.text()
+    dialog.frames.take(range(1001, 1011))
+    pick(dialog.mattes.file, MatteFile.EXR)
+    assert "Replaces" not in dialog.hint.text()
+
+
+def test_the_hint_tells_of_any_file_of_a_format_that_writes_several(
+    qtbot: QtBot, dialog: ExportDialog, document: Document, tmp_path: Path
+) -> None:
+    document.open(edit.new_shape(document.project, SQUARE + 20, 1001)[0], None)
+    dialog.choose("mlt")
+    dialog.target.setText(str(tmp_path / "splines.json"))
+    assert dialog.hint.text() == ""
+    export(qtbot, dialog)
+    assert not (tmp_path / "splines.json").exists()
+    assert dialog.hint.text() == "Replaces files that are there."
+
+
 def test_tracked_keys_are_smoothed_through_time_as_far_as_is_typed(
     qtbot: QtBot, dialog: ExportDialog, document: Document, tmp_path: Path
 ) -> None:

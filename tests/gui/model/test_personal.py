@@ -125,6 +125,28 @@ def test_a_second_damaged_file_does_not_replace_the_first(tmp_path: Path) -> Non
     assert (tmp_path / "preferences.json.damaged-2").read_text(encoding="utf-8") == "two"
 
 
+def test_what_is_typed_at_once_replaces_the_first_number(qtbot: QtBot, dialog: SettingsDialog) -> None:
+    for typed in ("3", "4"):
+        qtbot.keyClicks(dialog.cache, typed)
+        qtbot.keyClick(dialog.cache, Qt.Key.Key_Return)
+        assert dialog.cache.value() == float(typed)
+        dialog.close()
+        dialog.show()
+
+
+def test_esc_drops_a_number_that_is_half_typed(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:
+    held = window.personal.preferences
+    dialog.cache.setFocus()
+    dialog.cache.selectAll()
+    qtbot.keyClicks(dialog.cache, "3")
+    qtbot.keyClick(dialog.cache, Qt.Key.Key_Escape)
+    assert not dialog.isVisible()
+    dialog.show()
+    dialog.threads.setFocus()
+    assert window.personal.preferences == held
+    assert dialog.cache.value() == held.cache_gigabytes
+
+
 def test_memory_backups_and_processes_hold_at_once(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:
     dialog.cache.setFocus()
     dialog.cache.selectAll()

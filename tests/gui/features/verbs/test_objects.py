@@ -12,7 +12,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
-from roam_core.roto.linking import IN_FRONT
+from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 A, B, C = "shape-1", "shape-2", "shape-3"
@@ -41,7 +41,6 @@ def told(document: Document) -> list[str]:
         ("object.apart", "link", ["object-1", "object-2", ""]),
         ("object.detach", "attached", [False, False, True]),
         ("object.in_front", "depth", [((7, 1),), ((7, 1),), ()]),
-        ("object.behind", "depth", [((7, -1),), ((7, -1),), ()]),
     ],
 )
 def test_a_verb_is_one_step(
@@ -55,7 +54,9 @@ def test_a_verb_is_one_step(
     assert document.project is before
 
 
-@pytest.mark.parametrize("pair", [("one", "parts"), ("apart", "parts"), ("detach", "attach"), ("behind", "as_stacked")])
+@pytest.mark.parametrize(
+    "pair", [("one", "parts"), ("apart", "parts"), ("detach", "attach"), ("in_front", "as_stacked")]
+)
 def test_a_verb_is_taken_back_by_its_counterpart(verbs: ObjectVerbs, document: Document, pair: tuple[str, str]) -> None:
     before = document.project
     for name in pair:
@@ -100,8 +101,8 @@ def test_locked_shapes_are_left_alone(verbs: ObjectVerbs, document: Document, vi
     verbs.link()
     assert told(document) == ["", "object-1", "object-1"]
     assert view_state.message == "What is locked stays; unlock it first (Ctrl+L)."
-    verbs.set_depth(IN_FRONT)
-    assert "2 shapes lie in front" in view_state.message
+    verbs.set_depth(BEHIND)
+    assert "2 shapes lie behind" in view_state.message
     assert view_state.message.endswith("What is locked stays; unlock it first (Ctrl+L).")
 
 
@@ -122,3 +123,22 @@ def test_pasted_shapes_are_an_object_of_their_own(
     document.open(Project(), None)
     clipboard.paste()
     assert told(document) == ["object-1", "object-1"]
+
+
+@pytest.mark.parametrize(
+    ("level", "shape", "message"),
+    [
+        (BEHIND, A, "Nothing lies under what is selected from this frame on; it is behind already."),
+        (IN_FRONT, C, "Nothing lies over what is selected from this frame on; it is in front already."),
+    ],
+)
+def test_a_depth_that_brings_a_shape_past_no_other_is_no_step(
+    verbs: ObjectVerbs, document: Document, view_state: ViewState, level: int, shape: str, message: str
+) -> None:
+    view_state.select(frozenset({shape}))
+    verbs.set_depth(level)
+    assert (document.undo_stack.count(), view_state.message) == (0, message)
+    verbs.set_depth(-level)  # past both of the others
+    verbs.set_depth(AS_STACKED)
+    assert document.undo_stack.count() == 2
+    assert document.project.shape(shape).depth == ()

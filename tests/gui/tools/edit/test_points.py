@@ -210,13 +210,41 @@ def test_points_that_are_put_or_cleared_during_a_run_stay(
     if way == "put":
         hand.click(MARKS[1])
     else:
-        hand.key(Qt.Key.Key_Escape)
+        hand.key(Qt.Key.Key_Backspace)
     kept = view_state.track_points
     assert len(places(view_state)) == (2 if way == "put" else 0)
     ending, _ = finish(qtbot, track, lambda: gate.release(LAST))
     assert ending is Ending.DONE
     assert LAST in document.project.shape("shape-1").frames
     assert view_state.track_points == kept
+
+
+def test_esc_is_left_to_the_track_while_points_are_followed(
+    qtbot: QtBot,
+    hand: Hand,
+    canvas: CanvasView,
+    document: Document,
+    view_state: ViewState,
+    runner: Runner,
+    pointed: None,
+) -> None:
+    hand.click(MARKS[0])
+    gate = threading.Event()
+
+    def read(frame: int) -> np.ndarray:
+        assert gate.wait(WAIT / 1000)
+        return board.picture(PlaneMotion.TRANSLATION, frame - 1)
+
+    track = PlanarTrack(document, view_state, runner, read)
+    PlanarTracking(document, view_state, track).forward()
+    assert "Esc" not in canvas.tool.claimed_keys
+    assert "Backspace" in canvas.tool.claimed_keys
+    hand.key(Qt.Key.Key_Escape)
+    assert len(places(view_state)) == 1
+    track.stop()
+    finish(qtbot, track, gate.set)
+    hand.key(Qt.Key.Key_Escape)
+    assert len(places(view_state)) == 0
 
 
 def test_points_on_one_another_are_refused(
