@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections import OrderedDict
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -28,6 +29,10 @@ DISPLAY_BYTES = 512 << 20
 """Bound on pictures kept ready for the screen; plates that are shown as they lie in their files need none."""
 
 
+PATIENCE = 1000
+"""Milliseconds after which it is told that a picture is waited for."""
+
+
 class Ready(NamedTuple):
     """What the screen shows of a frame: display values, and what views and exposure are made of, where one is wanted.
 
@@ -52,12 +57,16 @@ class PlateReader(QObject):
         fewer pixels than the plate.
     refused(sentence) : why a frame cannot be shown.
     cache_changed() : other frames are cached, or known to be damaged, than before; at most ten times a second.
+    progress(fraction, text), finished(ending, sentence) : a picture takes long, as from a server that does not answer;
+        it is there, or waited for no more.
     """
 
     plate_changed = Signal()
     picture = Signal(int, object)
     refused = Signal(str)
     cache_changed = Signal()
+    progress = Signal(float, str)
+    finished = Signal(object, str)
     _cache_touched = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -75,6 +84,12 @@ class PlateReader(QObject):
         self._cache_touched.connect(self._touch)
         self._settle = QTimer(self, interval=100, singleShot=True)
         self._settle.timeout.connect(self.cache_changed)
+        self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
+        self._patience.timeout.connect(self._tell_wait)
+        self._is_told = False
+        """That a picture is waited for."""
+        self._reading: list[FrameCache[Image] | Runner] = []
+        """What reads a frame of a plate that was let go, to its end."""
 
     @property
     def source(self) -> PlateSource | None:
@@ -91,11 +106,21 @@ class PlateReader(QObject):
         self.plate_changed.emit()
         self.cache_changed.emit()
 
-    def close(self) -> None:
-        """Let the plate go and end the worker."""
+    def close(self, wait: float = 10.0) -> bool:
+        """Let the plate go and end the threads; False where one still reads a frame after `wait` seconds."""
         self._let_go()
         self._settle.stop()
-        self._runner.close()
+        until = time.monotonic() + wait
+        ended = [each.close(max(0.0, until - time.monotonic())) for each in (self._runner, *self._reading)]
+        return all(ended)
+
+    def stop(self) -> None:
+        """Wait no more for a picture that was told to take long; the one before stays."""
+        if self._is_told:
+            self._drop_job()
+            self._end_wait(
+                Ending.CANCELLED, tr("Frame {frame} is not read; go to it again to try.", frame=self._wanted)
+            )
 
     def set_cache_limit(self, limit: int) -> None:
         """Hold no more than so many bytes of decoded frames; what is above goes when the next frame is read."""
@@ -180,11 +205,15 @@ class PlateReader(QObject):
         What is at hand is told at once: in playback a way over the other thread would cost more than the painting.
         """
         self._wanted = frame
-        if self._cache is None or self._runner.running("decode") is not None:
+        if self._cache is None:
             return
-        if (picture := self._at_hand(frame)) is None:
+        if self._runner.running("decode") is not None:
+            if self._is_told:
+                self._tell_wait()
+        elif (picture := self._at_hand(frame)) is None:
             self._decode(frame)
         else:
+            self._end_wait()
             self._cache.read_ahead(self._ahead(frame))
             self.picture.emit(frame, picture)
 
@@ -248,6 +277,10 @@ class PlateReader(QObject):
             cache.read_ahead(ahead)
             return ""
 
+        if self._is_told:
+            self._tell_wait()
+        else:
+            self._patience.start()
         job = self._runner.start("decode", work)
         job.partial.connect(lambda picture: self.picture.emit(frame, picture))
         job.ended.connect(lambda ending, sentence: self._decoded(frame, step, ending, sentence))
@@ -262,6 +295,19 @@ class PlateReader(QObject):
             is_late &= ending is Ending.DONE
             if self._wanted != frame or is_late:
                 self.show(self._wanted)
+                return
+        if ending is not Ending.CANCELLED:
+            self._end_wait()
+
+    def _tell_wait(self) -> None:
+        self._is_told = True
+        self.progress.emit(0.0, tr("Waiting for the picture of frame {frame} …", frame=self._wanted))
+
+    def _end_wait(self, ending: Ending = Ending.DONE, sentence: str = "") -> None:
+        self._patience.stop()
+        if self._is_told:
+            self._is_told = False
+            self.finished.emit(ending, sentence)
 
     def _ahead(self, frame: int) -> list[int]:
         assert self._source is not None
@@ -277,12 +323,21 @@ class PlateReader(QObject):
             self._settle.start()
 
     def _let_go(self) -> None:
-        if (job := self._runner.running("decode")) is not None:
-            job.drop()
-        if self._cache is not None:
-            self._cache.close()
+        self._reading = [each for each in self._reading if not each.close(0.0)]
+        self._drop_job()
+        if self._cache is not None and not self._cache.close(0.0):
+            self._reading.append(self._cache)
         self._source = self._cache = self._wanted = None
         self._ready = OrderedDict()
+        self._end_wait()
+
+    def _drop_job(self) -> None:
+        """Let the picture that is being decoded not arrive; what is decoded next does not wait for it."""
+        if (job := self._runner.running("decode")) is not None:
+            job.drop()
+            if not self._runner.close(0.0):
+                self._reading.append(self._runner)
+            self._runner = Runner("decode", self)
 
 
 def _engine_parts(source: PlateSource | None, cache: FrameCache[Image] | None, frame: int) -> PartialPicture:

@@ -62,7 +62,7 @@ class ViewState(QObject):
         self._range = (1, 2)
         self.is_playing = False
         """Whether the clip is played: the playhead goes its own way."""
-        self._message = self._hint = self._advice = ""
+        self._message = self._hint = self._advice = self._of_picture = ""
         self._is_said_just_now = self._is_said_in_drag = self._is_reading = False
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
@@ -195,6 +195,18 @@ class ViewState(QObject):
         """Tell what to do next with the shapes that are selected; when others are, it goes."""
         self.say(sentence)
         self._advice = self._message
+
+    def say_of_picture(self, sentence: str) -> None:
+        """Tell why there is no picture; where there is one again, it goes."""
+        self.say(sentence)
+        self._of_picture = self._message
+
+    def note_picture(self, _frame: int, picture: object) -> None:
+        """A frame is shown, or has no picture (None)."""
+        if picture is not None and self._of_picture:
+            if self._message == self._of_picture:
+                self.say(self._hint)
+            self._of_picture = ""
 
     def go_on(self) -> None:
         """The artist edits something: what was told of something before that goes.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -92,6 +93,7 @@ from .window_services import WindowServices
 from .workspace import Workspace
 
 PANEL_WIDTH = 272
+LEAVING_SECONDS = 10.0  # for which threads that read are waited for
 
 
 class MainWindow(QMainWindow):
@@ -137,7 +139,7 @@ class MainWindow(QMainWindow):
         self.plate_jobs = PlateJobs.of(self.document, self.solver, self.reader.engine_frame, self)
         self.review_job = ReviewJob(self.document, self.exporter, self.reader.frames_of_this_plate, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
-        self.under_way = UnderWay(*works, *self.plate_jobs.all, self.review_job, parent=self)
+        self.under_way = UnderWay(*works, *self.plate_jobs.all, self.review_job, self.reader, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         without = self.reader.frames_without_picture
@@ -245,10 +247,10 @@ class MainWindow(QMainWindow):
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         seeing = self.canvas.set_image, self.second_viewer.set_image, self.playback.note_picture, self.pictures.show
-        for see in seeing:
+        for see in (*seeing, view.note_picture):
             reader.picture.connect(see)
         reader.plate_changed.connect(self.pictures.clear)
-        reader.refused.connect(view.say)
+        reader.refused.connect(view.say_of_picture)
         reader.cache_changed.connect(self.timeline.ruler.update)
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
         self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
@@ -437,6 +439,11 @@ class MainWindow(QMainWindow):
     def _shut_down(self) -> None:
         self.playback.pause()
         self.under_way.drop_edits()
-        runners = self.solver, self.eye, self.reader, self.writer, self.exporter, self.saver
-        for part in (self.reopening, *runners, self.files.claim, self.journal):
+        self.hide()  # what is read may lie on a disk that does not answer: nobody looks at that
+        for each in (reading := (self.solver, self.eye, self.reader, self.writer)):
+            each.close(0.0)  # they end beside one another
+        for part in (self.reopening, self.exporter, self.saver, self.files.claim, self.journal):
             part.close()
+        until = time.monotonic() + LEAVING_SECONDS
+        for each in reading:
+            each.close(max(0.0, until - time.monotonic()))

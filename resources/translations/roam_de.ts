@@ -1872,6 +1872,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
     </message>
     <message>
+        <source>Frame {frame} is not read; go to it again to try.</source>
+        <translation>Frame {frame} wird nicht gelesen; dorthin gehen, um es noch einmal zu versuchen.</translation>
+    </message>
+    <message>
         <source>Frame {frame} is {size}, frame {first} is {other}; all frames of a span must have one size.</source>
         <translation>Frame {frame} ist {size}, Frame {first} ist {other}; alle Frames einer Strecke müssen gleich groß sein.</translation>
     </message>
@@ -6017,6 +6021,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Visible shapes above the tracked ones lie before the surface</source>
         <translation>Sichtbare Formen über den getrackten liegen vor der Fläche</translation>
+    </message>
+    <message>
+        <source>Waiting for the picture of frame {frame} …</source>
+        <translation>Das Bild von Frame {frame} wird erwartet …</translation>
     </message>
     <message>
         <source>What ROAM says is kept here.</source>

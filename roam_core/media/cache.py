@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+import time
 from collections import OrderedDict, deque
 from collections.abc import Callable, Sequence
 from typing import Generic, Protocol, TypeVar
@@ -167,17 +168,22 @@ class FrameCache(Generic[Held]):
                     reader.start()
             self._wake.notify_all()
 
-    def close(self) -> None:
-        """Stop reading ahead, wait for its threads, and let go of all frames. Later reads decode and hold nothing."""
+    def close(self, wait: float | None = None) -> bool:
+        """Stop reading ahead, wait for its threads, and let go of all frames. Later reads decode and hold nothing.
+
+        False where a thread still reads after `wait` seconds (None: as long as it takes), as from a disk that does not
+        answer: it ends with that frame, and may be waited for by another call.
+        """
         with self._lock:
             self._closed = True
             self._ahead.clear()
             self._images.clear()
-            readers, self._readers = self._readers, []
+            readers = [reader for reader in self._readers if reader is not threading.current_thread()]
             self._wake.notify_all()
+        until = None if wait is None else time.monotonic() + wait
         for reader in readers:
-            if reader is not threading.current_thread():
-                reader.join()
+            reader.join(None if until is None else max(0.0, until - time.monotonic()))
+        return not any(reader.is_alive() for reader in readers)
 
     # ---- decoding ----------------------------------------------------------------------------------------------------
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import os
 import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ from roam_core.translatable import said_by, sentence
 
 MOST_PROCESSES = 3
 """Two threads read ahead, and one waits for the picture that is wanted now."""
+LATE_SECONDS = 5.0
+"""After which a process that was lent does not count among them: it may wait for a server that does not answer."""
 SECONDS = 5.0
 """Of the processor, that a small image may take: the largest that is accepted took 3.1."""
 BYTES_A_SECOND = 10 << 20
@@ -23,7 +26,7 @@ BYTES_A_SECOND = 10 << 20
 
 
 class Pool:
-    """Processes that decode, started as they are needed. Safe from any thread.
+    """Processes that decode, started as they are needed. Safe from any thread, which gives back itself.
 
     A process that ends before it answered is asked once more as a new one, for it may have been ended by somebody else;
     then the file is told as damaged.
@@ -34,7 +37,7 @@ class Pool:
         self._free = threading.Condition(self._lock)
         self._idle: list[DecoderProcess] = []
         self._parents: list[DecoderProcess] = []
-        self._lent = 0
+        self._lent: list[tuple[int, float]] = []  # the thread that has one, and since when
         self._is_closed = False
         atexit.register(self.close)
         if hasattr(os, "register_at_fork"):
@@ -82,9 +85,9 @@ class Pool:
 
     def _lend(self) -> DecoderProcess:
         with self._lock:
-            while not self._idle and self._lent >= MOST_PROCESSES:
-                self._free.wait()
-            self._lent += 1
+            while not self._idle and len(in_time := self._lent_in_time()) >= MOST_PROCESSES:
+                self._free.wait(max(0.0, min(in_time) + LATE_SECONDS - time.monotonic()))
+            self._lent.append((threading.get_ident(), time.monotonic()))
             if self._idle:
                 return self._idle.pop()
         try:
@@ -96,20 +99,26 @@ class Pool:
     def _give_back(self, process: DecoderProcess | None) -> None:
         """Take a process back that was lent; None for one that died."""
         with self._lock:
-            self._lent -= 1
-            is_kept = process is not None and not self._is_closed
+            mine = [lent for lent in self._lent if lent[0] == threading.get_ident()]
+            self._lent.remove(mine[-1])
+            is_one_too_many = len(self._lent_in_time()) + len(self._idle) >= MOST_PROCESSES
+            is_kept = process is not None and not self._is_closed and not is_one_too_many
             if is_kept and process is not None:
                 self._idle.append(process)
             self._free.notify()
         if process is not None and not is_kept:
             process.close()
 
+    def _lent_in_time(self) -> list[float]:
+        """Since when those are lent that count. The lock is held."""
+        return [since for _, since in self._lent if time.monotonic() < since + LATE_SECONDS]
+
     def _forget(self) -> None:
         """After a fork, in the child: the processes are the parent's."""
         self._lock = threading.Lock()
         self._free = threading.Condition(self._lock)
         self._parents += self._idle
-        self._idle, self._lent = [], 0
+        self._idle, self._lent = [], []
 
 
 def seconds_for(file: Path) -> float:

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.jobs import decode
 from app.jobs.decode import PlateReader
+from app.jobs.runner import Ending
 from app.model.viewing import Viewing
 from roam_core.errors import RoamError
 from roam_core.media import DamagedFrame, MissingFrame
@@ -294,3 +295,75 @@ def test_another_size_that_is_asked_for_meanwhile_is_shown_in_the_end(qtbot: QtB
     viewing.set_proxy(2)
     plate.gate.set()
     qtbot.waitUntil(lambda: pictures[-1:] == [(1, 2, 3)], timeout=WAIT)
+
+
+# ---- plates on disks that do not answer ------------------------------------------------------------------------------
+
+
+def held_up(qtbot: QtBot, reader: PlateReader) -> Plate:
+    """A plate of which one frame is shown; others are being read, ahead and for the screen, until its gate opens."""
+    plate = Plate()
+    reader.open(plate)
+    plate.gate.clear()
+    reader._decode(1)
+    qtbot.waitUntil(lambda: reader._runner.running("decode") is not None, timeout=WAIT)
+    reader._cache.read_ahead([2, 3])
+    qtbot.waitUntil(lambda: len(reader._cache._decoding) >= 2, timeout=WAIT)
+    return plate
+
+
+def test_another_plate_is_shown_while_a_frame_of_the_one_before_does_not_come(
+    qtbot: QtBot, reader: PlateReader
+) -> None:
+    shown: list[tuple[int, object]] = []
+    slow = held_up(qtbot, reader)
+    reader.picture.connect(lambda frame, picture: shown.append((frame, picture.shape)))
+    reader.open(Large())  # waits for none of the other's threads
+    with qtbot.waitSignal(reader.picture, timeout=WAIT):
+        reader.show(2)
+    slow.gate.set()
+    qtbot.waitUntil(lambda: all(each.close(0.0) for each in reader._reading), timeout=WAIT)
+    qtbot.wait(1)
+    assert shown == [(2, (4, 8, 3))]  # nothing late of the plate before
+    before = tuple(reader._reading)
+    assert before
+    reader.open(None)
+    assert not any(each in before for each in reader._reading)
+
+
+def test_a_picture_that_takes_long_is_told_until_it_is_there(qtbot: QtBot, reader: PlateReader) -> None:
+    told: list[object] = []
+    reader.progress.connect(lambda _, text: told.append(text))
+    reader.finished.connect(lambda ending, _: told.append(ending))
+    plate = Plate()
+    reader.open(plate)
+    plate.gate.clear()
+    reader._patience.setInterval(0)
+    reader.show(2)
+    qtbot.waitUntil(lambda: len(told) == 1, timeout=WAIT)
+    reader.show(3)
+    plate.gate.set()
+    qtbot.waitUntil(lambda: Ending.DONE in told, timeout=WAIT)
+    assert "frame 2" in str(told[0])
+    assert "frame 3" in str(told[1])
+    assert told[-1] is Ending.DONE
+    assert told.count(Ending.DONE) == 1
+
+
+def test_a_picture_that_does_not_come_is_given_up_and_asked_for_again(qtbot: QtBot, reader: PlateReader) -> None:
+    ends: list[tuple[Ending, str]] = []
+    reader.finished.connect(lambda ending, sentence: ends.append((ending, sentence)))
+    plate = Plate()
+    reader.open(plate)
+    plate.gate.clear()
+    reader.stop()  # nothing is told yet: nothing is stopped
+    reader._patience.setInterval(0)
+    with qtbot.waitSignal(reader.progress, timeout=WAIT):
+        reader.show(2)
+    reader.stop()
+    assert [ending for ending, _ in ends] == [Ending.CANCELLED]
+    assert "Frame 2" in ends[0][1]
+    plate.gate.set()
+    with qtbot.waitSignal(reader.picture, timeout=WAIT) as picture:
+        reader.show(2)
+    assert picture.args[0] == 2

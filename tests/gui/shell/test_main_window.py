@@ -24,7 +24,7 @@ from app.model.viewing import BackgroundKind
 from app.shell.main_window import MainWindow
 from app.widgets.panel import Panel
 from roam_core.geometry.bezier import polygon_points
-from roam_core.media import finding
+from roam_core.media import finding, open_clip
 from roam_core.roto import BlendMode, Project, edit, file
 from tests.gui.waiting import WAIT
 from tests.gui.windows import COUNT, FIRST, opened_window, write_clip
@@ -487,3 +487,45 @@ def test_views_and_panels_can_be_switched(qtbot: QtBot, window: MainWindow) -> N
     window.actions_by_id["view.tall_timeline"].trigger()
     lower = window._halves.sizes()[1]
     assert lower > window._halves.height() / 3
+
+
+def test_leaving_hides_the_window_at_once_and_waits_for_what_is_read_last(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[tuple[str, bool]] = []
+    close_reader, close_journal = window.reader.close, window.journal.close
+
+    def reader_closes(wait: float = 10.0) -> bool:
+        seen.append(("reader" if wait else "told", window.isVisible()))
+        return close_reader(wait)
+
+    def journal_closes() -> None:
+        seen.append(("journal", window.isVisible()))
+        close_journal()
+
+    monkeypatch.setattr(window.reader, "close", reader_closes)
+    monkeypatch.setattr(window.journal, "close", journal_closes)
+    window.close()
+    qtbot.waitUntil(lambda: ("reader", False) in seen, timeout=WAIT)
+    assert seen[:3] == [("told", False), ("journal", False), ("reader", False)]
+
+
+def test_why_a_frame_has_no_picture_is_told_until_one_is_shown_again(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    plate = open_clip(tmp_path / "plate")
+    last = tmp_path / "plate" / f"plate.{FIRST + COUNT - 1}.png"
+    content = last.read_bytes()
+    last.unlink()
+    window.reader.open(plate)  # nothing of it is held
+    window.view_state.set_frame(FIRST + COUNT - 1)
+    qtbot.waitUntil(lambda: "no longer there" in window.status.sentence.text(), timeout=WAIT)
+    last.write_bytes(content)
+    window.view_state.set_frame(FIRST)
+    qtbot.waitUntil(lambda: "no longer there" not in window.status.sentence.text(), timeout=WAIT)
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.view_state.set_frame(FIRST + COUNT - 1)
+    window.view_state.say("Something else.")
+    window.view_state.set_frame(FIRST)
+    qtbot.waitUntil(lambda: window.canvas.stage.frame == FIRST, timeout=WAIT)
+    assert window.status.sentence.text() == "Something else."

@@ -340,6 +340,18 @@ def test_close_waits_for_the_frame_under_way_and_drops_the_rest(plate: Plate) ->
     assert cache.cached_frames() == frozenset()
 
 
+def test_close_may_leave_a_thread_that_reads_to_itself_and_wait_for_it_later(plate: Plate) -> None:
+    cache = FrameCache(plate)
+    gate = plate.hold(1)
+    cache.read_ahead([1, 2, 3])
+    assert plate.started[1].wait(PATIENCE)
+    assert not cache.close(0.0)
+    gate.set()
+    assert cache.close(PATIENCE)
+    assert set(plate.order) == {1}
+    assert cache.cached_frames() == frozenset()
+
+
 def test_a_listener_may_ask_and_even_close(plate: Plate) -> None:
     cache = FrameCache(plate)
     seen: list[frozenset[int]] = []

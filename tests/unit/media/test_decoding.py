@@ -297,6 +297,25 @@ def test_pictures_are_decoded_side_by_side_by_three_at_most(tmp_path: Path, apar
     pool.close()
 
 
+def test_processes_that_do_not_answer_keep_no_other_file_waiting(
+    monkeypatch: pytest.MonkeyPatch, apart: Callable[[], None]
+) -> None:
+    pool = Pool()
+    lent = [pool._lend() for _ in range(pools.MOST_PROCESSES)]
+    monkeypatch.setattr(pools, "LATE_SECONDS", 0.0)
+    further = [pool._lend()]
+    asking = threading.Thread(target=lambda: further.append(pool._lend()), daemon=True)
+    asking.start()
+    asking.join(WAITED)
+    assert len({process.process_id for process in (*lent, *further)}) == pools.MOST_PROCESSES + 2
+    further.pop().close()
+    monkeypatch.undo()
+    for process in (*lent, *further):
+        pool._give_back(process)
+    assert len(pool.process_ids()) <= pools.MOST_PROCESSES
+    pool.close()
+
+
 def test_processes_end_with_the_program_however_it_ends(tmp_path: Path) -> None:
     program_text = (
         "import sys, time\n"
