@@ -6370,6 +6370,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>eine Liste steht, wo eine Zahl hingehört</translation>
     </message>
     <message>
+        <source>a matrix of a transform has no inverse</source>
+        <translation>eine Matrix einer Transformation hat keine Umkehrung</translation>
+    </message>
+    <message>
+        <source>a matrix of a transform must be 3x3 numbers, the last not zero</source>
+        <translation>eine Matrix einer Transformation muss aus 3x3 Zahlen bestehen, die letzte nicht null</translation>
+    </message>
+    <message>
+        <source>a matrix sends it to infinity</source>
+        <translation>eine Matrix führt ins Unendliche</translation>
+    </message>
+    <message>
         <source>a note on this frame</source>
         <translation>eine Notiz zu diesem Frame</translation>
     </message>

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from roam_core.arrays import Array
+from roam_core.translatable import sentence
 
 IDENTITY: Array = np.eye(3)
 IDENTITY.setflags(write=False)
@@ -26,10 +27,10 @@ def normalised(matrix: ArrayLike) -> Array:
     """
     result = np.asarray(matrix, dtype=np.float64)
     if result.shape != (3, 3) or not np.isfinite(result).all() or result[2, 2] == 0.0:
-        raise ValueError("a matrix of a transform must be 3x3 numbers, the last not zero")
+        raise ValueError(sentence("a matrix of a transform must be 3x3 numbers, the last not zero"))
     result = result / result[2, 2]
     if abs(np.linalg.det(result)) < LEAST_DETERMINANT:
-        raise ValueError("a matrix of a transform has no inverse")
+        raise ValueError(sentence("a matrix of a transform has no inverse"))
     return np.asarray(result)
 
 
@@ -58,7 +59,7 @@ def apply_each(matrices: Array, positions: Array) -> Array:
     carried = (maps[..., :2, :2] @ positions[..., None])[..., 0] + maps[..., :2, 2]
     depths = (maps[..., 2, :2] * positions).sum(axis=-1) + maps[..., 2, 2]
     if (np.abs(depths) < HORIZON).any():
-        raise ValueError("a matrix sends it to infinity")
+        raise ValueError(sentence("a matrix sends it to infinity"))
     return np.asarray(carried / depths[..., None])
 
 
