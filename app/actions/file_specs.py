@@ -12,6 +12,7 @@ FILE: tuple[ActionSpec, ...] = (
     ActionSpec("file.open_project", N_("Open project…")),
     ActionSpec("file.open_demo", N_("Open the demo"), tip=N_("A short shot to try everything on")),
     ActionSpec("file.relink_clip", N_("Relink clip…"), tip=N_("Another version of the plate below the same shapes")),
+    ActionSpec("file.reload_clip", N_("Reload clip"), tip=N_("Read again pictures that were rendered anew")),
     ActionSpec(
         "file.clip_settings", N_("Clip settings…"), tip=N_("Colours, layer, frames per second and pixels of the clip")
     ),

@@ -16,7 +16,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     N_("File"): (
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
         "file.open_demo", SEPARATOR,
-        "file.clip_settings", "file.relink_clip", SEPARATOR,
+        "file.clip_settings", "file.relink_clip", "file.reload_clip", SEPARATOR,
         "file.save", "file.save_as", "file.save_version", "file.recover", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
         "file.export", "file.export_selected", "file.export_nuke", "file.export_mattes", SEPARATOR,

@@ -10,6 +10,7 @@ WORDS: Mapping[str, str] = {
     "file.new": N_("empty begin"),
     "file.open_clip": N_("import footage plate read sequence images source load"),
     "file.relink_clip": N_("replace plate version footage path missing moved"),
+    "file.reload_clip": N_("refresh reread update plate footage changed rendered"),
     "file.clip_settings": N_("interpret footage colourspace fps frame rate pixel aspect channel read properties"),
     "file.open_movie": N_("import footage mov mp4 quicktime read load"),
     "file.open_project": N_("load script scene session"),

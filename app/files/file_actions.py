@@ -92,6 +92,7 @@ class FileActions(QObject):
             "file.open_clip": self.open_clip,
             "file.open_movie": self.open_movie,
             "file.relink_clip": self.relink_clip,
+            "file.reload_clip": self._files.reload_plate,
             "file.clip_settings": self.clip_settings,
             "file.open_project": self.open_project,
             "file.save": self.save,

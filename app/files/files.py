@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,7 +23,6 @@ from ..journal import recovery
 from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
-from ..model.reasons import keys_beside
 from ..model.view_state import ViewState
 from ..translation import tr, translated
 from .claim import Claim
@@ -33,13 +31,13 @@ from .reading import (
     Found,
     clip_project,
     demo_project,
-    differences,
     gaps_of,
     plate_of,
     read_as,
     read_project,
+    read_version,
     reading_work,
-    version_of,
+    reloaded,
     with_numbers,
 )
 from .saving import NewVersion, save_new_version, save_onto
@@ -170,20 +168,24 @@ class Files(QObject):
         and what the artist declared of the plate before. The project is to be saved.
         """
         project, before, sitting = self._document.project, self._reader.source, self._document.sitting
+        work = reading_work(tr("Opening {name} …", name=path.name), lambda: read_version(project, before, path))
+        self._start(work, lambda found: self._relink(found, sitting))
 
-        def read() -> Found:
-            source = version_of(project.require_clip(), before, path)
-            sentence = differences(project, source) or tr(
-                "The plate is {name} now; save to keep that.", name=source.path.name
-            )
-            held = project.require_clip()
-            clip = replace(Clip.of(source), extra=held.extra)
-            sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip, held))))
-            return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
+    def reload_plate(self) -> None:
+        """Read the pictures of the project's plate anew, and take those that were written since it was opened."""
+        project, sitting = self._document.project, self._document.sitting
+        if project.clip is None:
+            self._view.say(tr("There is no clip yet; open one."))
+            return
 
-        self._start(
-            reading_work(tr("Opening {name} …", name=path.name), read), lambda found: self._relink(found, sitting)
-        )
+        def take(found: Found) -> None:
+            if found.is_unsaved:
+                self._relink(found, sitting)
+            elif sitting == self._document.sitting:
+                self._reader.open(found.source)
+
+        work = reading_work(tr("Opening {name} …", name=project.clip.name), lambda: reloaded(project))
+        self._start(work, take)
 
     def read_plate_as(self, layer: str, declare: Callable[[PlateSource], PlateSource]) -> None:
         """Take another layer of the project's plate, or what the artist declares of it, from now on.

@@ -19,6 +19,7 @@ from roam_core.system_errors import reason_of
 
 from ..jobs.runner import Report, Work
 from ..model.document import PROJECT_SUFFIX
+from ..model.reasons import keys_beside
 from ..translation import N_, sentence_of, tr, translated
 
 if TYPE_CHECKING:
@@ -81,6 +82,30 @@ def version_of(clip: Clip, before: PlateSource | None, path: Path) -> PlateSourc
     if isinstance(before, DeclaredPlate):
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     return source
+
+
+def read_version(project: Project, before: PlateSource | None, path: Path) -> Found:
+    """The project with the plate that lies at `path`, read as its own one, `before`, is."""
+    source = version_of(project.require_clip(), before, path)
+    sentence = differences(project, source) or tr("The plate is {name} now; save to keep that.", name=source.path.name)
+    return _with_plate(project, source, sentence)
+
+
+def reloaded(project: Project) -> Found:
+    """The project with its plate read anew; unsaved where that has other frames now, or another size."""
+    held = project.require_clip()
+    source = _plate(held)
+    if Clip.of(source) == replace(held, extra={}):
+        return Found(project, source, tr("The plate was read anew. Track again what it shows otherwise now."))
+    changed = tr("The plate was read anew: it has changed; save to keep that.")
+    return _with_plate(project, source, differences(project, source) or changed)
+
+
+def _with_plate(project: Project, source: PlateSource, sentence: str) -> Found:
+    held = project.require_clip()
+    clip = replace(Clip.of(source), extra=held.extra)
+    sentence = " ".join(filter(None, (sentence, keys_beside(project.shapes, clip, held))))
+    return Found(replace(project, clip=clip), source, sentence, is_unsaved=True)
 
 
 def read_as(project: Project, layer: str, declare: Callable[[PlateSource], PlateSource]) -> Found:
@@ -184,19 +209,24 @@ def _older(project: Project, version: int) -> str:
 
 def plate_of(project: Project) -> tuple[Any, str]:
     """The plate of a project, or None and why it could not be opened; or the plate and what differs from before."""
-    from roam_core.media import declared
-    from roam_core.media.colour_spaces import definition_of
-
     if (clip := project.clip) is None:
         return None, ""
-    definition_of(clip.colour_space)
     try:
-        source = declared(open_plate(clip), clip.colour_space, clip.fps, clip.pixel_aspect)
+        source = _plate(clip)
     except RoamError as error:
         return None, tr(
             "The plate could not be opened; choose it again in the File menu. {error}", error=sentence_of(error)
         )
     return source, differences(project, source)
+
+
+def _plate(clip: Clip) -> PlateSource:
+    """The plate of a clip, read as the clip says."""
+    from roam_core.media import declared
+    from roam_core.media.colour_spaces import definition_of
+
+    definition_of(clip.colour_space)
+    return declared(open_plate(clip), clip.colour_space, clip.fps, clip.pixel_aspect)
 
 
 def differences(project: Project, source: PlateSource) -> str:

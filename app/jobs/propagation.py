@@ -70,7 +70,7 @@ class Propagation(QObject):
         self._patience = QTimer(self, singleShot=True, interval=PATIENCE)
         self._patience.timeout.connect(self.drop)
         document.changed.connect(self._guard)
-        document.replaced.connect(self._forget)
+        document.replaced.connect(self.forget)
 
     @property
     def is_running(self) -> bool:
@@ -219,12 +219,12 @@ class Propagation(QObject):
         if self._run is not None:
             self._run.job.drop()
 
-    # ---- the rest is private
-
-    def _forget(self) -> None:
-        """Another project: its clip is another one."""
+    def forget(self) -> None:
+        """Another plate, or the same read anew: what is under way, and where runs go on from, is of other pictures."""
         self.drop()
         self._memory = TrackMemory()
+
+    # ---- the rest is private
 
     def _begin(self, run: Run, sentence: str) -> None:
         self._run = run

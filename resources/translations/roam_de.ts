@@ -3954,6 +3954,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Reichweite</translation>
     </message>
     <message>
+        <source>Read again pictures that were rendered anew</source>
+        <translation>Bilder noch einmal lesen, die neu gerendert wurden</translation>
+    </message>
+    <message>
         <source>Read {shapes} from {name}.</source>
         <translation>{shapes} aus {name} gelesen.</translation>
     </message>
@@ -4020,6 +4024,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Relink clip…</source>
         <translation>Clip neu verknüpfen…</translation>
+    </message>
+    <message>
+        <source>Reload clip</source>
+        <translation>Clip neu laden</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5392,6 +5400,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The plate shows the same pictures, numbered from {now} now, not from {before}. Tracked frames stay up to date if you shift them now; with Keys &gt; Shift in time later they do not.</source>
         <translation>Die Plate zeigt dieselben Bilder, jetzt ab {now} nummeriert statt ab {before}. Jetzt verschoben bleiben getrackte Frames aktuell; später mit Keyframes &gt; Zeitlich verschieben nicht.</translation>
+    </message>
+    <message>
+        <source>The plate was read anew. Track again what it shows otherwise now.</source>
+        <translation>Die Plate wurde neu gelesen. Was sie nun anders zeigt, noch einmal tracken.</translation>
+    </message>
+    <message>
+        <source>The plate was read anew: it has changed; save to keep that.</source>
+        <translation>Die Plate wurde neu gelesen: Sie hat sich geändert; durch Speichern bleibt das so.</translation>
     </message>
     <message>
         <source>The plate with its shapes</source>
@@ -7552,6 +7568,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>recovered work</source>
         <translation>wiederhergestellte Arbeit</translation>
+    </message>
+    <message>
+        <source>refresh reread update plate footage changed rendered</source>
+        <translation>auffrischen aktualisieren einlesen plate material geändert gerendert</translation>
     </message>
     <message>
         <source>reject no topology</source>

@@ -121,6 +121,42 @@ def test_a_clip_is_relinked_to_another_version_below_the_same_shapes(
     assert "is not that of the plate" in window.status.sentence.text()
 
 
+def test_a_clip_is_read_again_with_what_was_rendered_meanwhile(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    """What was shown once stayed in memory; a run goes on from nothing that was found in it."""
+    held, memory = window.document.project.require_clip(), window.propagation._memory
+    path = tmp_path / "plate" / f"plate.{FIRST + 1}.png"
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.view_state.set_frame(FIRST + 1)
+    cv2.imwrite(str(path), 255 - cv2.imread(str(path)))
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        window.actions_by_id["file.reload_clip"].trigger()
+    np.testing.assert_array_equal(shown.args[1], cv2.imread(str(path))[..., ::-1])
+    assert (shown.args[0], window.view_state.frame) == (FIRST + 1, FIRST + 1)
+    assert window.propagation._memory is not memory
+    assert (window.document.project.require_clip(), window.document.is_modified) == (held, False)
+    qtbot.waitUntil(lambda: "read anew" in window.status.sentence.text(), timeout=WAIT)
+
+
+def test_frames_that_came_while_the_clip_was_open_are_taken_as_it_is_reloaded(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    document, view = window.document, window.view_state
+    document.apply("Draw", edit.new_shape(document.project, SQUARE, FIRST)[0])
+    shutil.copy(tmp_path / "plate" / f"plate.{FIRST}.png", tmp_path / "plate" / f"plate.{FIRST + 2}.png")
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.actions_by_id["file.reload_clip"].trigger()
+    assert document.project.require_clip().frame_range == range(FIRST, FIRST + 3)
+    assert view.play_range == (FIRST, FIRST + 3)
+    assert [shape.name for shape in document.project.shapes] == ["Shape 1"]
+    (tmp_path / "plate").rename(tmp_path / "gone")
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.actions_by_id["file.reload_clip"].trigger()
+    assert document.project.require_clip().frame_range == range(FIRST, FIRST + 3)
+    assert "plate" in window.status.sentence.text()
+
+
 @pytest.mark.parametrize("follows", [True, False])
 @pytest.mark.parametrize("opens", [True, False])
 def test_a_plate_whose_pictures_are_numbered_anew_takes_keys_and_notes_along_if_the_artist_says_so(
@@ -216,7 +252,7 @@ def test_what_is_drawn_while_the_plate_is_relinked_stays_and_so_do_frame_and_sel
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     document, view, version = window.document, window.view_state, write_clip(tmp_path / "plate_v002", 3)
-    gate = Gate(monkeypatch, "version_of")
+    gate = Gate(monkeypatch, "read_version")
     window.files.open_plate(version)
     assert gate.reached.wait(WAIT / 1000)
     for _ in range(2):
