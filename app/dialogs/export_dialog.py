@@ -84,7 +84,7 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
         self._number, self._format = 0, ""
-        """The number of the export that was started here, 0 where none is under way; where it goes, and its format."""
+        """The number of the export that was started here, 0 where none is under way, and its format."""
         self._ending = ""
         """What the format that was proposed for last puts after the name."""
         self._targets: dict[bool, str] = {}

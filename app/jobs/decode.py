@@ -27,8 +27,6 @@ DEFAULT_CACHE_BYTES = 1 << 30
 """Bound on the plate's decoded frames, where the artist set no other."""
 DISPLAY_BYTES = 512 << 20
 """Bound on pictures kept ready for the screen; plates that are shown as they lie in their files need none."""
-
-
 PATIENCE = 1000
 """Milliseconds after which it is told that a picture is waited for."""
 
@@ -323,10 +321,10 @@ class PlateReader(QObject):
             self._settle.start()
 
     def _let_go(self) -> None:
-        self._reading = [each for each in self._reading if not each.close(0.0)]
         self._drop_job()
-        if self._cache is not None and not self._cache.close(0.0):
+        if self._cache is not None:
             self._reading.append(self._cache)
+        self._reading = [each for each in self._reading if not _has_ended(each)]
         self._source = self._cache = self._wanted = None
         self._ready = OrderedDict()
         self._end_wait()
@@ -335,9 +333,18 @@ class PlateReader(QObject):
         """Let the picture that is being decoded not arrive; what is decoded next does not wait for it."""
         if (job := self._runner.running("decode")) is not None:
             job.drop()
-            if not self._runner.close(0.0):
-                self._reading.append(self._runner)
+            self._reading.append(self._runner)
+            self._runner.close(0.0)
             self._runner = Runner("decode", self)
+
+
+def _has_ended(reading: FrameCache[Image] | Runner) -> bool:
+    """Whether nothing reads any more for a plate that was let go; a worker that has ended goes with it."""
+    if not reading.close(0.0):
+        return False
+    if isinstance(reading, Runner):
+        reading.deleteLater()
+    return True
 
 
 def _engine_parts(source: PlateSource | None, cache: FrameCache[Image] | None, frame: int) -> PartialPicture:

@@ -244,8 +244,8 @@ class MainWindow(QMainWindow):
         view.frame_changed.connect(lambda: reader.show(view.frame))
         self.belonging.changed.connect(self.canvas.update)
         self.edge_kinds.changed.connect(self.canvas.update)
-        reader.plate_changed.connect(self.edge_kinds.forget)
-        reader.plate_changed.connect(self.propagation.forget)
+        for forget in (self.edge_kinds.forget, self.propagation.forget, self.planar.drop):
+            reader.plate_changed.connect(forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         seeing = self.canvas.set_image, self.second_viewer.set_image, self.playback.note_picture, self.pictures.show
         for see in (*seeing, view.note_picture):

@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.jobs import decode
 from app.jobs.decode import PlateReader
-from app.jobs.runner import Ending
+from app.jobs.runner import Ending, Runner
 from app.model.viewing import Viewing
 from roam_core.errors import RoamError
 from roam_core.media import DamagedFrame, MissingFrame
@@ -329,6 +329,11 @@ def test_another_plate_is_shown_while_a_frame_of_the_one_before_does_not_come(
     assert before
     reader.open(None)
     assert not any(each in before for each in reader._reading)
+
+    def workers() -> list[Runner]:
+        return [each for each in reader.children() if isinstance(each, Runner)]
+
+    qtbot.waitUntil(lambda: workers() == [reader._runner], timeout=WAIT)  # one a clip would stay for good
 
 
 def test_a_picture_that_takes_long_is_told_until_it_is_there(qtbot: QtBot, reader: PlateReader) -> None:
