@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,7 +22,6 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QProgressBar,
     QPushButton,
-    QSizePolicy,
     QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
@@ -31,7 +32,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
 from roam_core.interchange.foresight import Foreseen
 from roam_core.interchange.protocol import WritesSeveral
-from roam_core.interchange.targets import replaces_any
+from roam_core.interchange.targets import exported, replaces_any
 from roam_core.roto.layers import only
 
 from .. import style
@@ -60,7 +61,6 @@ SMOOTHING = N_(
 NOTES_HEIGHT = 44
 """What is left of them on a small screen."""
 ANYWAY = N_("Export anyway")
-REPLACES = N_("Replaces files that are there.")
 LOOKING, NOTHING_LOST = (
     N_("Looking for what the format cannot hold …"),
     N_("The format holds all that is chosen."),
@@ -122,7 +122,6 @@ class ExportDialog(QDialog):
         self.frames = FrameRange(self._view, tr("The first frame to export"), tr("The last frame to export"))
         self.all_frames = QPushButton(tr("All"))
         self.mattes = MatteForm()
-        self.mattes.setSizePolicy(_kept(self.mattes.sizePolicy()))
         self.target, self.browse = QLineEdit(), QPushButton(tr("Browse…"))
         self.hint = weak_label("")
         self.notes = QPlainTextEdit()
@@ -321,23 +320,23 @@ class ExportDialog(QDialog):
             self.hint.setText(tr("Say where to write it."))
         elif not has_shapes:
             self.hint.setText(tr("No shape is selected; select some, or export all."))
-        elif self._is_folder:
-            first = f"matte.{self.frames.chosen.start:04d}{self.mattes.chosen.suffix}"
-            told = tr("A folder; its pictures are {first} and so on.", first=first)
-            self.hint.setText(f"{told} {tr(REPLACES)}" if self._replaces else told)
         elif isinstance(self.exporter, WritesSeveral):
-            self.hint.setText(tr(REPLACES) if self._replaces else "")
+            self.hint.setText(self._told_of_files())
         else:
             self.hint.setText(tr("Replaces the file that is there.") if questions.is_file(self.path) else "")
 
-    @property
-    def _replaces(self) -> bool:
-        """Whether one of the files is there that the export would write."""
-        try:
-            chosen = only(self._document.project, self.shapes)
-            return replaces_any(self.exporter, chosen, self.path, self.options)
-        except RoamError:  # there would be none; why is told by what looks ahead
-            return False
+    def _told_of_files(self) -> str:
+        """The first of the mattes, and whether the export would write over a file that is there."""
+        options, project = self.options, only(self._document.project, self.shapes)
+        said = []
+        with suppress(RoamError):  # it would write none; why is told by what looks ahead
+            if self._is_folder:
+                files = exported(self.exporter, project, self.path, replace(options, frames=self.frames.chosen[:1]))
+                names = [os.path.relpath(file, self.path.parent) for file, _ in files[:1]]
+                said += [tr("The pictures are {first} and so on.", first=name) for name in names]
+            if replaces_any(self.exporter, project, self.path, options):
+                said.append(tr("Replaces files that are there."))
+        return " ".join(said)
 
     def _take_all_frames(self) -> None:
         if (clip := self._document.project.clip) is not None:
@@ -435,12 +434,6 @@ class ExportDialog(QDialog):
         self._pull_running()
         if self.exporter.name != self._format:  # chosen meanwhile
             self._look_ahead()
-
-
-def _kept(policy: QSizePolicy) -> QSizePolicy:
-    """The policy of a widget whose place stays its own while it is hidden."""
-    policy.setRetainSizeWhenHidden(True)
-    return policy
 
 
 def _mark(exporter: Exporter) -> str:

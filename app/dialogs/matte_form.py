@@ -44,10 +44,13 @@ WINDOW_WORDS = {DataWindow.FULL: N_("All pixels"), DataWindow.TIGHT: N_("Around 
 
 
 class MatteForm(QWidget):
-    """Only what the kind of file can hold may be chosen."""
+    """Only what the kind of file can hold may be chosen. While it is hidden its place stays its own."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        policy = self.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.setSizePolicy(policy)
         self.file, self.depths, self.compression, self.parts, self.gathering, self.pixels = (
             QComboBox() for _ in range(6)
         )

@@ -70,6 +70,11 @@ class _Run:
     def shape_ids(self) -> tuple[str, ...]:
         return tuple(shape.id for shape in self.shapes)
 
+    @property
+    def name(self) -> str:
+        """What the artist calls it: a track of points, or of the plane inside shapes."""
+        return _name(self.points)
+
 
 class PlanarTrack(QObject):
     """Follows the plane under shapes and keeps what it finds as the motion of a layer around them.
@@ -141,7 +146,7 @@ class PlanarTrack(QObject):
         self._run = _Run(job, tuple(shapes), frames[0], self._view.frame, merge_key, "", points, vertices, known)
         self._run.keeps_undone = not self._document.undo_stack.canRedo()
         self._view.follows_points = points is not None
-        warm_up.tell_beginning(self._runner, job, self.progress.emit, tr("Starting the planar track …"))
+        warm_up.tell_beginning(self._runner, job, self.progress.emit, tr("{what} is starting …", what=self._run.name))
         self.running_changed.emit()
 
     def stop(self) -> None:
@@ -164,7 +169,7 @@ class PlanarTrack(QObject):
         if run.vertices:
             moved = partial(_with_vertices, run, found)
             run.replaced = _replaced(run, self._document.project, moved(self._document.project), frame)
-            self._document.amend(tr("Point track"), moved, run.merge_key, keeps_undone=run.keeps_undone)
+            self._document.amend(run.name, moved, run.merge_key, keeps_undone=run.keeps_undone)
             if run.points is not None:
                 self._carry_points(run, run.points.places, run.points.carried(found.matrix, frame))
         else:
@@ -174,7 +179,7 @@ class PlanarTrack(QObject):
             layer = change(self._document.project).find(run.layer_id)
             assert isinstance(layer, Layer)
             run.expected = layer.transform
-            self._document.amend(tr("Planar track"), change, run.merge_key, keeps_undone=run.keeps_undone)
+            self._document.amend(run.name, change, run.merge_key, keeps_undone=run.keeps_undone)
         run.reached = frame
         if self._view.frame == run.shown_frame and not self._view.keeps_frame:
             run.shown_frame = frame
@@ -183,7 +188,8 @@ class PlanarTrack(QObject):
             run.warned = True
             self.doubted.emit(
                 tr(
-                    "Look at frame {frame}: the planar track's confidence is {confidence:.2f} there.",
+                    "{what}: look at frame {frame}, the confidence is {confidence:.2f} there.",
+                    what=run.name,
                     frame=frame,
                     confidence=found.confidence,
                 )
@@ -221,13 +227,18 @@ class PlanarTrack(QObject):
             return
         self._view.follows_points = False
         if ending is Ending.CANCELLED:
-            before = tr("The planar track stopped before a frame was finished; the finished frames stay.")
-            there = tr("The planar track stopped at frame {frame}; the finished frames stay.", frame=run.reached)
-            gone = tr("The planar track stopped at frame {frame}; its frames were taken back.", frame=run.reached)
+            what, at = run.name, run.reached
+            before = tr("{what} stopped before a frame was finished; the finished frames stay.", what=what)
+            there = tr("{what} stopped at frame {frame}; the finished frames stay.", what=what, frame=at)
+            gone = tr("{what} stopped at frame {frame}; its frames were taken back.", what=what, frame=at)
             said = before if run.reached is None else gone if _is_gone(run, self._document.project) else there
             sentence = f"{said} {run.ended_by}".rstrip()
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
+
+
+def _name(points: TrackPoints | None) -> str:
+    return tr("Planar track") if points is None else tr("Point track")
 
 
 def _has_same_numbers(before: RotoShape, now: RotoShape) -> bool:
@@ -333,7 +344,7 @@ def _track(report: Report, read: ReadFrame, work: Work) -> str:
     began, done, total = time.perf_counter(), 0, sum(len(leg) - 1 for leg in work.legs)
     last = work.legs[-1][-1]
     least = 1.0, last
-    name, what = (tr("Planar track"), tr("the plane")) if work.points is None else (tr("Point track"), tr("the points"))
+    name, what = _name(work.points), tr("the plane") if work.points is None else tr("the points")
     for found in _surface(report, read, work) if work.points is None else _points(report, read, work, work.points):
         report.token.check()
         report.partial(found)

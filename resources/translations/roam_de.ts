@@ -402,10 +402,6 @@ Jetzt: {level}, {changes}</translation>
         <translation>Eine Kopie von {name}; bleibt nur, wenn sie gespeichert wird.</translation>
     </message>
     <message>
-        <source>A folder; its pictures are {first} and so on.</source>
-        <translation>Ein Ordner; die Bilder darin heißen {first} und so weiter.</translation>
-    </message>
-    <message>
         <source>A hidden shape takes no part in the matte</source>
         <translation>Eine ausgeblendete Form zählt nicht zur Matte</translation>
     </message>
@@ -2653,10 +2649,6 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Bitte Frame {frame} prüfen: Die Konfidenz ist dort {confidence:.2f}.</translation>
     </message>
     <message>
-        <source>Look at frame {frame}: the planar track&apos;s confidence is {confidence:.2f} there.</source>
-        <translation>Bitte Frame {frame} prüfen: Die Konfidenz des Flächen-Tracks ist dort {confidence:.2f}.</translation>
-    </message>
-    <message>
         <source>Looking at frame {frame}</source>
         <translation>Frame {frame} wird vermessen</translation>
     </message>
@@ -4744,10 +4736,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Nach den gewählten Keyframes oder diesem stillstehen</translation>
     </message>
     <message>
-        <source>Starting the planar track …</source>
-        <translation>Flächen-Track beginnt …</translation>
-    </message>
-    <message>
         <source>Starting to fill {names} …</source>
         <translation>Füllen von {names} beginnt …</translation>
     </message>
@@ -5330,20 +5318,12 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Das Bild dieses Frames entsteht noch; vergleichen Sie damit, sobald es da ist.</translation>
     </message>
     <message>
+        <source>The pictures are {first} and so on.</source>
+        <translation>Die Bilder heißen {first} und so weiter.</translation>
+    </message>
+    <message>
         <source>The pixel under the pointer; the values are the plate&apos;s own, before exposure and gamma</source>
         <translation>Das Pixel unter dem Zeiger; die Werte sind die der Plate, vor Belichtung und Gamma</translation>
-    </message>
-    <message>
-        <source>The planar track stopped at frame {frame}; its frames were taken back.</source>
-        <translation>Der planare Track hielt bei Frame {frame} an; seine Frames wurden zurückgenommen.</translation>
-    </message>
-    <message>
-        <source>The planar track stopped at frame {frame}; the finished frames stay.</source>
-        <translation>Flächen-Track bei Frame {frame} angehalten; die fertigen Frames bleiben.</translation>
-    </message>
-    <message>
-        <source>The planar track stopped before a frame was finished; the finished frames stay.</source>
-        <translation>Flächen-Track angehalten, bevor ein Frame fertig war; die fertigen Frames bleiben.</translation>
     </message>
     <message>
         <source>The plane also tilts a little</source>
@@ -8054,10 +8034,6 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>vertrauen zweifel qualität</translation>
     </message>
     <message>
-        <source>two of its layers or shapes have one id</source>
-        <translation>zwei Ebenen oder Formen haben dieselbe id</translation>
-    </message>
-    <message>
         <source>two viewers beside split compare matte monitor dual</source>
         <translation>zwei viewer nebeneinander geteilt vergleichen matte monitor</translation>
     </message>
@@ -8411,6 +8387,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{file} is {width} x {height} pixels, the plate is {plate_width} x {plate_height}; all frames of a plate need one size.</source>
         <translation>{file} hat {width} x {height} Pixel, die Plate {plate_width} x {plate_height}; alle Frames einer Plate brauchen dieselbe Größe.</translation>
+    </message>
+    <message>
+        <source>{first!r} and {second!r} have one id</source>
+        <translation>{first!r} und {second!r} haben dieselbe id</translation>
     </message>
     <message>
         <source>{first}, a single picture</source>
@@ -9325,6 +9305,26 @@ Ziehen verschiebt, Doppelklick schreibt, Rechtsklick entfernt</translation>
     <message>
         <source>{what}  The energy falls by {figures}.</source>
         <translation>{what}  Die Energie fällt um {figures}.</translation>
+    </message>
+    <message>
+        <source>{what} is starting …</source>
+        <translation>{what} beginnt …</translation>
+    </message>
+    <message>
+        <source>{what} stopped at frame {frame}; its frames were taken back.</source>
+        <translation>{what} bei Frame {frame} angehalten; seine Frames wurden zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>{what} stopped at frame {frame}; the finished frames stay.</source>
+        <translation>{what} bei Frame {frame} angehalten; die fertigen Frames bleiben.</translation>
+    </message>
+    <message>
+        <source>{what} stopped before a frame was finished; the finished frames stay.</source>
+        <translation>{what} angehalten, bevor ein Frame fertig war; die fertigen Frames bleiben.</translation>
+    </message>
+    <message>
+        <source>{what}: look at frame {frame}, the confidence is {confidence:.2f} there.</source>
+        <translation>{what}: Bitte Frame {frame} prüfen, die Konfidenz ist dort {confidence:.2f}.</translation>
     </message>
     <message>
         <source>{where} since frame {frame}</source>

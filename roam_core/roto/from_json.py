@@ -32,9 +32,12 @@ def read_project(document: Document, folder: Path) -> Project:
         when the data are damaged.
     """
     clip, root = document["clip"], _read_layer(document["root"], Count(), 0)
-    ids = [root.id, *(item.id for item in root.items())]
-    if len(set(ids)) < len(ids):
-        raise ValueError(sentence("two of its layers or shapes have one id"))
+    names: dict[str, str] = {}
+    for item in (root, *root.items()):
+        if item.id in names:
+            told = sentence("{first!r} and {second!r} have one id", first=names[item.id], second=item.name)
+            raise ValueError(told)
+        names[item.id] = item.name
     return Project(
         clip=None if clip is None else _read_clip(clip, folder),
         root=root,

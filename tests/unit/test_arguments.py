@@ -388,6 +388,12 @@ def test_a_project_that_could_not_be_opened_again_is_not_written(tmp_path: Path,
     assert load_project(path).shapes == (SHAPE,)
 
 
+def test_shapes_of_one_id_are_named_where_a_project_with_them_is_not_written(tmp_path: Path) -> None:
+    twins = replace(SHAPE, name="Arm"), replace(SHAPE, name="Leg")
+    with pytest.raises(ValueError, match="'Arm' and 'Leg' have one id"):
+        save_project(Project(CLIP, Layer("root", "Root", twins)), tmp_path / "p.roam")
+
+
 def test_files_are_made_of_projects_and_read_for_clips(tmp_path: Path) -> None:
     for call in (save_project, lambda shapes, path: write_shapes(shapes, path, "nuke")):
         with pytest.raises(ValueError, match="Project"):

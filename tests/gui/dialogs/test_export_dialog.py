@@ -110,7 +110,8 @@ def test_the_hint_tells_of_mattes_that_are_there(
     dialog.choose("mattes")
     pick(dialog.mattes.parts, parts)
     dialog.target.setText(str(tmp_path / "mattes"))
-    assert dialog.hint.text() == "A folder; its pictures are matte.1001.png and so on."
+    first = {Parts.ALL: "matte.1001.png", Parts.SHAPE: "Shape_1/matte.1001.png"}[parts]
+    assert dialog.hint.text() == f"The pictures are mattes/{first} and so on."
     dialog.frames.take(range(1003, 1005))
     export(qtbot, dialog)
     assert dialog.hint.text().endswith(" and so on. Replaces files that are there.")

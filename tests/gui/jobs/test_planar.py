@@ -134,7 +134,7 @@ def test_locking_or_deleting_the_shape_ends_the_track(
             document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
         else:
             document.apply("Delete", edit.remove_items(document.project, ["shape-1"]))
-    said = f"The planar track stopped at frame 3; the finished frames stay. Shape 1 was {way} meanwhile."
+    said = f"Planar track stopped at frame 3; the finished frames stay. Shape 1 was {way} meanwhile."
     assert (finished.args, track.is_running) == ([Ending.CANCELLED, said], False)
     plate.gate.release(10)
     qtbot.waitUntil(lambda: track._runner.is_idle, timeout=WAIT)
@@ -154,7 +154,7 @@ def test_stop_keeps_what_is_finished(
 
     ending, sentence = finish(qtbot, track, stop)
     assert ending is Ending.CANCELLED
-    assert sentence == "The planar track stopped at frame 3; the finished frames stay."
+    assert sentence == "Planar track stopped at frame 3; the finished frames stay."
     assert layer(document).transform.frames == (1, 2, 3)
     assert not track.is_running
 
@@ -272,7 +272,7 @@ def test_it_warns_once_while_it_runs_and_n_goes_there(
     finish(qtbot, track, lambda: track.start(["shape-1"], range(1, LAST + 1), PlaneMotion.TRANSLATION))
     told = dict(layer(document).transform.confidence)
     first = min(frame for frame, trust in told.items() if trust < DOUBTFUL)
-    assert said == [f"Look at frame {first}: the planar track's confidence is {told[first]:.2f} there."]
+    assert said == [f"Planar track: look at frame {first}, the confidence is {told[first]:.2f} there."]
     view_state.set_frame(1)
     tracking = Tracking(document, view_state, Propagation(document, view_state, runner, lambda frame: None))
     tracking.next_doubtful()

@@ -20,7 +20,7 @@ from tests.gui.waiting import WAIT
 from tests.unit.motion import test_plane_track as board
 
 KIND, LAST = PlaneMotion.SIMILARITY, 6
-TAKEN_BACK = "The planar track stopped at frame 3; its frames were taken back."
+TAKEN_BACK = "stopped at frame 3; its frames were taken back."
 
 
 @pytest.fixture
@@ -61,7 +61,7 @@ def test_undo_ends_a_track_of_points_over_tracked_frames(
     qtbot.waitUntil(lambda: origin(document, 3) is Origin.ARTIST, timeout=WAIT)
     with qtbot.waitSignal(track.finished, timeout=WAIT) as finished:
         document.undo_stack.undo()
-    assert finished.args == [Ending.CANCELLED, TAKEN_BACK]
+    assert finished.args == [Ending.CANCELLED, f"Point track {TAKEN_BACK}"]
     gate.release(10)
     qtbot.waitUntil(lambda: track._runner.is_idle, timeout=WAIT)
     assert document.project is before
@@ -85,7 +85,7 @@ def test_frames_of_a_planar_track_that_was_undone_are_not_said_to_stay(
     qtbot.waitUntil(lambda: document.undo_stack.count() > count and moves_to(3), timeout=WAIT)
     with qtbot.waitSignal(track.finished, timeout=WAIT) as finished:
         document.undo_stack.undo()
-    assert finished.args == [Ending.CANCELLED, TAKEN_BACK]
+    assert finished.args == [Ending.CANCELLED, f"Planar track {TAKEN_BACK}"]
     gate.release(10)
 
 
