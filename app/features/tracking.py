@@ -227,8 +227,8 @@ class Tracking:
             if any(shape.exists_at(frame) for frame in frames[1:] for shape in begun):
                 lived = _as_long_as_any_exists(range(begin, stop, step), begun)
                 ids, alone = [shape.id for shape in begun], self.scope is Scope.ALONE
-                self._tell_of_left_out(left_out, step)
                 self._propagation.start(ids, lived, self.configuration, alone=alone)
+                self._tell_of_left_out(left_out, step)  # what a run tells as it begins would take its place
             elif any(shape.exists_at(frame) for frame in frames[1:] for shape in left_out):
                 self._tell_of_left_out(left_out, step)
             else:
@@ -369,13 +369,13 @@ def tracks_of(project: Project, shapes: Sequence[RotoShape]) -> list[tuple[str, 
 
 
 def doubt_sentence(shape: RotoShape, frame: int) -> str:
-    """How far the engine trusts a shape on a frame, and how many vertices are ringed; empty where it said nothing."""
+    """How far the engine trusts a shape on a frame, and how many points are ringed; empty where it said nothing."""
     key = shape.key_at(frame)
     if key is None or key.confidence is None:
         return ""
     doubted = len(doubtful_points(shape, frame))
     rings = (
-        tr(" %n of its {count} vertices is/are doubtful and ringed.", "", doubted, count=shape.point_count)
+        tr(" %n of its {count} points is/are doubtful and ringed.", "", doubted, count=shape.point_count)
         if doubted
         else ""
     )

@@ -117,3 +117,11 @@ def paint_playhead(painter: QPainter, axis: TimeAxis, widget: QWidget) -> None:
     if axis.has_clip and axis.scale.left <= x <= axis.scale.right + RIGHT_MARGIN:
         painter.setPen(QPen(QColor(style.ACCENT), 1))
         painter.drawLine(QPointF(x, 0), QPointF(x, widget.height()))
+
+
+def paint_focus(painter: QPainter, widget: QWidget, view: QWidget | None = None) -> None:
+    """A light frame around a part of the timeline that has the keyboard; `view` is what of it is painted on."""
+    if widget.hasFocus():
+        painter.setPen(QPen(QColor(style.TEXT), 1))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect((widget if view is None else view).rect().adjusted(0, 0, -1, -1))

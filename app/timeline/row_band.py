@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QWidget
 from .. import style
 from ..model.document import Document
 from ..widgets.tipped import TippedWidget
-from .axis import TimeAxis, paint_playhead
+from .axis import TimeAxis, paint_focus, paint_playhead
 from .keys.row_painter import ROW
 from .scale import LABEL_WIDTH
 
@@ -102,6 +102,7 @@ class RowBand(TippedWidget, Generic[Row]):
         self.paint_over(painter)
         painter.setClipping(False)
         paint_playhead(painter, self._axis, self)
+        paint_focus(painter, self)
         painter.end()
 
 

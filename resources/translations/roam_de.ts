@@ -20,7 +20,7 @@
         <translation> %</translation>
     </message>
     <message numerus="yes">
-        <source> %n of its {count} vertices is/are doubtful and ringed.</source>
+        <source> %n of its {count} points is/are doubtful and ringed.</source>
         <translation>
             <numerusform> %n von {count} Punkten ist zweifelhaft und eingekreist.</numerusform>
             <numerusform> %n von {count} Punkten sind zweifelhaft und eingekreist.</numerusform>
@@ -3928,6 +3928,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>ROAM ended in a crash</source>
         <translation>ROAM ist abgestürzt</translation>
+    </message>
+    <message>
+        <source>ROAM has one view, and shows what Nuke shows in some of the script&apos;s alone: {names}.</source>
+        <translation>ROAM hat eine Ansicht und zeigt, was Nuke nur in manchen Ansichten des Skripts zeigt: {names}.</translation>
     </message>
     <message>
         <source>ROAM projects (*.roam)</source>
@@ -8363,6 +8367,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{file} has no layer {name!r}; it has {layers}.</source>
         <translation>{file} hat keine Ebene {name!r}; vorhanden: {layers}.</translation>
+    </message>
+    <message>
+        <source>{file} has tiles of 64-bit values; save it with 32 bits.</source>
+        <translation>{file} hat Kacheln aus 64-Bit-Werten; mit 32 Bit speichern.</translation>
     </message>
     <message>
         <source>{file} holds deep pixels and no picture; flatten it to one.</source>

@@ -18,10 +18,11 @@ from numpy.typing import NDArray
 from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
+from roam_core.media.edit_list import shown_of
 from roam_core.media.interlacing import PROBED, interlaced, is_combed, thinned
 from roam_core.media.measure import plain_name, require_size
 from roam_core.media.movie import LONGEST_STEP, Movie
-from roam_core.media.movie_plate import MoviePlate
+from roam_core.media.movie_plate import MoviePlate, turned_aspect
 from roam_core.media.source import likely_speed
 from roam_core.translatable import sentence
 
@@ -61,15 +62,14 @@ class DeepMovie(MoviePlate):
         self._container, self._stream = _opened(path)
         self.depth = f"{_bits(self._stream)} bits"
         self.fps = likely_speed(float(self._stream.average_rate or self._stream.guessed_rate or 0.0))
-        aspect = float(self._stream.sample_aspect_ratio or 1.0)
-        self.pixel_aspect = aspect if 0.1 <= aspect <= 10.0 else 1.0
         self._times = self._times_of_packets()
-        self.claimed = int(self._stream.frames)
+        self.claimed = shown_of(path, int(self._stream.frames), self.fps)
         self._number(len(self._times))
         self._frames: Iterator[Any] = iter(())
         self._next = 0
         self._rewind()
         self.size = self._first_size()
+        self.pixel_aspect = self._aspect()
 
     def _picture(self, index: int) -> Image | None:
         with self._lock:
@@ -77,16 +77,25 @@ class DeepMovie(MoviePlate):
             return None if frame is None else _rgb(frame)
 
     def _times_of_packets(self) -> list[int]:
-        """When each frame is shown, in units of the stream's clock, in order."""
+        """When each frame is shown, in units of the stream's clock, in order.
+
+        What a trim without encoding anew leaves in the file is decoded for what comes after it, and never shown.
+        """
         times: set[int] = set()
         try:
             for packet in self._container.demux(self._stream):
-                if packet.pts is not None:
+                if packet.pts is not None and not packet.is_discard:
                     times.add(packet.pts)
                     self._passed()
         except _errors():
             pass  # what comes before the damage is there
         return sorted(times)
+
+    def _aspect(self) -> float:
+        """The pixels' width over their height, as the pictures are turned."""
+        frame = self._frame(0)
+        aspect = float(self._stream.sample_aspect_ratio or 1.0)
+        return turned_aspect(aspect, 0.0 if frame is None else frame.rotation)
 
     def _first_size(self) -> tuple[int, int]:
         """(width, height) of the first picture; the first ones must not be interlaced."""

@@ -17,6 +17,7 @@ from roam_core.errors import RoamError
 from roam_core.media.area import Area
 from roam_core.media.colour_spaces import space_by_rule, space_called, space_with_primaries
 from roam_core.media.curves import LINEAR, LOG, SRGB
+from roam_core.media.display_window import all_of, display_size, in_display_window, is_exr, stored_area
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of, listed, mask_channels
 from roam_core.media.measure import plain_name, require_size, require_told_size
 from roam_core.media.source import SPEEDS, USUAL_SPEED, ImageHeader
@@ -69,7 +70,7 @@ def read_header(file: Path, layer: str = "") -> ImageHeader:
     chosen = _seek(file, source, layers, layer)
     spec = source.spec()
     return ImageHeader(
-        _display_size(source),
+        display_size(source),
         _frame_rate(spec),
         _number(spec.getattribute("PixelAspectRatio"), 0.1, 10.0, 1.0),
         _colour_space(file, source),
@@ -97,11 +98,11 @@ def read_image(file: Path, layer: str = "", area: Area | None = None, scanlines:
     """
     source, layers = _open(file)
     chosen = _seek(file, source, layers, layer)
-    stored = _stored_area(source, area)
+    stored = stored_area(source, area)
     pixels = _scanlines(file, source, chosen.part, chosen.channels, stored, scanlines)
     if pixels is None:
         pixels = _channels(file, source, chosen.part, chosen.channels, stored)
-    return _in_display_window(pixels, source, stored, area)
+    return in_display_window(pixels, source, stored, area)
 
 
 def size_in_areas(file: Path, layer: str = "", scanlines: ScanlineReader | None = None) -> tuple[int, int] | None:
@@ -114,13 +115,13 @@ def size_in_areas(file: Path, layer: str = "", scanlines: ScanlineReader | None 
     """
     source, layers = _open(file)
     chosen = _seek(file, source, layers, layer)
-    if source.format_name() not in _WITH_AREAS:
+    if not _has_areas(source):
         return None
     width, height = source.spec().width, source.spec().height
     last_row, channel = Area(height - 1, height, 0, width), chosen.channels[:1]
     if _scanlines(file, source, chosen.part, channel, last_row, scanlines) is None:
         _channels(file, source, chosen.part, channel, last_row)
-    return _display_size(source)
+    return display_size(source)
 
 
 def read_channels(file: Path) -> Image | None:
@@ -132,7 +133,7 @@ def read_channels(file: Path) -> Image | None:
     if source is not None and _bytes_told(source.spec()) > MOST_BYTES:
         told_of = {"file": file, "most": MOST_BYTES >> 20}
         raise RoamError(sentence("{file} holds more than {most} MiB of pixels; give a mask of one channel.", **told_of))
-    told = mask_channels(_parts(source)) if source is not None and _is_exr(source) else None
+    told = mask_channels(_parts(source)) if source is not None and is_exr(source) else None
     part = 0 if told is None else told.part
     is_there = source is not None and source.seek_subimage(part, 0)
     pixels = source.read_image(part, 0, 0, MOST_CHANNELS, "unknown") if is_there else None
@@ -141,7 +142,7 @@ def read_channels(file: Path) -> Image | None:
     picked = np.asarray(pixels)
     if told is not None:
         picked = picked[..., told.colours if told.alpha is None else (*told.colours, told.alpha)]
-    return _in_display_window(picked, source, _stored_area(source, None), None)
+    return in_display_window(picked, source, stored_area(source, None), None)
 
 
 def has_several_images(file: Path) -> bool:
@@ -152,8 +153,8 @@ def has_several_images(file: Path) -> bool:
     source = opened_image(file)
     several = False
     if source is not None and source.format_name() in _WITH_PAGES:
-        size = _display_size(source)
-        several = bool(source.seek_subimage(1, 0)) and _display_size(source) == size
+        size = display_size(source)
+        several = bool(source.seek_subimage(1, 0)) and display_size(source) == size
     _reason(oiio if source is None else source)  # nobody asks why not
     return several
 
@@ -176,7 +177,8 @@ def opened_image(file: Path, config: Any = None) -> Any:
     Raises
     ------
     RoamError
-        when it is no file, or larger than `measure.MAX_PIXELS`: the pixels that are stored, or the window around them.
+        when it is no file, larger than `measure.MAX_PIXELS` (the pixels that are stored, or the window around them), or
+        a TIFF with tiles of 64-bit values, for which OpenImageIO gives others.
     """
     require_regular(file)
     require_told_size(file)
@@ -184,6 +186,8 @@ def opened_image(file: Path, config: Any = None) -> Any:
         source = oiio.ImageInput.open(name, config or oiio.ImageSpec())
     if source is not None:
         _require_size(file, source)
+        if source.spec().tile_width and source.spec().format.basetype == oiio.DOUBLE:  # see `_has_areas`
+            raise RoamError(sentence("{file} has tiles of 64-bit values; save it with 32 bits.", file=file))
     return source
 
 
@@ -218,7 +222,7 @@ def _parts(source: Any) -> list[Part]:
         spec = source.spec()
         name, view = (_text(spec.get_string_attribute(field)) for field in ("name", "view"))
         parts.append(Part(name, view, () if spec.deep else tuple(map(_text, spec.channelnames))))
-        if not _is_exr(source):
+        if not is_exr(source):
             return parts
     _reason(source)  # that there are no more of them is no error of the file
     return parts
@@ -247,7 +251,7 @@ def _scanlines(
 ) -> Image | None:
     """Channels of an area of what is stored, `(rows, columns, n)`; None where they are no scanlines that are given."""
     spec, kind = source.spec(), _kind(source)
-    if scanlines is None or not _is_exr(source) or part != 0 or spec.tile_width or area.is_empty:
+    if scanlines is None or not is_exr(source) or part != 0 or spec.tile_width or area.is_empty:
         return None
     if any(spec.channelformat(channel).basetype not in (oiio.HALF, oiio.FLOAT) for channel in channels):
         return None
@@ -270,7 +274,7 @@ def _pixels(file: Path, source: Any, part: int, channels: tuple[int, int], area:
     top = left = 0
     if area.is_empty:
         return np.zeros((area.rows, area.columns, channels[1] - channels[0]), _TYPES[kind])
-    if area == _all_of(spec) or source.format_name() not in _WITH_AREAS:
+    if area == all_of(spec) or not _has_areas(source):
         pixels = source.read_image(part, 0, *channels, kind)
     elif spec.tile_height:
         top, end = _whole_tiles(area.top, area.end, spec.tile_height, spec.height)
@@ -286,14 +290,17 @@ def _pixels(file: Path, source: Any, part: int, channels: tuple[int, int], area:
     return area.cut_from(np.asarray(pixels), top, left)
 
 
+def _has_areas(source: Any) -> bool:
+    """Whether an area is read without what lies before it.
+
+    Of a TIFF with 64-bit values it is not: for rows that begin within a strip OpenImageIO gives others.
+    """
+    return source.format_name() in _WITH_AREAS and source.spec().format.basetype != oiio.DOUBLE
+
+
 def _whole_tiles(low: int, high: int, side: int, most: int) -> tuple[int, int]:
     """From the least multiple of `side` to the one, or the edge at `most`, that hold all from `low` to `high`."""
     return low - low % side, min(high + -high % side, most)
-
-
-def _all_of(spec: Any) -> Area:
-    """All that a part stores."""
-    return Area(0, spec.height, 0, spec.width)
 
 
 def _damaged(file: Path, source: Any) -> RoamError:
@@ -314,58 +321,11 @@ def _kind(source: Any) -> str:
 def _require_size(file: Path, source: Any) -> None:
     """Refuse what is too large: the pixels of a part, or its picture."""
     require_size(file, source.spec().width, source.spec().height)
-    require_size(file, *_display_size(source))
+    require_size(file, *display_size(source))
 
 
 def _bytes_told(spec: Any) -> int:
     return int(max(spec.image_pixels(), spec.full_width * spec.full_height) * spec.pixel_bytes())
-
-
-def _is_exr(source: Any) -> bool:
-    return bool(source.format_name() == "openexr")
-
-
-def _display_size(source: Any) -> tuple[int, int]:
-    """(width, height) of the picture that is shown: an EXR's display window.
-
-    Other formats' offsets (a TIFF's place on its page, PNG oFFs) are hints for print.
-    """
-    spec = source.spec()
-    return (spec.full_width, spec.full_height) if _is_exr(source) else (spec.width, spec.height)
-
-
-def _corner(source: Any) -> tuple[int, int]:
-    """Where the pixels that are stored begin in the picture that is shown: (column, row)."""
-    spec = source.spec()
-    return (spec.x - spec.full_x, spec.y - spec.full_y) if _is_exr(source) else (0, 0)
-
-
-def _stored_area(source: Any, area: Area | None) -> Area:
-    """What is stored of an `area` of the picture that is shown; None: all that is stored."""
-    everything = _all_of(source.spec())
-    if area is None:
-        return everything
-    column, row = _corner(source)
-    top, end = (min(max(each - row, 0), everything.end) for each in (area.top, area.end))
-    left, right = (min(max(each - column, 0), everything.right) for each in (area.left, area.right))
-    return Area(top, end, left, right)
-
-
-def _in_display_window(pixels: Image, source: Any, stored: Area, area: Area | None) -> Image:
-    """An `area` of the display window (None: all of it) out of what is `stored` of it; zeros where it has none."""
-    width, height = _display_size(source)
-    area = area or Area(0, height, 0, width)
-    column, row = _corner(source)
-    there = Area(stored.top + row, stored.end + row, stored.left + column, stored.right + column)
-    if there == area:
-        return pixels
-    picture = np.zeros((area.rows, area.columns, pixels.shape[2]), pixels.dtype)
-    shown = Area(
-        max(there.top, area.top), min(there.end, area.end), max(there.left, area.left), min(there.right, area.right)
-    )
-    if not shown.is_empty:
-        shown.of(picture, area.top, area.left)[:] = shown.of(pixels, there.top, there.left)
-    return picture
 
 
 def _depth(spec: Any) -> str:
@@ -418,9 +378,11 @@ def _colour_space(file: Path, source: Any) -> str:
     Usual are linear for floating point, log for DPX and Cineon, else sRGB.
     """
     spec = source.spec()
-    if space := space_by_rule(file) or _said_space(spec):
+    is_float = spec.format.basetype in (oiio.HALF, oiio.FLOAT, oiio.DOUBLE)
+    says_itself = source.format_name() != "pnm" or not is_float  # OpenImageIO says sRGB of a PFM, which says nothing
+    if space := space_by_rule(file) or (_said_space(spec) if says_itself else None):
         return space
-    if spec.format.basetype in (oiio.HALF, oiio.FLOAT, oiio.DOUBLE):
+    if is_float:
         return LINEAR
     return LOG if source.format_name() in ("dpx", "cineon") else SRGB
 

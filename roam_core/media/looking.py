@@ -140,18 +140,21 @@ def scalable(values: Image, step: int = 1) -> Image:
 
 def has_more_than_shown(values: Image, colour_space: str) -> bool:
     """True for a plate whose values reach beyond what its display picture holds."""
-    return values.dtype != np.uint8 and colour_space != SRGB
+    return values.dtype != np.uint8 and (colour_space != SRGB or np.issubdtype(values.dtype, np.floating))
 
 
 def _exposed(values: Image, colour_space: str, stops: float) -> tuple[Image, str]:
     """The plate as a camera would have seen it with `stops` more light, and the space that it is in then.
 
-    The negative of a log plate grows denser; what only OpenColorIO knows is made light first.
+    The negative of a log plate grows denser; what is encoded for a display, or only OpenColorIO knows, is made light
+    first.
     """
     values = unit_floats(values)
     if colour_space == LOG:
         return values + np.float32(stops * np.log10(2.0) * NEGATIVE_GAMMA / DENSITY_PER_CODE / 1023.0), LOG
-    if colour_space not in COLOUR_SPACES:
+    if colour_space == SRGB:
+        values, colour_space = linear_from_srgb(np.maximum(values, np.float32(0.0))).astype(np.float32), LINEAR
+    elif colour_space not in COLOUR_SPACES:
         from roam_core.media.colour_config import to_linear
 
         to_linear(values, colour_space)

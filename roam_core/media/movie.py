@@ -14,9 +14,10 @@ import numpy as np
 from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
+from roam_core.media.edit_list import shown_of
 from roam_core.media.interlacing import PROBED, require_progressive, thinned
 from roam_core.media.measure import plain_name, require_size
-from roam_core.media.movie_plate import MoviePlate
+from roam_core.media.movie_plate import MoviePlate, turned_aspect
 from roam_core.media.source import likely_speed
 from roam_core.translatable import sentence
 
@@ -161,8 +162,10 @@ class Movie(MoviePlate):
         return pictures
 
     def _aspect(self) -> float:
-        over, under = (float(self._capture.get(key)) for key in (cv2.CAP_PROP_SAR_NUM, cv2.CAP_PROP_SAR_DEN))
-        return over / under if over > 0.0 and under > 0.0 and 0.1 <= over / under <= 10.0 else 1.0
+        """The pixels' width over their height, as the pictures are turned."""
+        keys = (cv2.CAP_PROP_SAR_NUM, cv2.CAP_PROP_SAR_DEN, cv2.CAP_PROP_ORIENTATION_META)
+        over, under, degrees = (float(self._capture.get(key)) for key in keys)
+        return turned_aspect(over / under if under > 0.0 else 1.0, degrees)
 
     def _verified_count(self) -> int:
         """The number of frames: the container's where the last frame bears it out, else counted."""
@@ -173,6 +176,7 @@ class Movie(MoviePlate):
         self._rewind()
         while self._step_to(self._next):
             pass
+        self.claimed = shown_of(self.path, claimed, self.fps)
         return self._next
 
     def _ends_with(self, last: int) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from pathlib import Path
 from typing import Any
@@ -27,6 +28,13 @@ def shortfall(source: PlateSource) -> str:
         count=source.count,
         claimed=source.claimed,
     )
+
+
+def turned_aspect(aspect: float, degrees: float) -> float:
+    """The pixels' width over their height in pictures that are turned as the camera was held; 1 where it is none."""
+    if not 0.1 <= aspect <= 10.0:
+        return 1.0
+    return 1.0 / aspect if math.isfinite(degrees) and round(degrees / 90.0) % 2 else aspect
 
 
 class MoviePlate(ABC):

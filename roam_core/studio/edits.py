@@ -22,6 +22,7 @@ SUFFIX = ".otio"
 LIBRARY = "opentimelineio"
 MOST_BYTES = 256 << 20
 INIT_SUFFIXES = (".roam", ".png", ".exr", ".tif", ".tiff", ".jpg")
+_ESCAPED = re.compile(r"(?:%(?!0[1-9]d)[0-9a-fA-F]{2})+")
 Steps = tuple[Step, ...] | Callable[[Path | None], tuple[Step, ...]]
 """The steps of every job, or what gives them by what a job begins with."""
 
@@ -180,20 +181,43 @@ def _media_path(clip: Any, folder: Path, name: str) -> str:
     otio = studio_module(LIBRARY)
     reference = clip.media_reference
     if isinstance(reference, otio.schema.ImageSequenceReference):
-        base = _path_of(reference.target_url_base or ".", name)
+        base = _path_of(reference.target_url_base or ".", folder, name)
         number = f"%0{reference.frame_zero_padding}d" if reference.frame_zero_padding else "%d"
-        return str(folder / base / f"{reference.name_prefix}{number}{reference.name_suffix}")
+        return str(base / f"{reference.name_prefix}{number}{reference.name_suffix}")
     if isinstance(reference, otio.schema.ExternalReference):
-        return str(folder / _path_of(reference.target_url, name))
+        return str(_path_of(reference.target_url, folder, name))
     raise RoamError(f"The clip {name} of the edit has no media; relink it first.")
 
 
-def _path_of(url: str, name: str) -> str:
-    """The path that a URL of a file, or a plain path, names."""
+def _path_of(url: str, folder: Path, name: str) -> Path:
+    """The path that a URL of a file, or a plain path, names; those that begin nowhere begin in the folder.
+
+    Some programs write URLs by the standard (`%20` is a blank), others a path as it is behind `file://`, and relative
+    paths in either way: of the two readings the one that is there is meant.
+    """
     scheme = re.match(r"([a-zA-Z][\w+.-]+):", url)
     if scheme is not None and scheme[1].lower() != "file":
         raise RoamError(f"The clip {name} of the edit lies at {url}; only files are opened.")
-    return str(studio_module(LIBRARY).url_utils.filepath_from_url(url)) if scheme else url
+    plain = url if scheme is None else _without_scheme(url)
+    readings = [folder / each for each in ((plain, _decoded(plain)) if scheme is None else (_decoded(plain), plain))]
+    there = [place for place in readings if place.exists()] or [place for place in readings if place.parent.is_dir()]
+    return (there or readings)[0]
+
+
+def _without_scheme(url: str) -> str:
+    """What follows `file:` and this machine's name in a URL, as it is; another machine's name begins a network path."""
+    place = url.partition(":")[2]
+    if not place.startswith("//"):
+        return place
+    host, slash, rest = place[2:].partition("/")
+    if host.lower() in ("", "localhost"):
+        return rest if re.match(r"[a-zA-Z]:", rest) else f"/{rest}"
+    return f"{host}{slash}{rest}" if re.fullmatch(r"[a-zA-Z]:", host) else place
+
+
+def _decoded(text: str) -> str:
+    """A path of a URL with the characters that stand there by their numbers; `%04d`, a frame's place, is none."""
+    return _ESCAPED.sub(lambda found: bytes.fromhex(found[0].replace("%", "")).decode(errors="replace"), text)
 
 
 def _frames(clip: Any, plate: PlateSource, name: str, handles: int) -> tuple[int, int]:

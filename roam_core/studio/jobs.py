@@ -93,7 +93,7 @@ def jobs_of(document: Any, folder: Path, where: str, out: Path) -> Jobs:
     usual = _steps(document["steps"], folder, f"{where}: steps") if "steps" in document else ()
     jobs = tuple(_job(each, usual, folder, f"{where}: jobs[{k}]") for k, each in enumerate(given))
     _require_different(jobs, where)
-    return Jobs(jobs, folder / document["out"] if "out" in document else out)
+    return Jobs(jobs, _place(folder, document["out"]) if "out" in document else out)
 
 
 def as_document(jobs: Jobs) -> dict[str, Any]:
@@ -156,7 +156,7 @@ def _parsed(path: Path) -> Any:
     content = bounded_bytes(path, MOST_BYTES)
     try:
         if path.suffix.lower() == ".json":
-            return json.loads(content)
+            return json.loads(content, object_pairs_hook=lambda pairs: _once(pairs, path))
         return _of_yaml(content, path)
     except RecursionError:
         raise RoamError(f"{path} is nested too deeply to be a file of jobs.") from None
@@ -172,6 +172,14 @@ def _of_yaml(content: bytes, path: Path) -> Any:
     """The plain values of a YAML text; no repetition by reference, with which a short text can be endless."""
     yaml = studio_module("yaml")
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+    class Strict(loader):  # type: ignore[misc, valid-type]
+        """Refuses a name that a mapping has twice, of which PyYAML takes the last one."""
+
+        def construct_mapping(self, node: Any, deep: bool = False) -> Any:
+            _once([(key.value, None) for key, _ in node.value if isinstance(key, yaml.ScalarNode)], path)
+            return super().construct_mapping(node, deep)
+
     depth = 0
     try:
         for event in yaml.parse(content, Loader=loader):
@@ -180,11 +188,21 @@ def _of_yaml(content: bytes, path: Path) -> Any:
             depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
             if depth > MOST_DEEP:
                 raise RecursionError
-        return yaml.load(content, Loader=loader)
+        return yaml.load(content, Loader=Strict)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         place = f" in line {mark.line + 1}" if mark is not None else ""
         raise RoamError(f"{path} is no YAML: {getattr(error, 'problem', None) or error}{place}.") from None
+
+
+def _once(pairs: list[tuple[str, Any]], path: Path) -> dict[str, Any]:
+    """The mapping of these pairs. Raises `RoamError` where a name stands twice: one of the two would be lost."""
+    made: dict[str, Any] = {}
+    for name, value in pairs:
+        if name in made:
+            raise RoamError(f"{path} says {name!r} twice of the same thing; say it once.")
+        made[name] = value
+    return made
 
 
 def _job(given: Any, usual: tuple[Step, ...], folder: Path, where: str) -> Job:
@@ -200,13 +218,21 @@ def _job(given: Any, usual: tuple[Step, ...], folder: Path, where: str) -> Job:
     job = Job(
         name,
         steps,
-        None if clip is None else str(folder / clip),
-        None if init is None else folder / init,
+        None if clip is None else str(_place(folder, clip)),
+        None if init is None else _place(folder, init),
         given.get("layer", ""),
         given.get("colour", ""),
     )
     require_possible(job, where)
     return job
+
+
+def _place(folder: Path, text: str) -> Path:
+    """The path that a file of jobs names: no shell has put the user's folder in the place of `~`."""
+    try:
+        return folder / Path(text).expanduser()
+    except RuntimeError:  # of a user whom the system does not know
+        return folder / text
 
 
 def _steps(given: Any, folder: Path, where: str) -> tuple[Step, ...]:
@@ -227,7 +253,7 @@ def _step(given: Any, folder: Path, where: str) -> Step:
         raise RoamError(f"{where}.{verb} has to be a mapping, such as {{{VERBS[verb].fields[0].name}: ...}}.")
     require_fields(options, VERBS[verb].fields, f"{where}.{verb}")
     if verb == "import":
-        options = {**options, "source": str(folder / options["source"])}
+        options = {**options, "source": str(_place(folder, options["source"]))}
     return Step(verb, options)
 
 

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QScrollBar,
     QTabBar,
+    QToolButton,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
@@ -129,6 +130,26 @@ def test_every_control_in_sight_is_reached_within_its_part(window: MainWindow) -
         for widget in controls(part):
             if widget.isVisible() and widget.isEnabled():
                 assert widget in found, told(widget)
+
+
+@pytest.mark.parametrize("kind", ["mode", "raised", ""])
+def test_a_light_frame_shows_which_button_has_the_keyboard(window: MainWindow, qtbot: QtBot, kind: str) -> None:
+    """What is said of a kind of buttons by its name took the place of the frame."""
+    window.setStyleSheet(style.style_sheet())
+    window.activateWindow()
+    found = [b for b in window.findChildren(QToolButton) if b.objectName() == kind and b.isVisible() and b.isEnabled()]
+    assert found
+
+    def rim(button: QToolButton) -> float:
+        picture = button.grab().toImage()
+        return min(picture.pixelColor(picture.width() // 2, y).lightnessF() for y in (0, picture.height() - 1))
+
+    for button in found:
+        window.canvas.setFocus()
+        without = rim(button)
+        button.setFocus(Qt.FocusReason.TabFocusReason)
+        qtbot.waitUntil(button.hasFocus, timeout=WAIT)
+        assert rim(button) > without + 0.2, told(button)
 
 
 def test_the_control_with_the_keyboard_is_pressed_by_it_and_escape_leaves(window: MainWindow, qtbot: QtBot) -> None:

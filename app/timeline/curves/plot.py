@@ -10,8 +10,11 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
+    QFocusEvent,
     QKeyEvent,
     QMouseEvent,
+    QPainter,
+    QPaintEvent,
     QResizeEvent,
     QTransform,
     QWheelEvent,
@@ -25,7 +28,7 @@ from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...translation import number, tr
 from ...widgets.tipped import tells
-from ..axis import TimeAxis, place_playhead, show_frames
+from ..axis import TimeAxis, paint_focus, place_playhead, show_frames
 from ..keys.walking import KeyWalk, is_key_press, is_of_walk
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
@@ -299,6 +302,14 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
             return True
         return bool(super().event(event))
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.viewport().update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.viewport().update()
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc drops a drag; what nudges points in the viewer nudges keys here, a frame or a unit, with Shift ten."""
         frames, down = NUDGES.get(key_name(event), (0.0, 0.0))
@@ -313,6 +324,12 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
                 self.verbs.raise_by(-down, merge_key)
         else:
             event.ignore()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        painter = QPainter(self.viewport())
+        paint_focus(painter, self, self.viewport())
+        painter.end()
 
     def viewportEvent(self, event: QEvent) -> bool:
         return tells(event, self.viewport(), self.tip_at) or bool(super().viewportEvent(event))

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
+    QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -28,7 +29,7 @@ from ...model.document import Document
 from ...model.view_state import shapes_in_hand
 from ...translation import tr
 from ...widgets.tipped import tells
-from ..axis import TimeAxis, paint_playhead
+from ..axis import TimeAxis, paint_focus, paint_playhead
 from ..marks import KeyMarks, MarksOf
 from ..scale import LABEL_WIDTH
 from .depth_marks import change_at
@@ -178,6 +179,14 @@ class KeyRows(QAbstractScrollArea):
             self._bring_into_sight(self._walk.at)
             return True
         return super().event(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.viewport().update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.viewport().update()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc drops a drag; what nudges points in the viewer nudges keys here."""
@@ -330,6 +339,7 @@ class KeyRows(QAbstractScrollArea):
         self._ends().paint(painter)
         painter.setClipping(False)
         self._paint_box(painter)
+        paint_focus(painter, self, viewport)
         painter.end()
 
     def _paint_box(self, painter: QPainter) -> None:

@@ -35,6 +35,9 @@ ALWAYS, TO_FRAME, ONE_FRAME, FROM_FRAME, FRAME_RANGE = range(5)
 CENTRED, AT_START, AT_END, CUSTOM = range(4)
 """Where the shutter opens."""
 
+MOST_VIEWS = 64
+"""More than scripts have; what a file says beyond is no number of views."""
+
 BEZIER_TOOL = 4
 STANDARD_SAMPLES = 16
 """Our motion-blur samples that correspond to Nuke's quality 1."""
@@ -142,6 +145,11 @@ class Attributes:
             frames = [*on, *opacity.frames]
             reader.check_keys(max(frames) - min(frames) + 1)
         return True, product(opacity, Animated(tuple(ValueKey(*key, Interpolation.HOLD) for key in on.items())))
+
+    def views(self) -> frozenset[int]:
+        """The views of a stereo script in which a shape is, by their numbers; the first one where it says nothing."""
+        count = min(max(int(self.number("nv", 1)), 1), MOST_VIEWS)
+        return frozenset(int(self.number(f"view{k}", 1)) for k in range(1, count + 1))
 
     def shape_fields(self, reader: ShapeReader) -> dict[str, Any]:
         """What the attributes make of a `RotoShape`."""

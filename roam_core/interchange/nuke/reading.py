@@ -38,8 +38,9 @@ from roam_core.interchange.reading import (
     quietly,
     sensible,
 )
+from roam_core.interchange.telling import MOST_NAMES
 from roam_core.roto import Clip, Keyframe, Layer, LayerTransform, RotoShape
-from roam_core.translatable import N_, Sentence, said_by, sentence
+from roam_core.translatable import N_, Sentence, enumerated, said_by, sentence
 
 PER_CURVE = 2
 """Parts that the curve of one coordinate counts for."""
@@ -78,6 +79,7 @@ class NukeImporter:
         script_size = scripts[-1] if scripts else None
 
         is_ours = is_joined(every)
+        views: list[tuple[str, frozenset[int]]] = []
 
         def root_of(knobs: dict[str, Word]) -> Layer:
             told = (_size(knobs["format"]) if "format" in knobs else None) or script_size
@@ -85,14 +87,25 @@ class NukeImporter:
                 told = clip.size
             names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
             size = told or clip.size
-            node = _NodeReader(reader, size, _name(knobs), names, tells_size=told is not None, keeps_motion=not is_ours)
+            node = _NodeReader(reader, size, _name(knobs), names, views, told is not None, not is_ours)
             return reader.fitted(node.root(knobs["curves"], knobs.get("disable")), told)
 
         whole = joined(every, root_of, reader) if is_ours else None
         layers = [whole] if whole is not None else [_shown(root_of(knobs), species, reader) for species, knobs in nodes]
+        _tell_views(views, reader)
         if len(layers) == 1 and _says_nothing(layers[0]):
             return reader.finished(layers[0].children)
         return reader.finished(tuple(reversed(layers)))
+
+
+def _tell_views(views: Sequence[tuple[str, frozenset[int]]], reader: ShapeReader) -> None:
+    """Tell of shapes that are in some views of a stereo script alone: which of them ours is, no file says."""
+    every = frozenset[int]().union(*(own for _, own in views))
+    if some := [brief(name) for name, own in views if own != every]:
+        told = enumerated(list(dict.fromkeys(some)), MOST_NAMES)
+        reader.note(
+            sentence("ROAM has one view, and shows what Nuke shows in some of the script's alone: {names}.", names=told)
+        )
 
 
 def _shown(layer: Layer, species: str, reader: ShapeReader) -> Layer:
@@ -201,6 +214,7 @@ class _NodeReader:
     size: tuple[float, float]
     node: str
     true_names: dict[str, str]
+    views: list[tuple[str, frozenset[int]]]
     tells_size: bool
     keeps_motion: bool
 
@@ -348,6 +362,7 @@ class _NodeReader:
         shape_id = self.reader.fresh_id("shape")
         fields = attributes.shape_fields(self.reader)
         fields["visible"] = fields["visible"] and bool(flags & RENDERABLE)
+        self.views.append((name, attributes.views()))
         return RotoShape(shape_id, name, keys, closed=not curve_flags & OPEN, locked=bool(flags & LOCKED), **fields)
 
     def _points(self, word: Word, name: str) -> tuple[int, Points]:

@@ -231,13 +231,15 @@ class Stamps:
 
     Parameters
     ----------
-    shapes : all of the project, bottom first. clip : what identifies the clip (`clip_stamp`). size : (h, w) of it.
+    shapes : all of the project, bottom first, each told by itself where several have one id.
+    clip : what identifies the clip (`clip_stamp`). size : (h, w) of it.
     """
 
     def __init__(self, shapes: Sequence[RotoShape], clip: str = "", size: tuple[int, int] | None = None) -> None:
         self.shapes = tuple(shapes)
         self._clip, self._size = clip, size
-        self._places = {shape.id: k for k, shape in enumerate(self.shapes)}
+        self._places = {id(shape): k for k, shape in enumerate(self.shapes)}
+        self._by_name = {shape.id: k for k, shape in enumerate(self.shapes)}
         self._known: dict[tuple[object, ...], str] = {}
         self._solved: dict[tuple[tuple[int, ...], int, bool], tuple[int, ...]] = {}
         self._given: dict[tuple[tuple[int, ...], bool], list[int]] = {}
@@ -257,9 +259,13 @@ class Stamps:
         found = objects([self.shapes[k] for k in able], near(self._size))
         return {able[k]: tuple(able[j] for j in group) for group in found for k in group}
 
+    def _place(self, shape: RotoShape) -> int | None:
+        """The index of a shape, or else of the one that has its id now; None where there is none."""
+        return self._places.get(id(shape), self._by_name.get(shape.id))
+
     def together(self, shape: RotoShape) -> tuple[RotoShape, ...]:
         """A shape and the others of its object, as stacked."""
-        k = self._places.get(shape.id)
+        k = self._place(shape)
         if k is None:
             return (shape,)
         members = self.objects.get(k, (k,))
@@ -329,8 +335,10 @@ class Stamps:
     ) -> bool:
         """Whether a key of a shape, which is found by its id, is one that filling a gap would make again."""
         asked_beyond = Stamp.read(key.inputs).asked_beyond
-        wanted = self.filled(self._places[shape.id], gap, params, alone, asked_beyond)
-        return key.origin is Origin.ENGINE and key.inputs == wanted
+        k = self._place(shape)
+        if k is None or key.origin is not Origin.ENGINE:
+            return False
+        return key.inputs == self.filled(k, gap, params, alone, asked_beyond)
 
     def is_stale(self, shape: RotoShape, key: Keyframe) -> bool:
         """True for an ENGINE key of one of the shapes when anything that it was computed from has changed since."""
@@ -338,7 +346,7 @@ class Stamps:
             return False
         if is_import(key):
             return import_stamp(shape, key.frame) != key.inputs
-        made, k = Stamp.read(key.inputs), self._places.get(shape.id)
+        made, k = Stamp.read(key.inputs), self._place(shape)
         params = known_params(made.config)
         if params is None or k is None:
             return True
@@ -376,7 +384,7 @@ class Stamps:
 
         Told once for all shapes of an object: it may have hundreds.
         """
-        k = self._places.get(shape.id)
+        k = self._place(shape)
         if k is None:
             return sorted(_given_on((shape,)))
         members = self.objects.get(k, (k,))

@@ -49,7 +49,8 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
 
     Returns
     -------
-    All shapes, in their order, with those that begin. The ids of new shapes are free among `shapes`.
+    All shapes, in their order, with those that begin, each under its own id, also where two of them have the same. The
+    ids of new shapes are free among `shapes`.
 
     Raises
     ------
@@ -60,6 +61,8 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     """
     mask, shapes, frame = pixels_of(mask), shapes_of(shapes), frame_number(frame)
     require_image(mask)
+    own = _apart(shapes)
+    shapes = [shape if own[name] == name else replace(shape, id=name) for shape, name in zip(shapes, own, strict=True)]
     result = list(shapes)
     parts = _parts(mask)
     pose = None
@@ -74,7 +77,15 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
             if len(taking_part) == 1 and any(shape.id == taking_part[0].id for shape in result):
                 place = _place(result, taking_part[0].id)
                 result[place] = replace(result[place], compound=compound)
-    return result
+    return [shape if own.get(shape.id, shape.id) == shape.id else replace(shape, id=own[shape.id]) for shape in result]
+
+
+def _apart(shapes: Sequence[RotoShape]) -> dict[str, str]:
+    """The ids of the shapes, in their order, by names of which no two are alike: masks made apart give equal ids."""
+    own, ids = dict[str, str](), {shape.id for shape in shapes}
+    for shape in shapes:
+        own[shape.id if shape.id not in own else _free_id(ids | own.keys())] = shape.id
+    return own
 
 
 def _shared_compound(shapes: Sequence[RotoShape]) -> str:

@@ -44,7 +44,7 @@ def test_a_click_on_the_plot_takes_the_line_under_it_and_tells_its_doubts(
         assert view_state.selection.shapes == {name}
     assert view_state.selection.points == {("shape-2", 1), ("shape-2", 3)}  # ready under the hand
     assert view_state.message == (
-        "Frame 1015: the confidence of Shape 2 is 0.90. 2 of its 4 vertices are doubtful and ringed."
+        "Frame 1015: the confidence of Shape 2 is 0.90. 2 of its 4 points are doubtful and ringed."
     )
 
 

@@ -40,6 +40,22 @@ def test_the_whole_clip_is_in_sight_when_it_opens(timeline: Timeline) -> None:
     assert scale.last == pytest.approx(1049)
 
 
+def test_a_light_frame_shows_that_the_rows_have_the_keyboard(qtbot: QtBot, timeline: Timeline) -> None:
+    """There Del means keys, and nothing told it."""
+    timeline.activateWindow()
+
+    def corner() -> str:
+        return timeline.rows.viewport().grab().toImage().pixelColor(0, 0).name()
+
+    timeline.rows.clearFocus()
+    assert corner() != style.TEXT
+    timeline.rows.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.waitUntil(lambda: timeline.rows.hasFocus(), timeout=WAIT)
+    assert corner() == style.TEXT
+    timeline.rows.clearFocus()
+    assert corner() != style.TEXT
+
+
 def test_dragging_on_the_ruler_scrubs(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:
     ruler = timeline.ruler
     qtbot.mousePress(ruler, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1005), 10))

@@ -289,6 +289,24 @@ def test_attributes_that_are_lost_are_named(read: Read, words: str, note: str) -
     assert len(list(imported.layer.shapes())) == 1
 
 
+def test_shapes_of_some_views_alone_are_named(read: Read) -> None:
+    """As Nuke writes them: a shape of three views has `nv 3 view2 2 view3 3`, one of the second alone `view1 2`."""
+    every = "nv x40400000 view2 x40000000 view3 x40400000"
+    script = node(
+        group(name="both", attributes=every),
+        group(name="right", attributes="view1 x40000000"),
+        group(name="left"),
+    )
+    (note,) = read(script).notes
+    assert note == "ROAM has one view, and shows what Nuke shows in some of the script's alone: 'right', 'left'."
+    assert len([*read(script).layer.shapes()]) == 3
+
+
+@pytest.mark.parametrize("attributes", ["", "nv 2 view2 2", "view1 2"])
+def test_shapes_that_are_in_the_same_views_are_not_told_of(read: Read, attributes: str) -> None:
+    assert not read(node(*(group(name=name, attributes=attributes) for name in "ab"))).notes
+
+
 def test_the_offset_is_taken_off_keys_and_lifetimes(read: Read) -> None:
     shape = only(read(node(group(attributes="ltt 4 ltn 1003 ltm 1005")), ImportOptions(frame_offset=1000)))
     assert (shape.frames, shape.lifetime) == ((1,), (3, 6))

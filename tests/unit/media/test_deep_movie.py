@@ -13,6 +13,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.media import deep_movie, open_clip
+from roam_core.media.movie_plate import shortfall
 from tests.unit.media.conftest import write_movie
 
 HEIGHT, WIDTH, COUNT = 48, 64, 30
@@ -106,6 +107,28 @@ def test_what_is_cut_short_has_the_frames_that_are_whole(av: Any, tmp_path: Path
     path.write_bytes(path.read_bytes()[:300])
     with pytest.raises(RoamError, match=r"m\.mkv"):
         open_clip(path)
+
+
+def test_a_movie_trimmed_without_encoding_begins_where_it_is_shown(av: Any, tmp_path: Path) -> None:
+    whole = open_clip(write_deep(av, tmp_path / "m.mov", kind="yuv422p10le", codec="prores_ks"))
+    plate = open_clip(trimmed(av, tmp_path / "m.mov", tmp_path / "trimmed.mov", 7))
+    assert plate.frames == tuple(range(1, COUNT - 6))
+    assert shortfall(plate) == ""
+    for frame in (COUNT - 7, 1, 12, 2):
+        np.testing.assert_array_equal(plate.read(frame), whole.read(frame + 7))
+
+
+def trimmed(av: Any, path: Path, target: Path, frames: int) -> Path:
+    """A movie whose first frames are in the file and not shown: before time 0, where the edit list begins."""
+    with av.open(str(path)) as source, av.open(str(target), "w") as container:
+        stream = source.streams.video[0]
+        kept = container.add_stream_from_template(stream)
+        packets = [packet for packet in source.demux(stream) if packet.pts is not None]
+        start = packets[frames].pts
+        for packet in packets:
+            packet.pts, packet.dts, packet.stream = packet.pts - start, packet.dts - start, kept
+            container.mux(packet)
+    return target
 
 
 def test_eight_bits_are_read_as_before(av: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -81,11 +81,23 @@ def test_a_log_plate_gets_the_light_that_its_curve_means() -> None:
     np.testing.assert_allclose(shown, srgb_from_linear(light), atol=0.03)
 
 
+@pytest.mark.parametrize("kind", [np.float16, np.float32])
+def test_a_float_plate_encoded_for_a_display_brings_back_what_lies_above_white(kind: type) -> None:
+    light = np.array([[[-0.5, 0.02, 0.18], [0.9, 1.5, 3.9]]])
+    plate = srgb_from_linear(np.maximum(light, 0.0)).astype(kind)
+    plate[0, 0, 0] = -0.5
+    look = Look(exposure=-2.0)
+    assert is_seen_anew(Plate(plate, SRGB), look)
+    expected = np.rint(255.0 * srgb_from_linear(np.clip(light / 4.0, 0.0, 1.0)))
+    np.testing.assert_allclose(seen_plate(plate, SRGB, look), expected, atol=1.0)
+
+
 def test_only_floats_of_wide_range_hold_more_than_is_shown() -> None:
     values = np.zeros((1, 1, 3), dtype=np.float32)
     assert has_more_than_shown(values, LINEAR)
     assert has_more_than_shown(values, LOG)
-    assert not has_more_than_shown(values, SRGB)
+    assert has_more_than_shown(values, SRGB)
+    assert not has_more_than_shown(values.astype(np.uint16), SRGB)
     assert not has_more_than_shown(values.astype(np.uint8), LINEAR)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 import random
+import struct
 import threading
 from collections.abc import Callable
 from copy import copy, deepcopy
@@ -191,6 +192,28 @@ def test_a_container_that_lies_changes_no_frame(
         np.testing.assert_array_equal(plate.read(frame), expected[frame - 1], err_msg=f"frame {frame}")
 
 
+def test_the_pixels_of_a_turned_movie_are_turned_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capture: type[UnreliableCapture]
+) -> None:
+    told, get = {cv2.CAP_PROP_SAR_NUM: 4.0, cv2.CAP_PROP_SAR_DEN: 3.0}, capture.get
+    monkeypatch.setattr(capture, "get", lambda self, key: told[key] if key in told else get(self, key))
+    path = write_movie(tmp_path / "shot.mp4", "mp4v", 3)
+    upright = open_clip(path)
+    turn(path)
+    turned = open_clip(path)
+    assert (upright.size, turned.size) == ((64, 48), (48, 64))
+    assert (upright.pixel_aspect, turned.pixel_aspect) == pytest.approx((4.0 / 3.0, 3.0 / 4.0))
+
+
+def turn(path: Path) -> None:
+    """Have an MP4 say that its pictures are shown a quarter turned: the matrix of its track's header."""
+    content = path.read_bytes()
+    whole, one, unit = 1 << 16, -(1 << 16), 1 << 30
+    upright, quarter = (whole, 0, 0, 0, whole, 0, 0, 0, unit), (0, whole, 0, one, 0, 0, 0, 0, unit)
+    start = content.index(struct.pack(">9i", *upright), content.index(b"tkhd"))
+    path.write_bytes(content[:start] + struct.pack(">9i", *quarter) + content[start + 36 :])
+
+
 def test_a_reliable_movie_is_sought_in_and_not_decoded_again(tmp_path: Path, capture: type[UnreliableCapture]) -> None:
     plate = open_clip(write_movie(tmp_path / "shot.mp4", "mp4v", 3 * LONGEST_STEP))
     opened = capture.opened
@@ -268,6 +291,27 @@ def test_a_movie_shorter_than_its_header_says_is_told(
     assert shortfall(plate) == (
         f"shot.avi has {len(plate.frames)} frames that can be read, its header says {COUNT}: it may be cut short."
     )
+
+
+def test_of_a_movie_that_was_trimmed_nothing_is_missed(tmp_path: Path) -> None:
+    path = write_movie(tmp_path / "shot.mp4", "mp4v", COUNT)
+    expected = decoded_in_order(path)
+    trim(path, 13)
+    plate = open_clip(path)
+    assert plate.frames == tuple(range(1, COUNT - 12))
+    assert shortfall(plate) == ""
+    for frame in (COUNT - 13, 1, 20, 2):
+        np.testing.assert_array_equal(plate.read(frame), expected[frame + 12])
+
+
+def trim(path: Path, frames: int) -> None:
+    """Have an MP4's edit list leave out the first frames, as a trim without encoding anew does."""
+    content = bytearray(path.read_bytes())
+    place = content.index(b"elst") + 12
+    length, start = struct.unpack_from(">Ii", content, place)
+    (ticks,) = struct.unpack_from(">I", content, content.index(b"mdhd") + 16)
+    struct.pack_into(">Ii", content, place, length * (COUNT - frames) // COUNT, start + frames * ticks // 24)
+    path.write_bytes(content)
 
 
 def test_a_movie_without_its_index_is_told(tmp_path: Path) -> None:

@@ -11,11 +11,14 @@ import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
 
+from roam_core import read_mask
 from roam_core.arrays import Image
+from roam_core.errors import RoamError
 from roam_core.media import DamagedFrame, FrameCache, MissingFrame, open_clip
 from roam_core.media.area import Area
 from roam_core.media.colour import to_engine
 from roam_core.media.curves import COLOUR_SPACES
+from roam_core.media.image_file import read_image
 from roam_core.media.partial import COLUMNS_AT_ONCE, LookedAt, PartialFrames, PartialPicture
 from roam_core.media.source import PlateSource
 from tests.unit.media.conftest import write_image, write_parts
@@ -107,6 +110,24 @@ def test_other_formats_are_read_whole(tmp_path: Path, extension: str) -> None:
     assert plate.areas(1) is None
     picture = PartialFrames(plate, unheard).read(1)
     np.testing.assert_array_equal(picture.whole, plate.read(1))
+
+
+def test_rows_of_64_bit_values_are_those_of_the_whole(tmp_path: Path) -> None:
+    values = noise(4, "double")
+    file = write_image(tmp_path / "p.1.tif", values, "double", tiff__RowsPerStrip=8)
+    plate, area = open_clip(tmp_path), Area(43, 71, 5, 40)
+    np.testing.assert_array_equal(plate.read(1), values.astype(np.float32))
+    np.testing.assert_array_equal(read_image(file, area=area), plate.read(1)[43:71, 5:40])
+    np.testing.assert_array_equal(PartialFrames(plate, unheard).read(1).whole, to_engine(plate.read(1), "linear"))
+
+
+def test_tiles_of_64_bit_values_are_refused_and_give_no_other_values(tmp_path: Path) -> None:
+    file = write_image(tmp_path / "p.1.tif", noise(4, "double"), "double", tile_width=16, tile_height=16)
+    told = r"p\.1\.tif has tiles of 64-bit values; save it with 32 bits\."
+    with pytest.raises(RoamError, match=told):
+        open_clip(file)
+    with pytest.raises(RoamError, match=told):
+        read_mask(file, (HEIGHT, WIDTH))
 
 
 class Counting:

@@ -94,6 +94,13 @@ def test_metadata_overrules_what_a_format_usually_holds(tmp_path: Path) -> None:
     assert open_clip(floats).colour_space == "linear"
 
 
+def test_a_pfm_is_linear_as_all_floating_point(tmp_path: Path) -> None:
+    write_image(tmp_path / "p.1.pfm", np.full((4, 5, 3), 1.75, np.float32), "float")
+    plate = open_clip(tmp_path)
+    assert (plate.depth, plate.colour_space) == ("float", "linear")
+    np.testing.assert_array_equal(plate.read(1), np.float32(1.75))
+
+
 def test_grey_becomes_three_channels(tmp_path: Path) -> None:
     grey = (picture(5, 1) * 255).astype(np.uint8)
     image = read_image(write_image(tmp_path / "g.png", grey, "uint8"))

@@ -277,6 +277,19 @@ def test_frames_that_neither_rise_nor_fall_are_refused(config: str, frames: tupl
         next(track(blob_shot.read, [blob_shot.shape(frames[0])], frames, config))
 
 
+def test_of_two_shapes_of_one_id_each_goes_on_as_if_it_had_not_been_stopped(config: str, blob_shot: Shot) -> None:
+    """Masks made apart give equal ids: the keys of the first were taken for those of the last, and so for stale."""
+    one = blob_shot.shape()
+    shapes = [one, replace(one, keys=(Keyframe(1001, blob([4.0, 5.0, 4.0]) + np.array([8.0, 112.0])),))]
+    *_, whole = track(blob_shot.read, shapes, blob_shot.frames, config)
+    *_, stopped = track(blob_shot.read, shapes, blob_shot.frames[:3], config)
+    known = [result.shape for result in stopped.results]
+    *_, after = track(blob_shot.read, known, blob_shot.frames[2:], config)
+    assert [result.shape for result in after.results] == [result.shape for result in whole.results]
+    stamps = provenance.Stamps(known, "", blob_shot.size)
+    assert [stamps.stale_frames(shape) for shape in known] == [[], []]
+
+
 @pytest.mark.parametrize("frames", [(1001, 1003, 1004, 1006), (1006, 1004, 1003, 1001)])
 def test_a_run_that_leaves_frames_out_goes_on_as_if_it_had_not_been_stopped(
     config: str, frames: tuple[int, ...], blob_shot: Shot

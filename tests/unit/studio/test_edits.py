@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import pytest
 
 from roam_core.cli import main
 from roam_core.cli.performing import perform
 from roam_core.errors import RoamError
-from roam_core.studio.edits import read_edit
+from roam_core.studio.edits import _without_scheme, read_edit
 from roam_core.studio.finding import jobs_from
 from roam_core.studio.tasks import tasks_of
 from tests.unit.studio.shots import put_mask, put_plate
@@ -109,6 +110,57 @@ def test_media_that_cannot_be_opened_are_told(edit: Path, tmp_path: Path, url: s
     edit.write_text(otio.core.serialize_json_to_string(timeline))
     with pytest.raises(RoamError, match=said):
         jobs_from(edit, inits=tmp_path / "inits")
+
+
+@pytest.mark.parametrize("folder", ["shot", "two words", "sh #3", "50%41", "é"])
+@pytest.mark.parametrize("written", ["standard", "library", "path", "relative", "relative_standard"])
+def test_media_are_found_however_their_urls_are_written(edit: Path, tmp_path: Path, folder: str, written: str) -> None:
+    """By the standard, as OpenTimelineIO's own tools write them (which escape nothing), and as plain paths."""
+    plate = put_plate(tmp_path / "media" / folder)
+    url = {
+        "standard": plate.as_uri(),
+        "library": otio.url_utils.url_from_filepath(str(plate)),
+        "path": str(plate),
+        "relative": f"media/{folder}",
+        "relative_standard": f"media/{quote(folder)}",
+    }[written]
+    media = otio.schema.ExternalReference(target_url=url, available_range=span(1001, 6))
+    assert _plate_of(edit, media) == plate
+    media = otio.schema.ImageSequenceReference(
+        f"{url}/", "plate.", ".png", 1001, 1, RATE, 4, available_range=span(1001, 6)
+    )
+    assert _plate_of(edit, media) == plate / "plate.%04d.png"
+
+
+@pytest.mark.parametrize("number", ["%04d", "####", "%d"])
+@pytest.mark.parametrize("before", ["file://", "file://localhost", ""])
+def test_media_may_be_patterns_of_pictures(edit: Path, tmp_path: Path, number: str, before: str) -> None:
+    """`%04d` was taken for the character of the number 4, and what follows `#` for a part of a document."""
+    url = f"{before}{tmp_path.as_posix()}/plate/plate.{number}.png"
+    media = otio.schema.ExternalReference(target_url=url, available_range=span(1001, 6))
+    assert _plate_of(edit, media).parent == tmp_path / "plate"
+
+
+def _plate_of(edit: Path, media: Any) -> Path:
+    """The plate of the job of the first clip with these media."""
+    timeline = read_edit(edit)
+    timeline.video_tracks()[0][0].media_reference = media
+    edit.write_text(otio.core.serialize_json_to_string(timeline))
+    return Path(jobs_from(edit, inits=edit.parent / "inits").jobs.jobs[0].clip or "")
+
+
+@pytest.mark.parametrize(
+    ("url", "place"),
+    [
+        ("file:///C:/show/plate.mov", "C:/show/plate.mov"),
+        ("file://C:/show/plate.mov", "C:/show/plate.mov"),
+        ("file://server/show/plate.mov", "//server/show/plate.mov"),
+        ("file:/show/plate.mov", "/show/plate.mov"),
+        ("file:plate.mov", "plate.mov"),
+    ],
+)
+def test_urls_of_drives_and_of_other_machines(url: str, place: str) -> None:
+    assert _without_scheme(url) == place
 
 
 def test_an_edit_is_written_over_nothing_that_is_read_or_of_others(

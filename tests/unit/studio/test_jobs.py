@@ -182,3 +182,29 @@ def test_a_folder_that_is_half_a_shot_is_told(tmp_path: Path) -> None:
 def test_a_folder_without_shots_is_refused(tmp_path: Path) -> None:
     with pytest.raises(RoamError, match="holds no shots"):
         jobs_from(tmp_path)
+
+
+@pytest.mark.parametrize("suffix", [".yaml", ".json"])
+def test_what_is_said_twice_of_one_thing_is_refused(tmp_path: Path, suffix: str) -> None:
+    """YAML and JSON allow it nowhere; their readers took the last one, and the steps before it were not done."""
+    path = tmp_path / f"jobs{suffix}"
+    text = json.dumps(document())
+    path.write_text(text)
+    assert len(read_jobs(path).jobs) == 1
+    path.write_text(text.replace('"steps": ["track"]', '"steps": ["track"], "steps": ["render"]'))
+    with pytest.raises(RoamError, match=f"jobs{suffix} says 'steps' twice"):
+        read_jobs(path)
+
+
+def test_the_users_folder_may_be_named_as_in_a_shell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        Path, "expanduser", lambda path: tmp_path / Path(*path.parts[1:]) if path.parts[0] == "~" else path
+    )
+    (job,) = read(document(clip="~/plates/a", init="~/m.png", steps=[{"import": {"source": "~/mattes"}}])).jobs
+    assert job.clip == str(tmp_path / "plates/a")
+    assert job.init == tmp_path / "m.png"
+    assert job.steps[0].options["source"] == str(tmp_path / "mattes")
+    assert read({**document(), "out": "~/out"}).out == tmp_path / "out"
+    monkeypatch.undo()
+    (job,) = read(document(clip="~nobody-of-this-name/plate")).jobs
+    assert job.clip == "/show/~nobody-of-this-name/plate"

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from app.jobs.runner import Ending
+from app.features.tracking import Tracking
+from app.jobs.propagation import Propagation
+from app.jobs.runner import Ending, Runner
 from app.jobs.under_way import UnderWay
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.panels.bars.status import Sentence, StatusBar
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit
+from roam_core.roto import Clip, Project, edit
+from tests.gui.engines import GlidingEngine, put_in
+from tests.gui.waiting import WAIT
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 MB, GB = 2**20, 2**30
@@ -92,6 +98,28 @@ def test_frames_of_a_run_take_no_sentence_away(qtbot: QtBot, qapp: QApplication,
     qapp.processEvents()
     document.apply("Track", edit.new_shape(document.project, SQUARE, 1)[0])
     assert status.sentence.text() == "Hat is locked; unlock it to track it."
+
+
+def test_what_a_run_leaves_out_is_read_before_how_far_it_is(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It gave way at once to the sentence with which a run begins: an occluder that is drawn where it comes in."""
+    engine = put_in(monkeypatch, GlidingEngine())
+    project, _ = edit.new_shape(Project(Clip(Path("shot"), 1, 9, (64, 48))), SQUARE, 1, name="Torso")
+    document.open(edit.new_shape(project, SQUARE, 5, name="Post")[0], None)
+    view_state.set_play_range(1, 10)
+    propagation = Propagation(document, view_state, runner, lambda frame: None)
+    status = StatusBar(view_state, UnderWay(propagation))
+    qtbot.addWidget(status)
+    Tracking(document, view_state, propagation).forward()
+    engine.allow(2)
+    qtbot.waitUntil(lambda: view_state.frame == 3, timeout=WAIT)
+    left_out = "Post is not tracked: its first key lies on frame 5. Track from there, or set a key here"
+    assert status.sentence.text().startswith(left_out)
+    status.reading.setInterval(0)
+    qtbot.waitUntil(lambda: status.sentence.text().startswith("Tracking Torso forward"), timeout=WAIT)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.drop()
 
 
 def test_work_that_ends_without_a_word_is_told_no_more(qtbot: QtBot, view_state: ViewState) -> None:

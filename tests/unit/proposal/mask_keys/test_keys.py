@@ -333,3 +333,16 @@ def test_a_part_that_begins_is_there_from_then_on_whatever_the_frames_number(fra
     ended = keys_from_mask(shapes, solid((20, 20, 60, 60)), frame + 3)
     assert [shape.exists_at(frame + 2) for shape in ended] == [True, True]
     assert [shape.exists_at(frame + 3) for shape in ended] == [True, False]
+
+
+def test_shapes_of_one_id_are_keyed_each_by_itself() -> None:
+    """Of masks made apart each has a `shape-1`: one took the place of the other, which was lost."""
+    boxes = [(10, 20, 40, 60), (80, 20, 110, 60)]
+    apart = [shape for box in boxes for shape in shapes_from_mask(solid(box), 1)]
+    moved = solid((14, 24, 44, 64), (84, 24, 114, 64), (60, 80, 90, 110))
+    result = keys_from_mask(apart, moved, 5)
+    assert [shape.id for shape in result[:2]] == [shape.id for shape in apart] == ["shape-1", "shape-1"]
+    assert [shape.frames for shape in result] == [(1, 5), (1, 5), (5,)]
+    assert result[2].id != "shape-1"
+    require_matte(result, 1, solid(*boxes))
+    require_matte(result, 5, moved)
