@@ -54,6 +54,7 @@ screenshots: setup
 
 translations: setup
 	$(BIN)/python -m scripts.translations
+
 wheel: setup
 	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir dist .
 

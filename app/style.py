@@ -6,7 +6,7 @@ import re
 from functools import lru_cache
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication
 
@@ -25,6 +25,8 @@ TEXT = "#d8d8d8"
 WEAK = "#a8a8a8"
 DISABLED = "#6a6a6a"
 ACCENT = "#e0a030"
+DOUBT = "#ff8c1a"
+"""Of all that the engine doubts, and of what boils: on the canvas, in rows, lanes and plots."""
 
 ROW_HEIGHT = 22
 MARGIN = 8
@@ -52,6 +54,13 @@ def apply(application: QApplication) -> None:
     application.setPalette(_palette())
     application.setStyleSheet(style_sheet())
     application.setWindowIcon(icon("roam"))
+
+
+def small(font: QFont) -> QFont:
+    """The font in the size of the timeline's names and numbers."""
+    result = QFont(font)
+    result.setPixelSize(11)
+    return result
 
 
 def style_sheet() -> str:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QPointF, QRectF, QSizeF, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtCore import QObject, QPointF, QRectF, QSizeF, Signal
+from PySide6.QtGui import QFontMetricsF, QPainter, QPen, QPolygonF
 
 from ..model.viewing import title_of
 from ..paint import marks
@@ -102,11 +102,7 @@ class Wipe(QObject):
             text = f"{letter}   {snapshot.frame}   {title_of(snapshot.mode)}"
             box = QRectF(0.0, 8.0, metrics.horizontalAdvance(text) + 12.0, metrics.height() + 6.0)
             box.moveLeft(x - 6.0 - box.width() if is_left else x + 6.0)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(31, 31, 31, 200))
-            painter.drawRoundedRect(box, 3.0, 3.0)
-            painter.setPen(marks.TEXT)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+            marks.label(painter, box, text)
 
     def _paint_handle(self, painter: QPainter, at: QPointF) -> None:
         """Two triangles that point aside."""

@@ -8,11 +8,12 @@ from functools import partial
 
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
-from roam_core.propagate.shapes.provenance import MIN_POINTS, has_begun, known_params
+from roam_core.propagate.shapes.gaps import Gap, gaps_of
+from roam_core.propagate.shapes.provenance import MIN_POINTS, known_params
+from roam_core.propagate.shapes.taking_part import has_begun
 from roam_core.review.findings import Finding, boiling_frames, worst_of_stretches
 from roam_core.roto import Layer, Project, RotoShape
 
-from ..jobs.filling import Gap, gaps_of
 from ..jobs.propagation import Propagation
 from ..model.document import Document
 from ..model.reasons import does_not_exist

@@ -8,20 +8,19 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 from roam_core.errors import RoamError
 from roam_core.installation import has_studio
 from roam_core.params import RoamParams, params_for
-from roam_core.propagate.shapes.provenance import Stamps, takes_part
+from roam_core.propagate.shapes.gaps import Gap, gaps_of
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.taking_part import takes_part
 from roam_core.roto import Keyframe, Origin, Project, RotoShape
 
 from ..translation import sentence_of, tr
 from .runner import Report
 
-Gap = tuple[int, int]
-"""Two frames with artist keys and none between."""
 WORTH_PROCESSES = 24
 """Frames to fill below which starting other processes takes longer than they save."""
 
@@ -91,18 +90,6 @@ class WaitingFills:
             if still := [gap for gap in gaps if gap in there]:
                 begin(free, still)
                 return
-
-
-def gaps_of(shapes: Sequence[RotoShape]) -> list[Gap]:
-    """Every gap between neighbouring artist keys of a shape, in order."""
-    return sorted(
-        {
-            (first, last)
-            for shape in shapes
-            for first, last in pairwise(shape.artist_frames)
-            if any(shape.exists_at(frame) for frame in range(first + 1, last))
-        }
-    )
 
 
 def fill(report: Report, request: FillRequest) -> str:
@@ -206,20 +193,11 @@ def _closed(request: FillRequest, asked: Collection[str]) -> list[RotoShape]:
 
 
 def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParams) -> bool:
-    """True when every frame in the gap that shows something holds a key that filling would only make again."""
-    from roam_core.propagate.between.frames_shown import frames_shown
+    """Whether the shapes asked for that hold artist keys on both ends of the gap are filled in it."""
+    from roam_core.propagate.between.frames_shown import is_gap_filled
 
-    for shape in request.shapes:
-        if shape.id not in request.asked or gap not in pairwise(shape.artist_frames):
-            continue
-        keys = {frame: shape.key_at(frame) for frame in range(gap[0] + 1, gap[1]) if shape.exists_at(frame)}
-        lacking = [frame for frame, key in keys.items() if key is None]
-        made = [key for key in keys.values() if key is not None]
-        if not all(stamps.is_filled(shape, key, gap, params, request.alone) for key in made):
-            return False
-        if lacking and next(frames_shown(request.read, shape, gap, lacking, params), None) is not None:
-            return False
-    return True
+    keyed = [shape for shape in request.shapes if shape.id in request.asked and set(gap) <= set(shape.artist_frames)]
+    return is_gap_filled(request.read, keyed, gap, range(gap[0] + 1, gap[1]), stamps, params, alone=request.alone)
 
 
 def _keys_in(shape: RotoShape, gap: Gap) -> tuple[Keyframe, ...]:

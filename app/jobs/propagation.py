@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate.frame.result import FrameResult
 from roam_core.propagate.memory import TrackMemory
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.propagate.shapes.provenance import clip_stamp
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
@@ -20,7 +21,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState
 from ..translation import N_, tr
 from . import warm_up
-from .filling import Filled, FillRequest, Gap, WaitingFills, fill
+from .filling import Filled, FillRequest, WaitingFills, fill
 from .runner import Ending, Report, Runner
 from .solving.company import Company, is_changed
 from .solving.run import FILL, TRACK, Count, Run, told_of

@@ -7,7 +7,6 @@ from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
 from roam_core.arrays import Array
-from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Outline, Project, RotoShape
 from roam_core.roto.feather import curve
@@ -15,6 +14,7 @@ from roam_core.roto.feather import curve
 from ..model.shown import shown_shapes
 from ..model.view_state import Selection
 from . import marks
+from .outline_paths import curve_path
 from .soft_edge import soft_edge
 from .viewport import Viewport
 
@@ -37,7 +37,7 @@ def paint_feather(painter: QPainter, viewport: Viewport, project: Project, frame
         opacity = 1.0 if item.shape.id in chosen and not item.locked else RESTING_OPACITY
         colour = marks.faded(QColor.fromRgbF(*item.shape.colour), opacity)
         if outline.feather is not None:
-            dashed(painter, viewport.transform.map(_path(curve(outline), item.shape.closed)), colour)
+            dashed(painter, viewport.transform.map(curve_path(curve(outline), item.shape.closed)), colour)
         if width != 0.0 and item.shape.closed:
             _paint_even_edge(painter, viewport, outline, width, colour)
 
@@ -48,7 +48,7 @@ def _paint_even_edge(painter: QPainter, viewport: Viewport, outline: Outline, wi
     end.addPolygon(QPolygonF([QPointF(x, y) for x, y in soft_edge(outline.points, width).tolist()]))
     end.closeSubpath()
     end = viewport.transform.map(end)
-    band = viewport.transform.map(_path(outline.points, True))
+    band = viewport.transform.map(curve_path(outline.points, True))
     band.addPath(end)
     band.setFillRule(Qt.FillRule.OddEvenFill)
     painter.fillPath(band, marks.faded(colour, BAND_OPACITY * colour.alphaF()))
@@ -99,10 +99,3 @@ def triangle(painter: QPainter, at: QPointF, colour: QColor, *, filled: bool, gr
     painter.setPen(QPen(marks.EDGE, 2 * marks.EDGE_WIDTH))
     painter.setBrush(marks.BRIGHT if filled else colour)
     painter.drawPolygon(QPolygonF([QPointF(at.x() + x * size, at.y() + y * size) for x, y in corners]))
-
-
-def _path(points: Array, closed: bool) -> QPainterPath:
-    path = QPainterPath(QPointF(*points[0, ANCHOR]))
-    for _, leave, arrive, end in bezier.segments(points, closed).tolist():
-        path.cubicTo(*leave, *arrive, *end)
-    return path

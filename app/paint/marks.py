@@ -8,13 +8,15 @@ from typing import NamedTuple
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QPolygonF
 
-SURROUND = QColor("#262626")
-EMPTY_PLATE = QColor("#2e2e2e")
+from .. import style
+
+SURROUND = QColor(style.WINDOW)
+EMPTY_PLATE = QColor(style.PANEL)
 EMPTY_MATTE = QColor("#000000")
-LINE = QColor("#3a3a3a")
-TEXT = QColor("#d8d8d8")
+LINE = QColor(style.LINE)
+TEXT = QColor(style.TEXT)
 WEAK_TEXT = QColor("#9a9a9a")
-ACCENT = QColor("#e0a030")
+ACCENT = QColor(style.ACCENT)
 EDGE = QColor(0, 0, 0, 190)
 """Dark rim of every mark, so that it reads on any plate."""
 
@@ -23,6 +25,8 @@ THIN_EDGE, THIN_ASIDE = QColor(0, 0, 0, 180), (0.8, 0.18)
 So they give as much ink as `stroke` does at any angle, give or take a third."""
 
 HOLLOW = QColor(24, 24, 24, 210)
+LABEL = QColor(31, 31, 31, 200)
+"""What labels on the picture lie on."""
 BRIGHT = QColor("#ffffff")
 
 OUTLINE_WIDTH, SELECTED_WIDTH, EDGE_WIDTH = 1.5, 2.25, 0.5
@@ -175,6 +179,15 @@ def lasso(painter: QPainter, line: QPolygonF) -> None:
         painter.drawPolyline(line)
     painter.setPen(_pen(faded(TEXT, 0.4), 1.0))
     painter.drawLine(line.last(), line.first())
+
+
+def label(painter: QPainter, box: QRectF, text: str) -> None:
+    """A short text in the middle of a dark box with round corners."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(LABEL)
+    painter.drawRoundedRect(box, 3.0, 3.0)
+    painter.setPen(TEXT)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
 def faded(colour: QColor, opacity: float) -> QColor:

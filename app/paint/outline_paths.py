@@ -69,10 +69,16 @@ class OutlinePaths:
 
 
 def outline_path(points: Array, closed: bool) -> QPainterPath:
-    """The spline of `points (P, 3, 2)` in image coordinates."""
+    """The spline of `points (P, 3, 2)` in image coordinates, its ends joined where it is closed."""
+    path = curve_path(points, closed)
+    if closed:
+        path.closeSubpath()
+    return path
+
+
+def curve_path(points: Array, closed: bool) -> QPainterPath:
+    """As `outline_path`, with two ends that meet where it is closed: no join there puts dashes out of step."""
     path = QPainterPath(QPointF(*points[0, ANCHOR]))
     for _, leave, arrive, end in bezier.segments(points, closed).tolist():
         path.cubicTo(*leave, *arrive, *end)
-    if closed:
-        path.closeSubpath()
     return path

@@ -18,15 +18,13 @@ from ..model.view_state import shapes_in_hand
 from ..translation import tr
 from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_playhead
-from .keys.row_painter import DOUBT
+from .keys.tips import frame_tip
 from .marks import on_each_frame
 from .scale import LABEL_WIDTH, TimeScale
 
 HEIGHT = 30
 TOP = 3.0 * BOILING
 """Pixels of boil that fill the lane; what is more is cut off."""
-TOLD = 8
-"""Shapes that a tip tells of."""
 CALM = "#8a8a8a"
 """The colour of boil that is not seen; beyond the line it is that of doubt, and higher."""
 
@@ -67,9 +65,9 @@ class BoilBand(TippedWidget):
             tr("{pixels:.1f} px  {name}, boils", pixels=value, name=name)
             if value >= BOILING
             else tr("{pixels:.1f} px  {name}", pixels=value, name=name)
-            for value, name in known[:TOLD]
+            for value, name in known
         ]
-        return "\n".join([tr("Frame {frame}", frame=frame), *(lines or [tr("No boil is measured here")])])
+        return frame_tip(frame, lines, tr("No boil is measured here"))
 
     # ---- events
 
@@ -108,9 +106,7 @@ class BoilBand(TippedWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.PANEL))
         painter.fillRect(QRectF(0, 0, self.width(), 1), QColor(style.WINDOW))
-        font = self.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
+        painter.setFont(style.small(self.font()))
         painter.setPen(QColor(style.WEAK))
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
         painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), middle, tr("boil"))
@@ -118,7 +114,7 @@ class BoilBand(TippedWidget):
         painter.drawText(QRectF(0, line - 8, LABEL_WIDTH - 6, 16), middle | right, tr("{pixels:g} px", pixels=BOILING))
         scale = self._axis.scale
         painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, HEIGHT))
-        width, doubt, calm = max(scale.pixels - 1.0, 1.0), QColor(DOUBT), QColor(CALM)
+        width, doubt, calm = max(scale.pixels - 1.0, 1.0), QColor(style.DOUBT), QColor(CALM)
         for x, value in self._bars(scale).tolist():
             top = _y(value)
             painter.fillRect(QRectF(x - width / 2, top, width, HEIGHT - top), doubt if value >= BOILING else calm)

@@ -21,6 +21,7 @@ from ..widgets.broad_line import BroadLine
 from ..widgets.thin_lines import ThinLine, ThinLines
 from ..widgets.tipped import tells
 from .axis import TimeAxis, place_playhead, show_frames
+from .keys.tips import frame_tip
 from .marks import KeyMarks, MarksOf, on_each_frame
 from .scale import LABEL_WIDTH
 
@@ -29,11 +30,10 @@ LEAST_HEIGHT = 60
 CLICK = 3
 """Pixels that the pointer may move between press and release of a click."""
 
-TOLD = 8
-"""Shapes that a tip tells of."""
-
-LEAST, DOUBT = QColor(216, 216, 216, 80), QColor(255, 140, 26, 70)
-"""The line of the worst shape, pale under the others; the canvas's colour of doubt."""
+LEAST, DOUBT = QColor(style.TEXT), QColor(style.DOUBT)
+LEAST.setAlpha(80)
+DOUBT.setAlpha(70)
+"""The line of the worst shape, pale under the others; what lies under the threshold."""
 
 LOW, HIGH = -0.12, 1.12
 """The plot's range: a little more than a confidence can be, so that lines at its ends are seen."""
@@ -72,9 +72,7 @@ class ConfidencePlot(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.PANEL))
-        font = self.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
+        painter.setFont(style.small(self.font()))
         painter.setPen(QColor(style.WEAK))
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
         has_room = self.value_y(DOUBTFUL) - self.value_y(1.0) >= painter.fontMetrics().ascent()
@@ -211,9 +209,8 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             for shape in shapes
             if (key := self._told(shape, frame)) is not None and key.confidence is not None
         )
-        lines = [f"{number(value, '.2f')}  {name}" for value, name in known[:TOLD]]
-        more = [tr("and {count} more", count=len(known) - TOLD)] if len(known) > TOLD else []
-        return "\n".join([tr("Frame {frame}", frame=frame), *(lines or [tr("Nothing is tracked here")]), *more])
+        lines = [f"{number(value, '.2f')}  {name}" for value, name in known]
+        return frame_tip(frame, lines, tr("Nothing is tracked here"))
 
     def _told(self, shape: RotoShape, frame: int) -> Keyframe | None:
         """The key whose confidence the shape's line shows on a frame; no line runs where it does not exist."""

@@ -171,9 +171,7 @@ class MarkBand(TippedWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.WINDOW))
-        font = self.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
+        painter.setFont(style.small(self.font()))
         painter.setPen(QColor(style.WEAK))
         painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, tr("marks"))
         painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, HEIGHT))

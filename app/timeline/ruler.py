@@ -9,7 +9,6 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QBrush,
     QColor,
-    QFont,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -139,7 +138,7 @@ class Ruler(TippedWidget):
     def _paint_ticks(self, painter: QPainter) -> None:
         scale = self._axis.scale
         label, tick = scale.steps()
-        painter.setFont(self._small_font())
+        painter.setFont(style.small(self.font()))
         ends = (scale.clip[0], scale.clip[1] - 1)
         for frame in _multiples(tick, scale.first, min(scale.last, ends[1])):
             near_end = any(abs(frame - end) * scale.pixels < LABEL_SPACE for end in ends)
@@ -202,11 +201,6 @@ class Ruler(TippedWidget):
         width = self.fontMetrics().horizontalAdvance(str(frame)) + 12
         left = self._axis.scale.x(frame) - width / 2
         return QRectF(min(max(left, 0), self.width() - width), 1, width, 17)
-
-    def _small_font(self) -> QFont:
-        font = self.font()
-        font.setPixelSize(11)
-        return font
 
 
 def _multiples(step: int, first: float, last: float) -> Iterator[int]:

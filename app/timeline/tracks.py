@@ -20,7 +20,7 @@ from .. import style
 from ..model.document import Document
 from ..translation import tr
 from .axis import TimeAxis
-from .keys.row_painter import BACKGROUND, DIAMOND, DOUBT, ROW
+from .keys.row_painter import BACKGROUND, DIAMOND, ROW
 from .row_band import RowBand
 from .scale import LABEL_WIDTH
 
@@ -126,7 +126,7 @@ class TrackBand(RowBand[Layer]):
         for frame, value in own.confidence:
             if is_doubtful(value):
                 left, top = scale.x(frame) - scale.pixels / 2, _y(DOUBTFUL)
-                painter.fillRect(QRectF(left, top, max(scale.pixels, 1.0), _y(value) - top), QColor(DOUBT))
+                painter.fillRect(QRectF(left, top, max(scale.pixels, 1.0), _y(value) - top), QColor(style.DOUBT))
         painter.setPen(QPen(QColor(style.TEXT), 1))
         pairs = list(own.confidence)
         for (a, before), (b, after) in pairwise(pairs):

@@ -33,9 +33,7 @@ class EdgeModels:
         """From the ribbons R_n^in and R_n^out of a frame whose outline `nodes (N, 2)` is given."""
         sides = ribbon_samples(frame, nodes, params, scale)
         inside, outside = (gmm.learned(side, params.components, params.variance_floor, params.spread) for side in sides)
-        # Half a model is none: where one side cannot be seen, the other would always win.
-        unknown = (inside.weight.sum(axis=1) == 0.0) | (outside.weight.sum(axis=1) == 0.0)
-        inside, outside = inside.without(unknown), outside.without(unknown)
+        inside, outside = gmm.known_on_both_sides(inside, outside)
         return cls(inside, outside, inside, outside)
 
     def adapted(

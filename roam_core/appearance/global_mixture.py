@@ -34,8 +34,7 @@ class GlobalMixture:
             gmm.learned(side, params.global_components, params.variance_floor, steps=params.global_steps)
             for side in _sides(frame, nodes, params, scale)
         )
-        unknown = (inside.weight.sum(axis=1) == 0.0) | (outside.weight.sum(axis=1) == 0.0)
-        inside, outside = inside.without(unknown), outside.without(unknown)
+        inside, outside = gmm.known_on_both_sides(inside, outside)
         return cls(inside, outside, inside, outside)
 
     def adapted(

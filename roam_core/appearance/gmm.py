@@ -76,9 +76,23 @@ class Mixtures:
             np.concatenate([self.variance, other.variance], axis=1),
         )
 
+    @property
+    def is_unknown(self) -> Bools:
+        """Which mixtures `(N,)` know nothing."""
+        return np.asarray(self.weight.sum(axis=1) == 0.0)
+
     def without(self, unknown: Bools) -> Mixtures:
         """The mixtures with those marked `(N,)` knowing nothing."""
         return Mixtures(np.where(unknown[:, None], 0.0, self.weight), self.mean, self.variance)
+
+
+def known_on_both_sides(inside: Mixtures, outside: Mixtures) -> tuple[Mixtures, Mixtures]:
+    """Models of both sides of the same edges, each without what the other side knows nothing of.
+
+    Half a model is none: where one side cannot be seen, the other would always win.
+    """
+    unknown = inside.is_unknown | outside.is_unknown
+    return inside.without(unknown), outside.without(unknown)
 
 
 def learned(samples: Samples, components: int, floor: float, spread: int = 0, steps: int = 10) -> Mixtures:

@@ -14,7 +14,7 @@ from roam_core.cli.overwriting import add_overwrite, require_own
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import NothingToSolve
 from roam_core.cli.plate import loaded
-from roam_core.cli.spans import asked_frames, gaps_of
+from roam_core.cli.spans import asked_frames, gaps_to_fill
 from roam_core.errors import RoamError
 from roam_core.roto import Project
 from roam_core.studio.jobs import Job, Step, require_name, steps_named
@@ -59,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
     gaps = found_gaps(project, path)
     steps = with_mattes(steps_named(arguments.steps or ("fill,render" if gaps else "render")), arguments)
     if not gaps and any(step.verb == "fill" for step in steps):
-        gaps_of(project, path)  # says why there is none
+        gaps_to_fill(project, path)  # says why there is none
     if any(step.verb == "shift" for step in steps):
         raise RoamError(f"The tasks of a farm are by frames; give {path} its new ones first: roam shift {path}.")
     out = (arguments.out or path.with_name(f"{name}-farm")).absolute()
@@ -96,6 +96,6 @@ def with_mattes(steps: tuple[Step, ...], arguments: argparse.Namespace) -> tuple
 def found_gaps(project: Project, path: Path) -> list[tuple[int, int]]:
     """The gaps between artist keys, none where there are none."""
     try:
-        return gaps_of(project, path)
+        return gaps_to_fill(project, path)
     except NothingToSolve:
         return []

@@ -24,7 +24,7 @@ from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, loaded, opened
-from roam_core.cli.spans import Gap, gaps_of, is_filled, part_files, taken, within
+from roam_core.cli.spans import gaps_to_fill, is_filled, part_files, taken, within
 from roam_core.cli.spreading import filled_apart
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.targets import require_target, require_writable
@@ -34,7 +34,9 @@ from roam_core.interchange.targets import Sources, require_free
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import Termination
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
-from roam_core.propagate.shapes.provenance import clip_stamp, takes_part
+from roam_core.propagate.shapes.gaps import Gap
+from roam_core.propagate.shapes.provenance import clip_stamp
+from roam_core.propagate.shapes.taking_part import takes_part
 from roam_core.roto import Origin, Project, RotoShape
 
 FAILED = 1
@@ -73,7 +75,7 @@ def run(arguments: argparse.Namespace) -> int:
     write = project_writer(target, arguments.project)
     project = loaded(arguments.project)
     picking = Picking(arguments.shape, arguments.alone)
-    gaps = within(gaps_of(project, arguments.project, picking), arguments.span)
+    gaps = within(gaps_to_fill(project, arguments.project, picking), arguments.span)
     parts = [loaded(path) for path in part_files(arguments.take)]
     with opened(str(project.require_clip().path), project.clip) as plate:
         require_target(target)

@@ -10,7 +10,6 @@ from pathlib import Path
 from roam_core.cli.lines import print_json
 from roam_core.cli.paths import path_word
 from roam_core.cli.plate import add_layer, opened, tell
-from roam_core.cli.spans import Gap
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
@@ -19,6 +18,7 @@ from roam_core.media.finding import is_there
 from roam_core.media.unseen import unseen
 from roam_core.propagate.between.frames_shown import frames_shown
 from roam_core.propagate.shapes.departed import departed_settings
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.propagate.shapes.provenance import Stamp, Stamps, known_params
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
 from roam_core.roto import Clip, Layer, Origin, RotoShape, file

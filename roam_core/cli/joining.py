@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from roam_core.propagate import FrameResult, TrackResult
-from roam_core.propagate.shapes.provenance import has_begun
+from roam_core.propagate.shapes.taking_part import has_begun
 from roam_core.roto import RotoShape
 
 

@@ -21,7 +21,7 @@ from roam_core.cli.main import INTERRUPTED, main
 from roam_core.cli.picking import NothingToSolve, Picking
 from roam_core.cli.plate import loaded, opened
 from roam_core.cli.plate_task import asked_shapes
-from roam_core.cli.spans import gaps_of, is_filled, pieces_of
+from roam_core.cli.spans import gaps_to_fill, is_filled, pieces_of
 from roam_core.cli.steady import tracked_frames
 from roam_core.cli.stopping import cancelled_by
 from roam_core.cli.track import given_project, initial_project
@@ -115,7 +115,7 @@ def _pieces(task: Task) -> list[Any]:
     options = task.settings["options"]
     picking = Picking(options.get("shape"), options.get("alone", False))
     params = configured(options.get("config", DEFAULT_CONFIG))
-    gaps = gaps_of(project, Path(task.reads[0]), picking)
+    gaps = gaps_to_fill(project, Path(task.reads[0]), picking)
     with opened(str(project.require_clip().path), project.clip) as plate:
         left = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
     return pieces_of(project, left, picking)

@@ -57,13 +57,8 @@ def run(arguments: argparse.Namespace) -> int:
     clip, style = project.require_clip(), matte_style(arguments, arguments.name or "")
     asked = asked_frames(clip, arguments.start, arguments.end)
     pattern = arguments.name
-    if pattern and Path(pattern).suffix.lower() in SUFFIXES:
-        style = style_for(Path(pattern), style)
-    elif pattern and Path(pattern).suffix.lower() in OTHER_SUFFIXES:
-        raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {pattern} would be none of these.")
-    elif pattern:
-        pattern += style.suffix
     if pattern:
+        pattern, style = named(pattern, style)
         require_places(pattern, style)
     if NAME in arguments.out.name and not arguments.out.is_dir():
         raise RoamError(f"{arguments.out} is the folder of all mattes; {NAME} stands for a layer or shape in --name.")
@@ -76,8 +71,8 @@ def run(arguments: argparse.Namespace) -> int:
         raise RoamError(told)
     tell(numbers_now(clip))
     tell(left_out([frame for frame in asked if frame not in names]))
-    named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
-    name_for = numbering(pattern) if pattern else named.__getitem__
+    as_plate = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
+    name_for = numbering(pattern) if pattern else as_plate.__getitem__
     require_free(
         [(path, Kind.PICTURE) for path in planned(project, frames, arguments.out, name_for, style)],
         Sources.of_clip(clip, arguments.project),
@@ -110,6 +105,16 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         print(written.report(f" to {arguments.out}"), file=sys.stderr)
     return 0
+
+
+def named(pattern: str, style: MatteStyle) -> tuple[str, MatteStyle]:
+    """The pattern of `--name` with its suffix, and the style with the file type that the pattern asks for."""
+    suffix = Path(pattern).suffix.lower()
+    if suffix in SUFFIXES:
+        return pattern, style_for(Path(pattern), style)
+    if suffix in OTHER_SUFFIXES:
+        raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {pattern} would be none of these.")
+    return pattern + style.suffix, style
 
 
 def black_because(project: Project, path: Path, style: MatteStyle) -> str:

@@ -10,7 +10,7 @@ from roam_core.features import PreparedFrame
 from roam_core.features.blank import is_blank
 from roam_core.media import MissingFrame
 from roam_core.params import params_for
-from roam_core.propagate.shapes.provenance import has_begun
+from roam_core.propagate.shapes.taking_part import has_begun
 from roam_core.roto import RotoShape
 
 

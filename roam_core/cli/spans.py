@@ -3,39 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 from pathlib import Path
 
 from roam_core.cli.picking import EVERYTHING, NothingToSolve, Picking, trackable
 from roam_core.cli.plate import Plate
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams
-from roam_core.propagate.between.frames_shown import frames_shown
-from roam_core.propagate.shapes.provenance import Stamps, takes_part
+from roam_core.propagate.between.frames_shown import is_gap_filled
+from roam_core.propagate.shapes.gaps import Gap, gaps_of
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.taking_part import takes_part
 from roam_core.roto import Clip, Keyframe, Project
 
-Gap = tuple[int, int]
-"""Two frames with artist keys and none between."""
 Piece = tuple[Gap, tuple[str, ...]]
 """A gap, and the ids of the shapes of one object that get keys there."""
 
 
-def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list[Gap]:
+def gaps_to_fill(project: Project, path: Path, picking: Picking = EVERYTHING) -> list[Gap]:
     """Every gap between neighbouring artist keys of a shape, in order; `NothingToSolve` where there is none."""
     if not trackable(project, picking):
         raise NothingToSolve(f"{path} holds no closed, unlocked shape to fill.")
-    gaps = {
-        gap
-        for shape in trackable(project, picking)
-        for gap in pairwise(shape.artist_frames)
-        if any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
-    }
+    gaps = gaps_of(trackable(project, picking))
     if not gaps:
         raise NothingToSolve(
             f"{path} has no gap to fill: no shape has artist keys on two frames with others between them. "
             "Set a key on a later frame first."
         )
-    return sorted(gaps)
+    return gaps
 
 
 def within(gaps: Sequence[Gap], span: Sequence[int] | None) -> list[Gap]:
@@ -104,17 +98,5 @@ def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, pick
     """True when every frame in the gap that shows something holds a key that filling would only make again."""
     stamps = Stamps.of(project.shapes, project.clip)
     inside = [frame for frame in plate.source.frames if gap[0] < frame < gap[1]]
-    for shape in trackable(project, picking):
-        if not takes_part(shape, gap):
-            continue
-        keys = {frame: shape.key_at(frame) for frame in inside if shape.exists_at(frame)}
-        made = [key for key in keys.values() if key is not None]
-        if set(gap) <= set(shape.artist_frames):
-            if not all(stamps.is_filled(shape, key, gap, params, picking.alone) for key in made):
-                return False
-            lacking = [frame for frame, key in keys.items() if key is None]
-            if lacking and next(frames_shown(plate.parts, shape, gap, lacking, params), None) is not None:
-                return False
-        elif any(stamps.is_stale(shape, key) for key in made):
-            return False
-    return True
+    shapes = trackable(project, picking)
+    return is_gap_filled(plate.parts, shapes, gap, inside, stamps, params, alone=picking.alone)

@@ -11,8 +11,9 @@ from roam_core.cli.bar import bar
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.performing import WORK
 from roam_core.cli.picking import Picking
-from roam_core.cli.spans import Gap, Piece, pieces_of, taken
+from roam_core.cli.spans import Piece, pieces_of, taken
 from roam_core.params import RoamParams
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.roto import Project, file
 from roam_core.studio import cluster, driver
 from roam_core.studio.tasks import fill_task, pieces

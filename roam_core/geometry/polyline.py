@@ -46,9 +46,13 @@ def at(ring: Array, places: Array) -> Array:
 
 def outward_normals(line: Array) -> Array:
     """Unit normals `(K, 2)` at the vertices of a closed polyline, pointing out of it; zero where it is degenerate."""
-    tangent = following(line) - preceding(line)
-    norm = np.hypot(*tangent.T)[:, None]
-    tangent = np.divide(tangent, norm, out=np.zeros_like(tangent), where=norm > 0)
+    return outward_normals_of(following(line) - preceding(line), line)
+
+
+def outward_normals_of(tangents: Array, line: Array) -> Array:
+    """Unit normals `(K, 2)` to `tangents (K, 2)` along a closed polyline, pointing out of it; zero where those are."""
+    norm = np.hypot(*tangents.T)[:, None]
+    tangent = np.divide(tangents, norm, out=np.zeros_like(tangents), where=norm > 0)
     side = 1.0 if signed_area(line) > 0 else -1.0
     return side * np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)
 

@@ -27,7 +27,7 @@ from roam_core.media.source import MissingFrame
 from roam_core.motion.bridging import Lost, bridged
 from roam_core.motion.planar import corners_in, followed, inside
 from roam_core.motion.registration import Expected, Fit, Texture, confidence_of
-from roam_core.params import PLANAR, PlanarParams, scale_for
+from roam_core.params import PLANAR, scale_for
 from roam_core.params.tracks import PLANE_TRACK, PlaneTrackParams
 from roam_core.translatable import sentence
 
@@ -138,10 +138,8 @@ class PlaneTracker:
         holes: Sequence[Array] = (),
         covers: Sequence[Array] = (),
         params: PlaneTrackParams = PLANE_TRACK,
-        corners: PlanarParams = PLANAR,
     ) -> None:
         self.kind, self.params = PlaneMotion(kind), params
-        self._corners = corners
         self._mask = inside(outlines, [*holes, *covers], picture.size)
         texture = Texture.of(picture.grey, self._mask, params.registration)
         if texture is None:
@@ -210,7 +208,7 @@ class PlaneTracker:
 
     def _by_corners(self, look: Look) -> Array | None:
         """Where the plane would be by the corners of what was seen of it, from the first picture `(3, 3)`."""
-        params, picture = self._corners, look.picture
+        params, picture = PLANAR, look.picture
         rows, columns = np.nonzero(self._seen)
         if len(rows) == 0:
             return None

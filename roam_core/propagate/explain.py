@@ -18,6 +18,7 @@ from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again
 from roam_core.propagate.parts.edges import Edges, edges, edges_on_key
 from roam_core.propagate.shapes import provenance
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.propagate.shapes.objects import cuts, stacked
 from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape
@@ -85,7 +86,7 @@ def explain(
     stamps = Stamps.of(shapes, clip)
 
     @cache
-    def shown(gap: tuple[int, int], config: str) -> frozenset[int]:
+    def shown(gap: Gap, config: str) -> frozenset[int]:
         """The keys of a gap that filling it goes by: their pictures are looked at once for all shapes."""
         params = provenance.known_params(config) or RoamParams()
         return frozenset(keys_shown(read, shapes, gap, params))

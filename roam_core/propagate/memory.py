@@ -17,7 +17,8 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.propagate.group import GroupTracker, Standing
-from roam_core.propagate.shapes.provenance import Stamp, Stamps, is_known
+from roam_core.propagate.shapes.provenance import Stamp, Stamps
+from roam_core.propagate.shapes.taking_part import is_known
 from roam_core.roto import Keyframe, Origin, RotoShape
 
 ReadPicture = Callable[[int], PreparedFrame]
@@ -93,17 +94,18 @@ def take_up(
     stamps: Stamps,
     beginning: Beginning,
     frame: int,
-    memory: TrackMemory | None = None,
-    token: CancelToken | None = None,
+    memory: TrackMemory | None,
+    token: CancelToken | None,
     *,
     forward: bool,
-    alone: bool = False,
-    sparse: bool = False,
+    alone: bool,
+    sparse: bool,
 ) -> None:
     """Put `tracker` on `frame`, in the state that a run from its `beginning` would be in there.
 
-    One that is `sparse`, whose frames do not all follow each other, passes those alone that hold keys of that run.
-    A key of the engine's on `frame` that is out of date gives way to what that run gives there.
+    The state is recalled from `memory`, where that holds it, else worked out anew. A run that is `sparse`, whose frames
+    do not all follow each other, passes those alone that hold keys of that run. A key of the engine's on `frame` that
+    is out of date gives way to what that run gives there.
     """
     shapes = [stamps.shapes[k] for k in beginning.members]
     if beginning.frame == frame:

@@ -16,9 +16,10 @@ from roam_core.features.blank import is_blank
 from roam_core.media.partial import Images, reading
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
+from roam_core.params.evidence import BlankParams
 from roam_core.propagate.frame.result import FrameResult, TrackResult
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
+from roam_core.propagate.memory import Beginning, ReadPicture, TrackMemory, begins, take_up
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
 from roam_core.roto.bounds import require_near
@@ -81,47 +82,28 @@ def track(
         raise RoamError(sentence("There is no shape to track; draw one, or select one, first."))
     if len(frames) == 0:
         raise RoamError(sentence("There is no frame to track; name the one to begin on, and those to go to."))
-    first = PreparedFrame(read(frames[0]))
+    first, params = PreparedFrame(read(frames[0])), params_for(config)
 
-    @cache
-    def shows(frame: int) -> bool:
-        """Whether a frame has a picture, and that shows something."""
-        outlines = [shapes[k].at(frame).points for k in asked]
-        for k, outline in zip(asked, outlines, strict=True):
-            require_near(shapes[k], frame, outline)
-        try:
-            picture = first if frame == frames[0] else PreparedFrame(read(frame))
-            return not is_blank(picture, outlines, params_for(config).blank)
-        except MissingFrame:
-            if frame == frames[0]:
-                raise
-            return False
+    def prepared(frame: int) -> PreparedFrame:
+        return first if frame == frames[0] else PreparedFrame(read(frame))
 
+    shows = _showing(prepared, [shapes[k] for k in asked], frames[0], params.blank)
     if not any(shapes[k].key_at(frames[0]) for k in asked) and not shows(frames[0]):
         raise MissingFrame(sentence("Frame {frame} shows nothing; track from a frame that does.", frame=frames[0]))
     stamps = Stamps(shapes, clip, first.size)
     forward = frames.step > 0 if isinstance(frames, range) else frames[-1] >= frames[0]
-    runs: dict[Beginning, _Run] = {}
-    name = params_for(config).config
+    sparse = any(abs(after - before) > 1 for before, after in pairwise(frames))
+    together: dict[Beginning, list[int]] = {}
     for k in asked:
-        beginning = begins(stamps, k, frames[0], name, forward=forward, alone=alone, shows=shows)
-        if beginning not in runs:
-            runs[beginning] = _Run(GroupTracker(config, clip, alone=alone), beginning.members, ())
-        runs[beginning] = replace(runs[beginning], asked=(*runs[beginning].asked, k))
-    for beginning, run in runs.items():
+        beginning = begins(stamps, k, frames[0], params.config, forward=forward, alone=alone, shows=shows)
+        together.setdefault(beginning, []).append(k)
+    under_way = []
+    for beginning, own in together.items():
+        tracker = GroupTracker(config, clip, alone=alone)
         take_up(
-            run.tracker,
-            lambda frame: first if frame == frames[0] else PreparedFrame(read(frame)),
-            stamps,
-            beginning,
-            frames[0],
-            memory,
-            token,
-            forward=forward,
-            alone=alone,
-            sparse=any(abs(after - before) > 1 for before, after in pairwise(frames)),
+            tracker, prepared, stamps, beginning, frames[0], memory, token, forward=forward, alone=alone, sparse=sparse
         )
-    under_way = list(runs.values())
+        under_way.append(_Run(tracker, beginning.members, tuple(own)))
     if begun is not None:
         begun(_in_order(frames[0], under_way, [run.tracker.given() for run in under_way]))
     for frame in frames[1:]:
@@ -149,6 +131,30 @@ class _Run:
     tracker: GroupTracker
     members: tuple[int, ...]
     asked: tuple[int, ...]
+
+
+def _showing(
+    prepared: ReadPicture, shapes: Sequence[RotoShape], start: int, params: BlankParams
+) -> Callable[[int], bool]:
+    """Tells, once for each frame, whether it has a picture that shows something of the shapes.
+
+    A gap shows nothing; on the frame of the `start` it raises `MissingFrame`. A shape that lies nowhere near the image
+    raises `RoamError`.
+    """
+
+    @cache
+    def shows(frame: int) -> bool:
+        outlines = [shape.at(frame).points for shape in shapes]
+        for shape, outline in zip(shapes, outlines, strict=True):
+            require_near(shape, frame, outline)
+        try:
+            return not is_blank(prepared(frame), outlines, params)
+        except MissingFrame:
+            if frame == start:
+                raise
+            return False
+
+    return shows
 
 
 def _regrouped(

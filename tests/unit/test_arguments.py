@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -289,9 +290,10 @@ def test_frames_and_their_reader_are_what_they_should_be() -> None:
             carried(read=read)
 
 
-def test_a_span_is_filled_from_a_list_of_its_pictures() -> None:
+def test_a_span_is_filled_from_any_sequence_of_its_pictures() -> None:
     by_frame = filled(dict(zip(SHOT.frames, IMAGES, strict=True)))
     assert filled(IMAGES) == filled(tuple(IMAGES)) == filled(np.stack(IMAGES)) == filled(SHOT.read) == by_frame
+    assert filled(deque(IMAGES)) == by_frame
     with pytest.raises(RoamError, match=f"no image of frame {FIRST}; give one, or raise MissingFrame"):
         filled({LAST: IMAGES[-1]})
     with pytest.raises(ValueError, match=f"3 images for the frames {FIRST} to {LAST}"):

@@ -11,12 +11,13 @@ from roam_core.geometry import bezier
 from roam_core.params import DOUBTFUL
 from roam_core.roto import Project, RotoShape
 
+from ... import style
 from ...model.shown import shown_shapes
 from ...paint import marks
 from ...paint.viewport import Viewport
 from ...translation import N_
 
-SURE, DOUBT, NO_WORD = QColor("#4aa8ff"), QColor("#ff8c1a"), QColor("#9a9a9a")
+SURE, DOUBT, NO_WORD = QColor("#4aa8ff"), QColor(style.DOUBT), QColor("#9a9a9a")
 """Blue and orange, which all eyes tell apart; grey where the engine has said nothing: keys by hand, between keys."""
 
 WIDTHS = (8.0, 20.0)

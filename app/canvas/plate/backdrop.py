@@ -92,8 +92,4 @@ def paint_label(painter: QPainter, widget: QSizeF, text: str, edge: Qt.Alignment
         box.moveCenter(QPointF(widget.width() / 2, widget.height() - PADDING - box.height() / 2))
     else:
         box.moveTopLeft(QPointF(PADDING, PADDING))
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(QColor(31, 31, 31, 200))
-    painter.drawRoundedRect(box, 3.0, 3.0)
-    painter.setPen(marks.TEXT)
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+    marks.label(painter, box, text)

@@ -8,11 +8,11 @@ from itertools import pairwise
 
 from roam_core.params import DEFAULT_CONFIG, params_for
 from roam_core.propagate.memory import Beginning, begins
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.propagate.shapes.objects import decisive
-from roam_core.propagate.shapes.provenance import Stamps, is_known, takes_part
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.taking_part import is_known, takes_part
 from roam_core.roto import Project, RotoShape
-
-from ..filling import Gap
 
 
 class Company:

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from roam_core.params import is_doubtful
 from roam_core.propagate.frame.result import FrameResult, Termination
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.roto import Keyframe, Project, RotoShape
 
 from ...translation import N_, tr
-from ..filling import Gap
 from ..runner import Job
 from .company import Company
 

@@ -84,9 +84,7 @@ class CurveEditor(QWidget):
         """The values of the grid's lines, right beside the plot."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.PANEL))
-        font = self.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
+        painter.setFont(style.small(self.font()))
         painter.setPen(QColor(style.WEAK))
         flags = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight
         unit = SHOWN_AS[self.plot.kind][1]

@@ -23,9 +23,9 @@ HOLE = 2.2
 """Half the height of the hole in the key of some points."""
 TICK = 4.0
 """Half the height of a tick."""
-SELECTED, BACKGROUND = "#3a3a3a", "#707070"
-DOUBT, STALE = "#ff8c1a", "#a8a8a8"
-"""The canvas's colour of doubt; a grey for what is of the past. Form tells them apart as well."""
+SELECTED, BACKGROUND = style.LINE, "#707070"
+STALE = style.WEAK
+"""A grey for what is of the past, beside the orange of doubt; form tells them apart as well."""
 
 Look = tuple[TimeScale, QSize, bool, frozenset[int], float]
 
@@ -86,7 +86,7 @@ def _paint_marks(
     colour, thickness = QColor.fromRgbF(*shape.colour), 2 if scale.pixels >= 9 else 1
     _paint_background(painter, marks, scale)
     doubtful = columns(marks.doubtful, scale)
-    for at, ink in ((columns(marks.engine, scale), colour), (doubtful, QColor(DOUBT))):
+    for at, ink in ((columns(marks.engine, scale), colour), (doubtful, QColor(style.DOUBT))):
         painter.setPen(QPen(QBrush(ink), thickness, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
         painter.drawLines([QLineF(x, MIDDLE - TICK, x, MIDDLE + TICK) for x in at])
     _paint_notches(painter, doubtful)

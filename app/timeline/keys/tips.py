@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bisect
+from collections.abc import Sequence
 
 from roam_core.roto import Interpolation, RotoShape
 from roam_core.roto.sight import is_out_of_sight
@@ -23,6 +24,8 @@ WAYS = {
     "import": N_("read from a file between two of its keys"),
 }
 TRACKED = N_("tracked")
+TOLD = 8
+"""Shapes that the tip of a plot tells of; of the others it tells the number."""
 
 
 def key_tip(shape: RotoShape, frame: int, marks: KeyMarks) -> str:
@@ -66,3 +69,9 @@ def _gap_sentence(shape: RotoShape, frame: int) -> str:
     if index == len(frames):
         return tr("No key: the shape stands as on frame {frame}", frame=frames[-1])
     return tr("No key: the shape is between frames {first} and {last}", first=frames[index - 1], last=frames[index])
+
+
+def frame_tip(frame: int, lines: Sequence[str], nothing: str) -> str:
+    """What a plot tells of a frame: lines of its shapes, the most telling first; `nothing` where there is none."""
+    more = [tr("and {count} more", count=len(lines) - TOLD)] if len(lines) > TOLD else []
+    return "\n".join([tr("Frame {frame}", frame=frame), *(lines[:TOLD] or [nothing]), *more])

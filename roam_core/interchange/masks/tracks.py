@@ -85,12 +85,15 @@ class Tracker:
             if wanted and members:
                 pose = self._joined(members, wanted, frame, field.shape, pose)
             for ring in wanted:
-                if ring.track is None:
-                    track = Track(holes)
-                    track.take(frame, ring)
-                    self.tracks.append(track)
-                live.append(ring.track)  # type: ignore[arg-type]
+                live.append(ring.track or self._begun(ring, frame, holes))
         self._live = live
+
+    def _begun(self, ring: Ring, frame: int, is_hole: bool) -> Track:
+        """The part, or the hole, that is first seen on this mask."""
+        track = Track(is_hole)
+        track.take(frame, ring)
+        self.tracks.append(track)
+        return track
 
     def _large(self, rings: list[Ring]) -> list[Ring]:
         large = [ring for ring in rings if ring.area >= self.least]

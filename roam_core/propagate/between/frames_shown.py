@@ -1,4 +1,4 @@
-"""What between two keys shows something to go by: filling passes over the other frames, so they keep no key."""
+"""What between two keys shows something to go by, and is filled: other frames are passed over, so they keep no key."""
 
 from __future__ import annotations
 
@@ -11,11 +11,14 @@ from roam_core.media.partial import ReadFrame
 from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams
 from roam_core.propagate.engines.view import EngineView
+from roam_core.propagate.shapes.gaps import Gap
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.taking_part import takes_part
 from roam_core.roto import RotoShape
 
 
 def keys_shown(
-    read: Callable[[int], PreparedFrame], shapes: Sequence[RotoShape], gap: tuple[int, int], params: RoamParams
+    read: Callable[[int], PreparedFrame], shapes: Sequence[RotoShape], gap: Gap, params: RoamParams
 ) -> dict[int, PreparedFrame]:
     """The pictures, read whole, of those keys of a gap that filling it goes by; `shapes` are those with keys there.
 
@@ -46,7 +49,7 @@ def keys_shown(
 
 
 def frames_shown(
-    read: ReadFrame, shape: RotoShape, gap: tuple[int, int], frames: Iterable[int], params: RoamParams
+    read: ReadFrame, shape: RotoShape, gap: Gap, frames: Iterable[int], params: RoamParams
 ) -> Iterator[int]:
     """Those of `frames`, between the two keys of a gap, on which filling it gives `shape` a key.
 
@@ -72,6 +75,38 @@ def frames_shown(
             continue
         if are_plain or not shows_nothing(picture, frame):
             yield frame
+
+
+def is_gap_filled(
+    read: ReadFrame,
+    shapes: Iterable[RotoShape],
+    gap: Gap,
+    frames: Iterable[int],
+    stamps: Stamps,
+    params: RoamParams,
+    *,
+    alone: bool,
+) -> bool:
+    """True when each of `frames`, all in the gap, that shows something holds keys that filling would only make again.
+
+    `shapes` are those that are to be filled. One that ends or begins on a key of the gap gets no keys there, but those
+    that it has beyond must not be out of date.
+    """
+    frames = tuple(frames)
+    for shape in shapes:
+        if not takes_part(shape, gap):
+            continue
+        keys = {frame: shape.key_at(frame) for frame in frames if shape.exists_at(frame)}
+        made = [key for key in keys.values() if key is not None]
+        if set(gap) <= set(shape.artist_frames):
+            if not all(stamps.is_filled(shape, key, gap, params, alone) for key in made):
+                return False
+            lacking = [frame for frame, key in keys.items() if key is None]
+            if lacking and next(frames_shown(read, shape, gap, lacking, params), None) is not None:
+                return False
+        elif any(stamps.is_stale(shape, key) for key in made):
+            return False
+    return True
 
 
 def _whole(picture: PreparedFrame) -> PreparedFrame:

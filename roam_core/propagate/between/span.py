@@ -32,8 +32,10 @@ from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.engines.view import EngineView
 from roam_core.propagate.frame.result import Part, engine_key
 from roam_core.propagate.shapes import provenance
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.taking_part import takes_part
 from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.bounds import require_near
@@ -128,11 +130,11 @@ def fill_span(
 
 def _by_frame(images: Images | Sequence[NDArray[Any]], start: int, stop: int) -> Images:
     """The pictures of a span by their frames."""
-    if isinstance(images, list | tuple | np.ndarray):
+    if isinstance(images, Sequence | np.ndarray) and not isinstance(images, str):
         if len(images) != stop - start + 1:
             raise ValueError(f"there are {len(images)} images for the frames {start} to {stop}; give one for each")
         return dict(zip(range(start, stop + 1), images, strict=True))
-    return images  # type: ignore[return-value]
+    return images
 
 
 def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int, int, list[int]]]:
@@ -144,9 +146,9 @@ def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int,
         pair
         for shape in shapes
         for pair in pairwise(frame for frame in shape.artist_frames if start <= frame <= stop)
-        if pair[1] - pair[0] > 1 and provenance.takes_part(shape, pair)
+        if pair[1] - pair[0] > 1 and takes_part(shape, pair)
     }
-    return [(*gap, [k for k, shape in enumerate(shapes) if provenance.takes_part(shape, gap)]) for gap in sorted(gaps)]
+    return [(*gap, [k for k, shape in enumerate(shapes) if takes_part(shape, gap)]) for gap in sorted(gaps)]
 
 
 def _is_keyed_twice(shape: RotoShape, start: int, stop: int) -> bool:
@@ -228,9 +230,7 @@ class Filling:
     token: CancelToken | None = None
     alone: bool = False
 
-    def filled(
-        self, shapes: Sequence[RotoShape], gap: tuple[int, int], asked: Sequence[int]
-    ) -> dict[int, list[Keyframe]]:
+    def filled(self, shapes: Sequence[RotoShape], gap: Gap, asked: Sequence[int]) -> dict[int, list[Keyframe]]:
         """The ENGINE keys in one gap of the shapes that are asked for, solved object by object."""
         shown = keys_shown(self.read, [shapes[k] for k in asked], gap, self.params)
         view = EngineView.of_key(next(iter(shown.values())), self.params)
@@ -260,7 +260,7 @@ class Filling:
         return {k: keys for k, keys in made.items() if k in asked}
 
     def _steadied(
-        self, shapes: Mapping[int, RotoShape], made: Mapping[int, list[Keyframe]], gap: tuple[int, int]
+        self, shapes: Mapping[int, RotoShape], made: Mapping[int, list[Keyframe]], gap: Gap
     ) -> dict[int, list[Keyframe]]:
         """The keys that were made for the `shapes` of an object, steadied between the two keys of the gap.
 
@@ -318,9 +318,7 @@ class Filling:
         except MissingFrame:
             return None
 
-    def passed(
-        self, shapes: Sequence[RotoShape], gap: tuple[int, int], view: EngineView, shown: Collection[int]
-    ) -> Span:
+    def passed(self, shapes: Sequence[RotoShape], gap: Gap, view: EngineView, shown: Collection[int]) -> Span:
         """Both passes of one object, side by side, as the engine sees them; from the keys that are `shown`."""
         keys = [_key(shapes, frame, view) for frame in gap]
         engines: Sequence[Engine | None] = each(

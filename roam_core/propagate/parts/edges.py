@@ -23,7 +23,8 @@ from roam_core.media.source import MissingFrame
 from roam_core.motion.template import contrast
 from roam_core.params import EDGES, scale_for
 from roam_core.propagate.shapes.objects import Role, near, stacked, units
-from roam_core.propagate.shapes.provenance import Stamps, governing_key, source_of
+from roam_core.propagate.shapes.provenance import Stamps, source_of
+from roam_core.propagate.shapes.taking_part import governing_key
 from roam_core.propagate.whole.posed import is_narrow
 from roam_core.roto import BlendMode, RotoShape
 

@@ -21,7 +21,9 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.media.colour_spaces import definition_of
 from roam_core.params import RoamParams, params_for
+from roam_core.propagate.shapes.gaps import Gap
 from roam_core.propagate.shapes.objects import near, objects
+from roam_core.propagate.shapes.taking_part import governing_key, is_known, takes_part
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
@@ -129,7 +131,7 @@ def stamp(
 
 def fill_stamp(
     shapes: Sequence[RotoShape],
-    gap: tuple[int, int],
+    gap: Gap,
     params: RoamParams,
     clip: str,
     alone: bool = False,
@@ -152,13 +154,13 @@ def fill_stamp(
     return str(Stamp(FILL, params.config, _digest(content), *gap, alone, asked_beyond))
 
 
-def keys_beyond(shapes: Sequence[RotoShape], gap: tuple[int, int]) -> list[int]:
+def keys_beyond(shapes: Sequence[RotoShape], gap: Gap) -> list[int]:
     """The nearest frames before and after a gap on which all shapes have artist keys, as far as there are any."""
     keyed = sorted(set.intersection(*(set(shape.artist_frames) for shape in shapes)))
     return [*[frame for frame in keyed if frame < gap[0]][-1:], *[frame for frame in keyed if frame > gap[1]][:1]]
 
 
-def _there(shape: RotoShape, gap: tuple[int, int]) -> tuple[int, int]:
+def _there(shape: RotoShape, gap: Gap) -> tuple[int, int]:
     """The half-open range of a gap's frames in which a shape exists."""
     first, stop = shape.lifetime or (gap[0], gap[1] + 1)
     return max(first, gap[0]), min(stop, gap[1] + 1)
@@ -287,7 +289,7 @@ class Stamps:
         there = self._solved[together, frame, forward]
         return there if k in there else (k,)
 
-    def filled_with(self, k: int, gap: tuple[int, int], alone: bool = False) -> tuple[int, ...]:
+    def filled_with(self, k: int, gap: Gap, alone: bool = False) -> tuple[int, ...]:
         """The shapes of its object with which a shape is filled between two keys, itself among them."""
         if alone:
             return (k,)
@@ -320,9 +322,7 @@ class Stamps:
         """A number for parameters, by their identity: to compare all their fields for every key would take long."""
         return self._params.setdefault(id(params), (len(self._params), params))[0]
 
-    def filled(
-        self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False, asked_beyond: bool = False
-    ) -> str:
+    def filled(self, k: int, gap: Gap, params: RoamParams, alone: bool = False, asked_beyond: bool = False) -> str:
         """The stamp that filling a gap gives a shape, whether or not the keys beyond it were asked."""
         name = (k, gap, self._number(params), alone, asked_beyond)
         if name not in self._known:
@@ -330,9 +330,7 @@ class Stamps:
             self._known[name] = fill_stamp(members, gap, params, self._clip, alone, asked_beyond)
         return self._known[name]
 
-    def is_filled(
-        self, shape: RotoShape, key: Keyframe, gap: tuple[int, int], params: RoamParams, alone: bool = False
-    ) -> bool:
+    def is_filled(self, shape: RotoShape, key: Keyframe, gap: Gap, params: RoamParams, alone: bool = False) -> bool:
         """Whether a key of a shape, which is found by its id, is one that filling a gap would make again."""
         asked_beyond = Stamp.read(key.inputs).asked_beyond
         k = self._place(shape)
@@ -403,38 +401,6 @@ def _given_on(together: Sequence[RotoShape]) -> set[int]:
 def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None, shapes: Sequence[RotoShape] | None = None) -> bool:
     """`Stamps.is_stale` for one key of a shape among the `shapes` of its project; None: there are no others."""
     return Stamps.of([shape] if shapes is None else shapes, clip).is_stale(shape, key)
-
-
-def is_known(shape: RotoShape, frame: int, forward: bool) -> bool:
-    """Whether a run in this direction that begins on `frame` has heard of a shape from the artist."""
-    return shape.exists_at(frame) and (not shape.artist_frames or governing_key(shape, frame, forward) is not None)
-
-
-def takes_part(shape: RotoShape, gap: tuple[int, int]) -> bool:
-    """Whether a shape is filled between two frames, or says which part of its object the others do not show there.
-
-    It holds artist keys on both and none between; or one on one of them, and it ends, or begins, there.
-    """
-    frames = shape.artist_frames
-    if any(gap[0] < frame < gap[1] for frame in frames):
-        return False
-    keyed = [frame in frames for frame in gap]
-    if all(keyed):
-        return any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
-    return any(keyed) and shape.closed and shape.exists_at(gap[0]) != shape.exists_at(gap[1])
-
-
-def has_begun(shape: RotoShape, frame: int, forward: bool) -> bool:
-    """Whether a run in this direction that begins on `frame` finds a key of a shape there, or behind it."""
-    return shape.frames[0] <= frame if forward else shape.frames[-1] >= frame
-
-
-def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
-    """The artist's key that a run in this direction carries to `frame`: the nearest one it passes, or None."""
-    keys = shape.artist_keys
-    if forward:
-        return next((key for key in reversed(keys) if key.frame <= frame), None)
-    return next((key for key in keys if key.frame >= frame), None)
 
 
 def source_of(shape: RotoShape, key: Keyframe) -> Keyframe | None:

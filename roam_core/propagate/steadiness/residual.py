@@ -12,7 +12,7 @@ from roam_core.arrays import Array, Float32, Indices
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
-from roam_core.geometry.polyline import following, preceding, signed_area
+from roam_core.geometry.polyline import following, outward_normals_of, preceding
 from roam_core.motion.flow import cell_flow
 from roam_core.params.steadiness import ResidualParams
 
@@ -37,10 +37,7 @@ class Places:
         along = bezier.derivative(points, self.segment, self.t)
         chord = following(positions) - preceding(positions)
         along = np.where(np.hypot(*along.T)[:, None] > np.finfo(np.float32).eps, along, chord)
-        length = np.hypot(*along.T)[:, None]
-        along = np.divide(along, length, out=np.zeros_like(along), where=length > 0)
-        side = 1.0 if signed_area(positions) > 0 else -1.0
-        return positions, side * np.stack([along[:, 1], -along[:, 0]], axis=1)
+        return positions, outward_normals_of(along, positions)
 
 
 @dataclass(frozen=True, eq=False)

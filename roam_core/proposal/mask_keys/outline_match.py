@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -49,19 +50,8 @@ def matched(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) 
     other. From the best the spline is bent to where it was matched, and matched again, ever more closely.
     """
     rough = _unmatched(points, ring, OUTLINE_MATCH.coarse, scale)
-    best = rough
-    for pose in [*poses, *_turned(rough.nodes, rough.samples)]:
-        for _ in range(OUTLINE_MATCH.settle):
-            found = _posed(rough, pose, scale)
-            best = min(best, found, key=lambda match: match.energy)
-            pose = similarity.fit(rough.nodes, rough.samples[found.at], rough.share)
-    pose = similarity.fit(rough.nodes, best.nodes)
-    start = _unmatched(points, ring, 1.0, scale)
-    best = _again(start, similarity.apply(pose, start.nodes), OUTLINE_MATCH.near[0] * scale)
-    for near, reach in zip(OUTLINE_MATCH.near[1:], OUTLINE_MATCH.reach, strict=True):
-        shift = _smoothed(best.samples[best.at] - best.nodes, best.share, reach * scale)
-        best = _again(best, best.nodes + shift, near * scale)
-    return best
+    pose = _best_pose(rough, [*poses, *_turned(rough.nodes, rough.samples)], scale)
+    return _bent(_unmatched(points, ring, 1.0, scale), pose, scale, lambda match: match.share)
 
 
 def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
@@ -75,18 +65,9 @@ def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale:
     points = bezier.polygon_points(nodes)
     some = np.arange(0, len(nodes), round(OUTLINE_MATCH.coarse))
     rough = _begun(points[some], nodes[some], some, np.add.reduceat(share, some), ring, OUTLINE_MATCH.coarse * scale)
-    best = rough
-    for pose in poses:
-        for _ in range(OUTLINE_MATCH.settle):
-            found = _posed(rough, pose, scale)
-            best = min(best, found, key=lambda match: match.energy)
-            pose = similarity.fit(rough.nodes, rough.samples[found.at], rough.share)
     start = _begun(points, nodes, np.arange(len(nodes)), share, ring, scale)
-    pose = similarity.fit(rough.nodes, best.nodes)
-    best = _again(start, similarity.apply(pose, start.nodes), OUTLINE_MATCH.near[0] * scale)
-    for near, reach in zip(OUTLINE_MATCH.near[1:], OUTLINE_MATCH.reach, strict=True):
-        shift = _smoothed(best.samples[best.at] - best.nodes, best.share * polyline.length(best.nodes), reach * scale)
-        best = _again(best, best.nodes + shift, near * scale)
+    pose = _best_pose(rough, poses, scale)
+    best = _bent(start, pose, scale, lambda match: match.share * polyline.length(match.nodes))
     count = len(best.samples)
     at = best.at[0] + (best.at - best.at[0]) % count
     around = np.concatenate([at[-1:] - count, at, at[:1] + count])
@@ -106,6 +87,29 @@ def _unmatched(points: Array, ring: Array, coarse: float, scale: float) -> Match
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
     return _begun(points, nodes, first, share, ring, coarse * scale)
+
+
+def _best_pose(rough: Match, poses: Iterable[Array], scale: float) -> Array:
+    """The similarity `(2, 3)` that carries the nodes nearest to the outline, found by settling from each of `poses`."""
+    best = rough
+    for pose in poses:
+        for _ in range(OUTLINE_MATCH.settle):
+            found = _posed(rough, pose, scale)
+            best = min(best, found, key=lambda match: match.energy)
+            pose = similarity.fit(rough.nodes, rough.samples[found.at], rough.share)
+    return similarity.fit(rough.nodes, best.nodes)
+
+
+def _bent(start: Match, pose: Array, scale: float, lengths: Callable[[Match], Array]) -> Match:
+    """Matched from a pose, then bent to where it was matched, and matched again, ever more closely.
+
+    `lengths` gives the pixels `(N,)` from each node to the next.
+    """
+    best = _again(start, similarity.apply(pose, start.nodes), OUTLINE_MATCH.near[0] * scale)
+    for near, reach in zip(OUTLINE_MATCH.near[1:], OUTLINE_MATCH.reach, strict=True):
+        shift = _smoothed(best.samples[best.at] - best.nodes, lengths(best), reach * scale)
+        best = _again(best, best.nodes + shift, near * scale)
+    return best
 
 
 def _posed(start: Match, pose: Array, scale: float) -> Match:

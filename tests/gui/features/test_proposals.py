@@ -19,7 +19,8 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS
 from roam_core.propagate.frame.result import FrameResult, Termination, TrackResult
 from roam_core.propagate.frame.topology_proposals import Proposal
-from roam_core.propagate.shapes.provenance import Stamps, governing_key
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.taking_part import governing_key
 from roam_core.proposal.reshaping.topology import TopologyChange, TopologyKind
 from roam_core.roto import Keyframe, Origin, RotoShape, edit, timing
 from roam_core.roto.layers import grouped

@@ -11,12 +11,12 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from app.jobs import filling
-from app.jobs.filling import gaps_of
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core import load_project, open_clip, save_project, to_engine
+from roam_core.propagate.shapes.gaps import gaps_of
 
 
 def main(given: str, out: str, processes: str) -> int:

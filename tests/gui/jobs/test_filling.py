@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from pytestqt.qtbot import QtBot
 
-from app.jobs.filling import gaps_of
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
 from roam_core.media import DamagedFrame, MissingFrame
+from roam_core.propagate.shapes.gaps import gaps_of
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import edit
 from tests.gui.jobs.spans import GAPS, RAMP, SQUARE, Engine, engine_frames

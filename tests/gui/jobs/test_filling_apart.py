@@ -17,6 +17,7 @@ from app.model.view_state import ViewState
 from roam_core.cli import spreading
 from roam_core.geometry.bezier import polygon_points
 from roam_core.propagate.between import span
+from roam_core.propagate.shapes.gaps import gaps_of
 from roam_core.roto import Clip, Project, edit
 from tests.conftest import ROOT
 from tests.gui.jobs.test_filling import RAMP
@@ -58,7 +59,7 @@ def test_few_frames_are_filled_here(
     monkeypatch.setattr(spreading, "spread", lambda *_, **__: pytest.fail("processes were started"))
     propagation = Propagation(document, view_state, runner, lambda frame: RAMP)
     propagation.processes = 8
-    gaps = filling.gaps_of([shape])
+    gaps = gaps_of([shape])
     assert sum(last - first - 1 for first, last in gaps) < filling.WORTH_PROCESSES
     with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
         propagation.fill([shape.id], gaps)

@@ -10,16 +10,17 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
+from app import style
 from app.features.boil import BoilOf, boil_of_document
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.boil_band import HEIGHT
-from app.timeline.keys.row_painter import DOUBT
+from app.timeline.keys.tips import TOLD
 from app.timeline.marks import on_each_frame
 from app.timeline.scale import TimeScale
 from app.timeline.timeline import Timeline
 from roam_core.review.boil import BOILING, boil
-from roam_core.roto import Project, RotoShape
+from roam_core.roto import Project, RotoShape, edit
 from tests.gui.timeline.places import x_of
 from tests.gui.waiting import WAIT
 
@@ -53,11 +54,19 @@ def test_the_lane_shows_the_most_of_the_shapes_in_hand(
     assert timeline.boil.most[:, 1].max() < BOILING, "of the other shape alone"
 
 
+def test_of_more_shapes_than_a_tip_names_their_number_is_told(timeline: Timeline, document: Document) -> None:
+    shapes = [bent(document.project.shapes[0], float(by)) for by in range(40, 40 + TOLD + 2)]
+    document.open(edit.add_items(Project(document.project.clip), shapes)[0], None)
+    lines = timeline.boil.tip_at(QPointF(x_of(timeline, BENT), 1.0)).splitlines()
+    assert len(lines) == 1 + TOLD + 1
+    assert lines[-1] == "and 2 more"
+
+
 def test_a_bar_beyond_the_line_has_the_colour_of_doubt(timeline: Timeline, document: Document) -> None:
     document.apply("Bend", document.project.with_shape(bent(document.project.shapes[0])))
     picture = timeline.boil.grab().toImage()
-    assert picture.pixelColor(x_of(timeline, BENT), HEIGHT - 4) == QColor(DOUBT)
-    assert picture.pixelColor(x_of(timeline, BENT + 8), HEIGHT - 4) != QColor(DOUBT)
+    assert picture.pixelColor(x_of(timeline, BENT), HEIGHT - 4) == QColor(style.DOUBT)
+    assert picture.pixelColor(x_of(timeline, BENT + 8), HEIGHT - 4) != QColor(style.DOUBT)
 
 
 def test_a_press_goes_to_the_frame(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:

@@ -10,9 +10,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
+from app import style
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.timeline.keys.row_painter import DOUBT, ROW
+from app.timeline.keys.row_painter import ROW
 from app.timeline.timeline import Timeline
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Layer, edit
@@ -54,9 +55,9 @@ def test_doubt_is_filled_in(timeline: Timeline, document: Document, tracked: str
         x = round(x_of(timeline, frame) * ratio) - 2
         return {QColor(image.pixel(x, round(y * ratio))).name() for y in range(2, ROW - 2)}
 
-    assert DOUBT in inks(DOUBTED)
-    assert DOUBT in inks(HIDDEN)
-    assert DOUBT not in inks(FIRST + 2)
+    assert style.DOUBT in inks(DOUBTED)
+    assert style.DOUBT in inks(HIDDEN)
+    assert style.DOUBT not in inks(FIRST + 2)
 
 
 def test_tips_say_what_lies_there(timeline: Timeline, tracked: str) -> None:

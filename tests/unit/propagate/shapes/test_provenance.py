@@ -13,16 +13,7 @@ import pytest
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import track
-from roam_core.propagate.shapes.provenance import (
-    Stamp,
-    Stamps,
-    clip_stamp,
-    fill_stamp,
-    governing_key,
-    is_stale,
-    outline_begun,
-    stamp,
-)
+from roam_core.propagate.shapes.provenance import Stamp, Stamps, clip_stamp, fill_stamp, is_stale, outline_begun, stamp
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape, edit
 from roam_core.roto.imported import import_stamp
 from tests.golden.shots import Shot
@@ -342,15 +333,6 @@ def test_fill_stamps_name_their_gap() -> None:
     assert fill_stamp([mine, beside], (1, 9), PARAMS, "") != fill_stamp([mine, beside], (1, 5), PARAMS, "")
     keyed = edit.key_here(mine, 5)
     assert stale_of([keyed, beside]) == [2, 3, 4, 6, 7, 8]
-
-
-def test_the_governing_key_is_the_last_one_passed() -> None:
-    keys = [replace(KEY, frame=frame) for frame in (2, 6)]
-    shape = RotoShape("a", "A", (*keys, replace(KEY, frame=4, origin=Origin.ENGINE)))
-    forward = [getattr(governing_key(shape, frame, True), "frame", None) for frame in (1, 2, 5, 6, 9)]
-    backward = [getattr(governing_key(shape, frame, False), "frame", None) for frame in (1, 2, 5, 6, 9)]
-    assert forward == [None, 2, 2, 6, 6]
-    assert backward == [2, 2, 6, 6, None]
 
 
 @KINDS
