@@ -40,9 +40,11 @@ def start(runner: Runner, config: str) -> Job:
     """Compile on the solver's thread what the configuration needs; a track that is asked for meanwhile waits for it."""
 
     def work(report: Report) -> str:
-        from roam_core.propagate.warming import warm_up
+        from roam_core.propagate.warming import warm_up, warm_up_parts
 
         warm_up(config)
+        report.token.check()
+        warm_up_parts(config)
         return ""
 
     return runner.start("warm-up", work)

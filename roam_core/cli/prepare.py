@@ -15,7 +15,6 @@ import cv2
 import numpy as np
 
 from roam_core import propagate
-from roam_core.arrays import Image
 from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
 from roam_core.geometry.bezier import polygon_points
@@ -57,41 +56,14 @@ def run(arguments: argparse.Namespace) -> int:
 def work() -> list[Step]:
     """All that has to be done once for every kernel to be compiled, with a name each."""
     tracking: list[Step] = [(f"tracking ({config})", partial(propagate.warm_up, config)) for config in CONFIGS]
-    return [*tracking, ("filling, a figure in parts", _filled), ("keys and mattes", _exported), ("masks", _imported)]
-
-
-def _figure() -> list[RotoShape]:
-    """Two parts of one object that hang together, and a hole in one of them; each with a key at either end."""
-    boxes = {"arm": (14, 24, 46, 40), "hand": (42, 22, 66, 44), "hole": (20, 28, 30, 36)}
-    shapes = []
-    for name, (left, top, right, bottom) in boxes.items():
-        corners = np.array([(left, top), (right, top), (right, bottom), (left, bottom)], dtype=np.float64)
-        keys = [Keyframe(frame, polygon_points(corners + 2.0 * frame)) for frame in (FRAMES[0], FRAMES[-1])]
-        shapes.append(RotoShape(name, name, tuple(keys), link="figure"))
-    return shapes
-
-
-def _pictures() -> dict[int, Image]:
-    """The figure as pictures `(h, w, 3)`, textured, so that there is something to follow."""
-    texture = np.random.default_rng(1).integers(0, 60, (SIZE[1], SIZE[0], 3)).astype(np.uint8)
-    pictures = {}
-    for frame in FRAMES:
-        matte = render_matte(_figure()[:2], frame, (SIZE[1], SIZE[0])) > 0.5
-        moved = np.roll(texture, (2 * frame, 2 * frame), axis=(0, 1))
-        pictures[frame] = np.where(matte[..., None], 180 + moved, texture + 20).astype(np.uint8)
-    return pictures
-
-
-def _filled() -> None:
-    pictures = _pictures()
-    parts = _figure()[:2]
-    propagate.fill_span(pictures, parts, FRAMES[0], FRAMES[-1])
-    for _ in propagate.track(pictures.__getitem__, [replace(part, keys=part.keys[:1]) for part in parts], FRAMES):
-        pass
+    parts = ("filling, a figure in parts", propagate.warm_up_parts)
+    return [*tracking, parts, ("keys and mattes", _exported), ("masks", _imported)]
 
 
 def _exported() -> None:
-    soft = replace(_figure()[0], motion_blur=MotionBlur(), feather=3.0)
+    box = np.array([(14, 24), (46, 24), (46, 40), (14, 40)], dtype=np.float64)
+    moved = tuple(Keyframe(frame, polygon_points(box + 2.0 * frame)) for frame in (FRAMES[0], FRAMES[-1]))
+    soft = RotoShape("warm-up", "warm-up", moved, motion_blur=MotionBlur(), feather=3.0)
     render_matte([soft], FRAMES[1], (SIZE[1], SIZE[0]))
     # A key on every frame, by which fewer can be found.
     dense = replace(soft, motion_blur=None, feather=0.0)

@@ -107,6 +107,7 @@ def affines(bones: Array, pose: Array) -> Array:
 def energies(view: View, samples: Samples, bones: Array, poses: Array, costs: Costs, prior: Prior, ties: Ties) -> Array:
     """What each of `poses (m, P)` costs, `(m,)`, prior and ties included."""
     result = np.empty(len(poses))
+    samples, ties = _packed(samples, ties)
     _energies(*view, *samples, bones, np.ascontiguousarray(poses), *costs, *prior, *ties, result)
     return result
 
@@ -115,8 +116,15 @@ def refined(
     view: View, samples: Samples, bones: Array, start: Array, costs: Costs, prior: Prior, ties: Ties, rounds: int
 ) -> tuple[Array, float]:
     """The pose `(P,)` that `rounds` of Levenberg and Marquardt lead to from `start (P,)`, and what it costs."""
+    samples, ties = _packed(samples, ties)
     pose, energy = _refined(*view, *samples, bones, np.ascontiguousarray(start), *costs, *prior, *ties, rounds)
     return np.asarray(pose), float(energy)
+
+
+def _packed(samples: Samples, ties: Ties) -> tuple[Samples, Ties]:
+    """The same with contiguous arrays: a kernel is compiled again for every other layout."""
+    places, skin, targets, weights = map(np.ascontiguousarray, (ties.places, ties.skin, ties.targets, ties.weights))
+    return Samples(*map(np.ascontiguousarray, samples)), Ties(places, skin, targets, weights, ties.reach)
 
 
 @njit(nogil=True, cache=True)

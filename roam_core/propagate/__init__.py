@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roam_core.propagate.memory import TrackMemory
     from roam_core.propagate.run import track
     from roam_core.propagate.tracker import Tracker
-    from roam_core.propagate.warming import warm_up
+    from roam_core.propagate.warming import warm_up, warm_up_parts
 
 __all__ = [
     "FrameResult",
@@ -27,6 +27,7 @@ __all__ = [
     "fill_span",
     "track",
     "warm_up",
+    "warm_up_parts",
 ]
 
 _ROOMS = {
@@ -35,6 +36,6 @@ _ROOMS = {
     "roam_core.propagate.memory": ("TrackMemory",),
     "roam_core.propagate.run": ("track",),
     "roam_core.propagate.tracker": ("Tracker",),
-    "roam_core.propagate.warming": ("warm_up",),
+    "roam_core.propagate.warming": ("warm_up", "warm_up_parts"),
 }
 __getattr__, __dir__ = offered(__name__, _ROOMS)

@@ -1,13 +1,20 @@
-"""Compiling every kernel ahead of the first track, by tracking a tiny picture; called from the worker thread."""
+"""Compiling every kernel ahead of the first track, by tracking tiny pictures; called from the worker thread."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
 from roam_core.geometry.bezier import polygon_points
-from roam_core.params import CONFIGS, RoamParams
+from roam_core.matte import render_matte
+from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
+from roam_core.propagate.between.span import fill_span
 from roam_core.propagate.run import track
 from roam_core.roto import Keyframe, RotoShape
+
+FRAMES = range(3)
+WIDTH, HEIGHT = 96, 72
 
 
 def warm_up(*configs: str | RoamParams) -> None:
@@ -18,3 +25,30 @@ def warm_up(*configs: str | RoamParams) -> None:
     for config in configs or CONFIGS:
         for _ in track(lambda frame: pictures[frame], [square], range(2), config):
             pass
+
+
+def warm_up_parts(config: str | RoamParams = DEFAULT_CONFIG) -> None:
+    """Track and fill a small figure of two parts, each of which moves by itself: what `warm_up` does not come to."""
+    parts = _figure()
+    texture = np.random.default_rng(1).integers(0, 60, (HEIGHT // 3, WIDTH // 3, 3)).repeat(3, axis=0).repeat(3, axis=1)
+    pictures = {}
+    for frame in FRAMES:
+        matte = render_matte(parts, frame, (HEIGHT, WIDTH)) > 0.5
+        moved = np.roll(texture, (2 * frame, 2 * frame), axis=(0, 1))
+        pictures[frame] = np.where(matte[..., None], 180 + moved, texture + 20).astype(np.uint8)
+    drawn = [replace(part, keys=part.keys[:1]) for part in parts]
+    for _ in track(pictures.__getitem__, drawn, FRAMES, config):
+        pass
+    fill_span(pictures, parts, FRAMES[0], FRAMES[-1], config)
+
+
+def _figure() -> list[RotoShape]:
+    """An arm and its hand, which overlap; each with a key at either end."""
+    shapes = []
+    boxes = {"arm": (14, 24, 46, 40), "hand": (42, 22, 66, 44)}
+    for (name, (left, top, right, bottom)), step in zip(boxes.items(), ((2, 2), (2, -1)), strict=True):
+        corners = np.array([(left, top), (right, top), (right, bottom), (left, bottom)], dtype=np.float64)
+        ends = (FRAMES[0], FRAMES[-1])
+        keys = tuple(Keyframe(frame, polygon_points(corners + np.multiply(step, frame))) for frame in ends)
+        shapes.append(RotoShape(name, name, keys))
+    return shapes

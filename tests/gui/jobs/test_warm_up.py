@@ -21,12 +21,13 @@ def test_kernels_are_compiled_on_the_solvers_thread(qtbot: QtBot, monkeypatch: p
         compiled.append((config, threading.current_thread() is threading.main_thread()))
 
     # By name: the package lends the module's name to its function.
-    monkeypatch.setattr(import_module("roam_core.propagate.warming"), "warm_up", compile_for)
+    for name in ("warm_up", "warm_up_parts"):
+        monkeypatch.setattr(import_module("roam_core.propagate.warming"), name, compile_for)
     runner = Runner("solver")
     with qtbot.waitSignal(warm_up.start(runner, "baseline").ended, timeout=WAIT) as ended:
         pass
     assert ended.args == [Ending.DONE, ""]
-    assert compiled == [("baseline", False)]
+    assert compiled == [("baseline", False)] * 2
     assert runner.close()
 
 

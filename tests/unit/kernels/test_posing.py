@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from roam_core.arrays import Array
+from roam_core.kernels import posing
 from roam_core.kernels.posing import RIM, Costs, Prior, Samples, Ties, View, affines, energies, refined
 from tests.reference.posing import ref_affines, ref_carried, ref_energy
 from tests.unit.kernels.conftest import EXACT
@@ -242,3 +243,24 @@ def test_outside_the_picture_nothing_is_seen_and_nothing_breaks() -> None:
         pose, cost = refined(view, samples, ONE, start, COSTS, prior_of(ONE, 0.0), NO_TIES, 10)
         assert np.isfinite(pose).all()
         assert cost == pytest.approx(COSTS.beyond)
+
+
+@CHAINS
+def test_whatever_the_layout_of_its_arrays_a_kernel_is_compiled_once(bones: Array) -> None:
+    """Templates are cut to every second place, and shares of bones stand in columns: each was compiled for."""
+    pose, samples = np.zeros(5 + len(bones)), samples_of(bones)
+    view, prior = a_view(bones, pose), prior_of(bones)
+    cut, packed = Samples(*(each[::2] for each in samples)), Samples(*(each[::2].copy() for each in samples))
+    rows = Ties(samples.places[:6], samples.skin[:6], samples.places[:6] + 1.0, np.ones(6), 3.0)
+    columns = rows._replace(skin=np.asfortranarray(rows.skin))
+
+    def solved(samples: Samples, ties: Ties) -> tuple[Array, Array]:
+        best, _ = refined(view, samples, bones, pose, COSTS, prior, ties, 5)
+        return best, energies(view, samples, bones, pose[None], COSTS, prior, ties)
+
+    expected = solved(packed, rows)
+    counts = len(posing._refined.signatures), len(posing._energies.signatures)
+    found = solved(cut, columns)
+    assert (len(posing._refined.signatures), len(posing._energies.signatures)) == counts
+    np.testing.assert_array_equal(found[0], expected[0])
+    np.testing.assert_array_equal(found[1], expected[1])

@@ -17,7 +17,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame
 from roam_core.params import CONFIGS, OBJECTS
-from roam_core.propagate import FrameResult, Termination, TrackMemory, fill_span, track, warm_up
+from roam_core.propagate import FrameResult, Termination, TrackMemory, fill_span, track
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import objects
 from roam_core.roto import BlendMode, Keyframe, Origin, Project, RotoShape, edit, file
@@ -302,12 +302,6 @@ def test_a_run_that_leaves_frames_out_goes_on_as_if_it_had_not_been_stopped(
 
 def test_one_frame_is_a_run_of_none(config: str, blob_shot: Shot) -> None:
     assert list(track(blob_shot.read, [blob_shot.shape()], blob_shot.frames[:1], config)) == []
-
-
-def test_warming_up_leaves_nothing_behind(config: str) -> None:
-    before = dict(CONFIGS)
-    warm_up(config)
-    assert before == CONFIGS
 
 
 # ---- the same bits in another process --------------------------------------------------------------------------------
