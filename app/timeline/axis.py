@@ -22,9 +22,15 @@ ZOOM, PAN = 1.25, 0.1
 
 
 class TimeAxis(QObject):
-    """Holds the scale; emits `changed` when it moved. Follows the playhead when it leaves the strip."""
+    """Holds the scale, and follows the playhead when it leaves the strip.
+
+    Signals
+    -------
+    changed() : other frames are in sight. fitted() : all of the clip was asked for.
+    """
 
     changed = Signal()
+    fitted = Signal()
 
     def __init__(self, view_state: ViewState, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -57,7 +63,9 @@ class TimeAxis(QObject):
         self.set_scale(self._scale.resized(width - RIGHT_MARGIN))
 
     def fit(self) -> None:
+        """Show all frames; what shows values over them shows all of these, too."""
         self.set_scale(self._scale.fitted())
+        self.fitted.emit()
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt
+from PySide6.QtCore import QEvent, QObject, QPointF, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QScrollBar, QWidget
 
@@ -17,12 +17,19 @@ HEIGHT = 10
 
 
 class PanHand(QObject):
-    """Drags the time under the pointer along with it, while the middle button is down over one of `widgets`."""
+    """Drags the time under the pointer along with it, while the middle button is down over one of `widgets`.
+
+    Signals
+    -------
+    dragged(widget, down) : over one of the widgets the pointer went down by so many pixels.
+    """
+
+    dragged = Signal(QObject, float)
 
     def __init__(self, axis: TimeAxis, *widgets: QWidget) -> None:
         super().__init__(axis)
         self._axis = axis
-        self._last: float | None = None
+        self._last: QPointF | None = None
         for widget in widgets:
             widget.installEventFilter(self)
 
@@ -30,12 +37,13 @@ class PanHand(QObject):
         if not isinstance(event, QMouseEvent):
             return False
         if event.type() == QEvent.Type.MouseMove and self._last is not None:
-            moved, self._last = event.position().x() - self._last, event.position().x()
-            self._axis.set_scale(self._axis.scale.panned(-moved / self._axis.scale.pixels))
+            moved, self._last = event.position() - self._last, event.position()
+            self._axis.set_scale(self._axis.scale.panned(-moved.x() / self._axis.scale.pixels))
+            self.dragged.emit(watched, moved.y())
             return True
         if event.button() != Qt.MouseButton.MiddleButton:
             return False
-        self._last = event.position().x() if event.type() == QEvent.Type.MouseButtonPress else None
+        self._last = event.position() if event.type() == QEvent.Type.MouseButtonPress else None
         return True
 
 

@@ -102,7 +102,8 @@ class Timeline(QWidget):
         for part in (self.ruler, self.marks, *keyed, self.curve_panel, self.confidence, self.boil, self.bar):
             column.addWidget(part)
         plots = self.confidence.lines.viewport(), self.boil, self.curves.plot.viewport()
-        PanHand(self.axis, self.ruler, self.marks, self.tracks, self.rows.viewport(), self.value_rows, *plots)
+        hand = PanHand(self.axis, self.ruler, self.marks, self.tracks, self.rows.viewport(), self.value_rows, *plots)
+        hand.dragged.connect(lambda over, down: self.curves.plot.pan(down) if over is plots[-1] else None)
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
         column.setStretchFactor(self.curve_panel, 4)
         self.keys.changed.connect(lambda: self.values.clear() if self.keys.places else None)

@@ -280,6 +280,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n shape(s) is/are opened or closed now.</source>
+        <translation>
+            <numerusform>%n Form ist jetzt geöffnet oder geschlossen.</numerusform>
+            <numerusform>%n Formen sind jetzt geöffnet oder geschlossen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n shape(s) is/are reversed now, on all keys.</source>
         <translation>
             <numerusform>%n Form läuft jetzt andersherum, auf allen Keyframes.</numerusform>
@@ -8701,6 +8708,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist ein einzelner Punkt; zum Tracken einen Umriss um das Objekt zeichnen.</translation>
     </message>
     <message>
+        <source>{name} is closed now.</source>
+        <translation>{name} ist jetzt geschlossen.</translation>
+    </message>
+    <message>
         <source>{name} is drawn: drag its points to adjust it, &lt;track.forward&gt; tracks it forward.</source>
         <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
     </message>
@@ -8771,6 +8782,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{name} is not tracked: the plate has no picture of frame {key}, where its key lies. Set one where it has (&lt;key.set&gt;).</source>
         <translation>{name} wird nicht getrackt: die Plate hat kein Bild von Frame {key}, wo der Keyframe liegt. Einen setzen, wo sie eines hat (&lt;key.set&gt;).</translation>
+    </message>
+    <message>
+        <source>{name} is open now and has no matte; &lt;points.toggle_closed&gt; closes it.</source>
+        <translation>{name} ist jetzt offen und hat keine Matte; &lt;points.toggle_closed&gt; schließt die Form.</translation>
     </message>
     <message>
         <source>{name} is open; close it (&lt;points.toggle_closed&gt; in the viewer) to track it.</source>

@@ -57,8 +57,9 @@ SYMBOLS = {
 class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
     """Drag keys in time and value, and the ends of tangents; drag a box around keys; Ctrl+Alt+click sets a key.
 
-    The wheel zooms time, with Ctrl values. A click takes the keyboard: then Delete means keys, Alt with arrows moves
-    them, Tab goes from key to key, and Ctrl+Shift with an arrow takes the next one to them.
+    The wheel zooms time, with Ctrl values; then the middle button pans both. A click takes the keyboard: then Delete
+    means keys, Alt with arrows moves them, Tab goes from key to key, and Ctrl+Shift with an arrow takes the next one to
+    them.
 
     Signals
     -------
@@ -87,7 +88,8 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         view = axis.view_state
         for signal in (document.changed, document.replaced, axis.changed, chosen.changed):
             signal.connect(self.pull)
-        view.selection_changed.connect(self.fit)
+        for signal in (axis.fitted, view.selection_changed):
+            signal.connect(self.fit)
         view.preview_changed.connect(self._pull_preview)
         view.frame_changed.connect(self._pull_playhead)
 
@@ -100,6 +102,15 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
     def fit(self) -> None:
         """Bring all values into sight, and keep them there."""
         self._is_fitted = True
+        self.pull()
+
+    def pan(self, down: float) -> None:
+        """Move the values in sight by so many pixels. While all are seen they stay: a hand that pans time shakes."""
+        if self._is_fitted:
+            return
+        low, high = self.values_in_sight
+        by = down / max(self.height(), 1) * (high - low)
+        self.values_in_sight = low + by, high + by
         self.pull()
 
     def places(self) -> frozenset[ValuePlace]:

@@ -224,9 +224,7 @@ class FeatherActions:
         if after == project:
             view.say(tr(NO_FEATHER))
         else:
-            here = range(view.frame, view.frame + 1)
-            if kept := why_kept(project, selected_shapes(project, view.selection), here, view.solo):
-                view.say(kept)
+            self._say_kept()
 
     def give_all_keys(self) -> None:
         """Give the feather that the selected points (all, where none is) have here to every key of their shapes."""
@@ -240,6 +238,14 @@ class FeatherActions:
             indices = selected_indices(shape, view.selection) if view.selection.points else range(shape.point_count)
             given.append(feather.on_all_keys(shape, view.frame, indices))
         self._document.apply(tr("Feather for all keys"), project.with_shapes(given))
+        self._say_kept()
+
+    def _say_kept(self) -> None:
+        """Say what keeps the first of the selected shapes that may not be edited here."""
+        view, project = self._view, self._document.project
+        here = range(view.frame, view.frame + 1)
+        if kept := why_kept(project, selected_shapes(project, view.selection), here, view.solo):
+            view.say(kept)
 
 
 def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Pointer) -> PointHit | None:

@@ -15,9 +15,12 @@ from ...model.document import Document
 from ...model.reasons import outdated_by, why_kept, why_not
 from ...model.shown import editable_shapes
 from ...model.view_state import Selection, ViewState, selected_shapes
-from ...translation import sentence_of, tr
+from ...translation import N_, sentence_of, tr
 from ..reshape import grab_selection, grabbed_indices, pixel_aspect, selected_indices, smoothed
 from ..settling import settled
+
+OPENED = N_("{name} is open now and has no matte; <points.toggle_closed> closes it.")
+CLOSED = N_("{name} is closed now.")
 
 
 class PointActions:
@@ -115,13 +118,19 @@ class PointActions:
         self._view.select(self._view.selection.shapes, frozenset({(shape.id, index)}))
 
     def toggle_closed(self) -> None:
-        """Close the open selected shapes and open the closed ones; of one that cannot be closed says why."""
-        project, refused = self._document.project, ""
+        """Close the open selected shapes and open the closed ones, and say so; of one that cannot be closed, why."""
+        project, refused, changed = self._document.project, "", list[RotoShape]()
         for shape in self._shapes():
             try:
                 project = project.with_shape(edit.toggle_closed(shape))
             except RoamError as error:
                 refused = refused or sentence_of(error)
+            else:
+                changed.append(shape)
+        if len(changed) == 1:
+            self._view.say(tr(OPENED if changed[0].closed else CLOSED, name=changed[0].name))
+        elif changed:
+            self._view.say(tr("%n shape(s) is/are opened or closed now.", "", len(changed)))
         self._apply(tr("Open or close shape"), project)
         if refused:
             self._view.say(refused)

@@ -75,6 +75,12 @@ def drag(plot: CurvePlot, start: QPointF, end: QPointF, modifiers: Qt.KeyboardMo
     send(plot, QEvent.Type.MouseButtonRelease, end, modifiers)
 
 
+def turn_wheel(plot: CurvePlot, at: QPointF, turn: int) -> None:
+    where, none = (at, QPointF(plot.mapToGlobal(at))), Qt.MouseButton.NoButton
+    event = QWheelEvent(*where, QPoint(), QPoint(0, turn), none, CTRL, Qt.ScrollPhase.NoScrollPhase, False)
+    QApplication.sendEvent(plot.viewport(), event)
+
+
 def click(plot: CurvePlot, at: QPointF, modifiers: Qt.KeyboardModifier = NONE) -> None:
     send(plot, QEvent.Type.MouseButtonPress, at, modifiers)
     send(plot, QEvent.Type.MouseButtonRelease, at, modifiers)
@@ -263,14 +269,36 @@ def test_ctrl_with_the_wheel_zooms_values_about_the_pointer_until_something_else
     timeline: Timeline, plot: CurvePlot
 ) -> None:
     at, whole = plot.key_point(1020, 80.0), plot.values_in_sight
-    where = at, QPointF(plot.mapToGlobal(at))
-    event = QWheelEvent(
-        *where, QPoint(), QPoint(0, 240), Qt.MouseButton.NoButton, CTRL, Qt.ScrollPhase.NoScrollPhase, False
-    )
-    QApplication.sendEvent(plot.viewport(), event)
+    turn_wheel(plot, at, 240)
     assert plot.values_in_sight[1] - plot.values_in_sight[0] < 0.8 * (whole[1] - whole[0])
     assert plot.value_at(at.y()) == pytest.approx(80.0)
     timeline.curves.show_kind(Kind.OPACITY)
+    assert plot.values_in_sight == whole
+
+
+def test_the_middle_button_pans_values_that_are_zoomed(qtbot: QtBot, plot: CurvePlot) -> None:
+    """Only time went along: what lay above the values in sight was reached by zooming out and in again."""
+    middle, port, whole = Qt.MouseButton.MiddleButton, plot.viewport(), plot.values_in_sight
+    for zooms in (False, True):
+        if zooms:
+            turn_wheel(plot, plot.key_point(1020, 50.0), 480)
+        before, at = plot.values_in_sight, QPoint(300, 40)
+        held = plot.value_at(at.y())
+        qtbot.mousePress(port, middle, pos=at)
+        qtbot.mouseMove(port, at + QPoint(0, 30))
+        qtbot.mouseRelease(port, middle, pos=at + QPoint(0, 30))
+        if not zooms:
+            assert plot.values_in_sight == whole
+        else:
+            assert plot.value_at(at.y() + 30) == pytest.approx(held)
+            assert np.ptp(plot.values_in_sight) == pytest.approx(np.ptp(before))
+
+
+def test_what_shows_the_whole_clip_shows_all_values_too(timeline: Timeline, plot: CurvePlot) -> None:
+    """After a zoom of the values, nothing that an artist looks for brought all of them back."""
+    whole = plot.values_in_sight
+    turn_wheel(plot, plot.key_point(1020, 50.0), 480)
+    timeline.handlers()["view.fit_time"]()
     assert plot.values_in_sight == whole
 
 
@@ -279,11 +307,7 @@ def test_values_are_zoomed_no_farther_than_they_can_be_told_apart(plot: CurvePlo
     at = plot.key_point(1020, 80.0)
     for turn in (120, -120):
         for _ in range(400):
-            where = at, QPointF(plot.mapToGlobal(at))
-            event = QWheelEvent(
-                *where, QPoint(), QPoint(0, turn), Qt.MouseButton.NoButton, CTRL, Qt.ScrollPhase.NoScrollPhase, False
-            )
-            QApplication.sendEvent(plot.viewport(), event)
+            turn_wheel(plot, at, turn)
         low, high = plot.values_in_sight
         assert 1e-3 <= high - low <= 1e7
 

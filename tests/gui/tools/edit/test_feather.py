@@ -12,7 +12,7 @@ from app.model.reasons import NOTHING_SELECTED
 from app.model.view_state import ViewState
 from app.tools.edit.feather import NO_FEATHER, FeatherActions
 from app.tools.edit.transform_actions import TransformActions
-from roam_core.geometry.bezier import ANCHOR, OUT
+from roam_core.geometry.bezier import ANCHOR, OUT, polygon_points
 from roam_core.matte import shape_matte
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.shapes.provenance import Stamps
@@ -187,6 +187,15 @@ def test_the_feather_is_given_to_all_keys(
     np.testing.assert_allclose(across(only), [12] * 5, atol=1e-6)
     assert stale(document, only()) == []
     assert document.undo_stack.undoText() == "Feather for all keys"
+
+
+def test_shapes_that_are_given_no_feather_are_told(tracked: Hand, document: Document, view_state: ViewState) -> None:
+    """Of several shapes one was left out without a word; taking a feather back tells it."""
+    project, other = edit.new_shape(document.project, polygon_points([(10, 10), (20, 10), (20, 20)]), 1)
+    document.apply("Other", edit.set_properties(project, other.id, locked=True))
+    view_state.select(frozenset({"shape-1", other.id}))
+    FeatherActions(document, view_state).give_all_keys()
+    assert view_state.message == f"{other.name!r} is locked or hidden; unlock and show it to edit it."
 
 
 def test_without_a_shape_there_is_no_feather_to_give(document: Document, view_state: ViewState) -> None:

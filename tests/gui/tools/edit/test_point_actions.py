@@ -366,6 +366,21 @@ def test_what_can_be_closed_is(canvas: CanvasView, document: Document, view_stat
     assert "needs at least 3 points" in view_state.message
 
 
+def test_what_was_opened_or_closed_is_told(
+    canvas: CanvasView, document: Document, view_state: ViewState, three: list[str]
+) -> None:
+    """After C the status bar still said of a shape that was drawn open: it is open, C closes it."""
+    view_state.select(frozenset({three[0]}))
+    view_state.advise("Shape 1 is drawn: it is open.")
+    canvas.points.toggle_closed()
+    assert view_state.message == "Shape 1 is open now and has no matte; C closes it."
+    canvas.points.toggle_closed()
+    assert view_state.message == "Shape 1 is closed now."
+    view_state.select(frozenset(three[:2]))
+    canvas.points.toggle_closed()
+    assert view_state.message == "2 shapes are opened or closed now."
+
+
 def test_steps_count_what_they_changed(
     canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState, three: list[str]
 ) -> None:
