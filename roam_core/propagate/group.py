@@ -23,9 +23,11 @@ from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termin
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import cuts, near, stacked, units
+from roam_core.propagate.shapes.taking_part import governing_key
 from roam_core.roto import Origin, RotoShape
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys, set_key
+from roam_core.roto.feather import turned
 from roam_core.translatable import sentence
 
 
@@ -191,8 +193,9 @@ class GroupTracker:
             stamped = self._stamp(frame, forward=frame > before, shapes=shapes)
             for k, shape in enumerate(shapes):
                 if set_in_part[k] is in_part and not given[k] and shape.exists_at(frame):
-                    key = engine_key(frame, solved[k], shape.at(before).feather, stamped)
-                    shapes[k] = set_engine_keys(shape, [key])
+                    drawn = governing_key(shape, frame, frame > before) or shape.at(before)
+                    soft = turned(drawn.feather, drawn.points, solved[k].points)
+                    shapes[k] = set_engine_keys(shape, [engine_key(frame, solved[k], soft, stamped)])
         return tuple(shapes)
 
     def _correct(

@@ -1,4 +1,4 @@
-"""The feather curve, point by point: pulling it out of the outline, turning its handles, taking it back.
+"""The feather curve, point by point: pulled out of the outline, taken back, and turned as the outline turns.
 
 A key's `feather (P, 3, 2)` is the curve minus the outline's Bezier points, for anchor, in- and out-handle; None is a
 curve that lies on the outline everywhere.
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from roam_core.arrays import Array
+from roam_core.geometry import similarity
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto.control_points import points_of
 from roam_core.roto.imported import is_import
@@ -105,11 +106,36 @@ def reset(indices: Iterable[int]) -> Change:
     return change
 
 
+def turned(feather: Array | None, before: Array, after: Array) -> Array | None:
+    """The feather `(P, 3, 2)` of an outline that goes from `before (P, 3, 2)` to `after`, turned as a whole as it is.
+
+    Its widths stay. One turn is told by all points: the direction of an outline at a single point shakes as it is
+    tracked. None stays None.
+    """
+    if feather is None or np.array_equal(before, after):
+        return feather
+    linear = similarity.fit(before[:, ANCHOR], after[:, ANCHOR])[:, :2]
+    size = np.hypot(*linear[:, 0])
+    return feather if size < 1e-9 else np.asarray(feather @ (linear.T / size))
+
+
+def between_keys(drawn: RotoShape, frame: int, points: Array) -> Array | None:
+    """The feather of an outline `points (P, 3, 2)` on `frame`, by the keys of `drawn`.
+
+    From one key to the next it goes over from one feather to the other, each `turned` as the outline is; beyond the
+    last it stays.
+    """
+    passed = [key for key in drawn.keys if key.frame <= frame]
+    around = (*passed[-1:], *drawn.keys[len(passed) :][:1])
+    keys = tuple(replace(key, feather=turned(key.feather, key.points, points)) for key in around)
+    return replace(drawn, keys=keys).at(frame).feather
+
+
 def carried_on(shape: RotoShape, frame: int) -> RotoShape:
     """The shape whose tracked frames have the feather of the artist's keys around them, next to that on `frame`.
 
-    From a key to the next one of the artist's it goes over from one feather to the other; beyond the last it stays.
-    Nothing changes where the frame holds no artist's key. Keys of an imported file keep what the file says.
+    It is as `between_keys`. Nothing changes where the frame holds no artist's key. Keys of an imported file keep what
+    the file says.
     """
     if frame not in shape.artist_frames:
         return shape
@@ -117,7 +143,7 @@ def carried_on(shape: RotoShape, frame: int) -> RotoShape:
     last = min((other for other in shape.artist_frames if other > frame), default=None)
     drawn = replace(shape, keys=shape.artist_keys)
     return shape.with_keys(
-        replace(key, feather=drawn.at(key.frame).feather)
+        replace(key, feather=between_keys(drawn, key.frame, key.points))
         for key in shape.keys
         if key.origin is Origin.ENGINE
         and not is_import(key)

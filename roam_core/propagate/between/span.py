@@ -37,7 +37,7 @@ from roam_core.propagate.shapes.objects import cuts, near, stacked, units
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.taking_part import takes_part
 from roam_core.propagate.steadiness.steadied import steadied
-from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, feather
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
 from roam_core.roto.given import shapes_of
@@ -252,7 +252,7 @@ class Filling:
                 # Feather goes over from the one artist key to the other.
                 drawn = RotoShape(shapes[k].id, shapes[k].name, shapes[k].artist_keys)
                 made[k] = [
-                    engine_key(frame, outline, drawn.at(frame).feather, inputs)
+                    engine_key(frame, outline, feather.between_keys(drawn, frame, outline.points), inputs)
                     for frame, solved in found
                     if (outline := solved[place]) is not None
                 ]

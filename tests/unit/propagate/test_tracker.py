@@ -19,6 +19,7 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import CONFIGS, params_for, scale_for
 from roam_core.propagate import Termination, Tracker, track
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
+from roam_core.roto.feather import turned
 from tests.golden.shots import Shot, gliding, outline_distance, square
 
 pytestmark = pytest.mark.parametrize("config", list(CONFIGS))
@@ -208,12 +209,13 @@ def test_a_correction_without_a_key_on_the_frame_sets_one(config: str, blob_shot
     assert tracker.shape == ended
 
 
-def test_the_feather_curve_rides_along(config: str, blob_shot: Shot) -> None:
+def test_the_feather_curve_rides_along_and_turns_with_the_outline(config: str, blob_shot: Shot) -> None:
     soft = np.full((6, 3, 2), 2.0)
     shape = RotoShape("a", "A", (Keyframe(1001, blob_shot.truth(1001), soft),))
     after = tracked(blob_shot, config, shape)
+    assert len(after.keys) == len(blob_shot.frames)
     for key in after.keys:
-        np.testing.assert_array_equal(key.feather, soft)
+        np.testing.assert_array_equal(key.feather, turned(soft, blob_shot.truth(1001), key.points))
 
 
 # ---- what is refused, and what fails with a name ---------------------------------------------------------------------

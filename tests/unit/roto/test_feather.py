@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
 from roam_core.roto import Keyframe, Origin, RotoShape, edit, feather
 from roam_core.roto.imported import IMPORT
@@ -122,6 +123,39 @@ def test_beyond_the_last_key_a_feather_stays() -> None:
     one = feather.carried_on(feathered(tracked(4), 4, 8.0), 4)
     assert set(widths(one).values()) == {8.0}
     assert one.artist_frames == (4,)
+
+
+QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])
+"""Turns rows of x and y by a quarter."""
+
+
+def test_a_feather_turns_with_the_outline_as_a_whole_and_keeps_its_width() -> None:
+    """A limb that swung by a quarter had its soft edge on the side where it lay before."""
+    soft = feathered(tracked(1), 1, 8.0).keys[0].feather
+    assert soft is not None
+    after = 1.5 * SQUARE @ QUARTER + 30.0
+    found = feather.turned(soft, SQUARE, after)
+    assert found is not None
+    np.testing.assert_allclose(found, soft @ QUARTER, atol=1e-12)
+    assert feather.turned(None, SQUARE, after) is None
+    np.testing.assert_array_equal(feather.turned(soft, SQUARE, np.zeros_like(SQUARE)), soft)
+
+
+def test_between_two_keys_that_turn_a_feather_keeps_its_width() -> None:
+    one = RotoShape("a", "A", tuple(Keyframe(f, p, feather=o) for f, p, o in turning()))
+    here = SQUARE @ (np.eye(2) + QUARTER) / np.sqrt(2.0)
+    found = feather.between_keys(one, 5, here)
+    assert found is not None
+    np.testing.assert_allclose(np.hypot(*found[0, ANCHOR]), 8.0)
+    for frame, points, offset in turning():
+        np.testing.assert_allclose(feather.between_keys(one, frame, points), offset, atol=1e-12)
+
+
+def turning() -> list[tuple[int, Array, Array]]:
+    """Frames, outlines and feathers of a square that turns by a quarter; its first feather point is 8 px out."""
+    soft = np.zeros_like(SQUARE)
+    soft[0] = [-8.0, 0.0]
+    return [(1, SQUARE, soft), (9, SQUARE @ QUARTER, soft @ QUARTER)]
 
 
 def test_on_a_frame_without_a_key_of_the_artists_nothing_is_carried() -> None:
