@@ -52,3 +52,12 @@ def _writable(folder: Path, name: str) -> Path:
 def cache_folder() -> Path:
     """The folder of what can be made again at any time, such as the demo's frames; else a private temporary one."""
     return _writable(platformdirs.user_cache_path("roam", appauthor=False), "roam-cache")
+
+
+def called(plate: Path) -> str:
+    """The name of a plate as the artist knows it.
+
+    A folder of the application's own cache, such as the demo's, is a name and a hash of its version; the hash says
+    nothing to an artist.
+    """
+    return plate.name.rpartition("-")[0] or plate.name if plate.parent == cache_folder() else plate.name

@@ -57,14 +57,14 @@ class Navigation:
         if later := [frame for frame in self._stops() if frame > self._view.frame]:
             self._view.set_frame(min(later))
         else:
-            self._view.say(tr("There is no key after this frame."))
+            self._view.say_here(tr("There is no key after this frame."))
 
     def previous_key(self) -> None:
         """Go to the one before, likewise."""
         if earlier := [frame for frame in self._stops() if frame < self._view.frame]:
             self._view.set_frame(max(earlier))
         else:
-            self._view.say(tr("There is no key before this frame."))
+            self._view.say_here(tr("There is no key before this frame."))
 
     def set_in(self) -> None:
         frame, (_, stop) = self._view.frame, self._view.play_range
@@ -87,7 +87,7 @@ class Navigation:
         self._view.set_frame(min(max(min(keys, default=first), first), stop - 1))
 
     def _stops(self) -> set[int]:
-        """Where something is set by hand: keys, of opacity and feather too, and changes of what hides what.
+        """Where something is set by hand: keys, of opacity and feather too, of tracks, and changes of what hides what.
 
         What lies beside the clip's frames is not gone to.
         """
@@ -98,7 +98,9 @@ class Navigation:
         ]
         items: list[Layer | RotoShape] = [*layers, *shapes]
         values = {frame for item in items for value in values_of_item(item).values() for frame in frames_of(value)}
-        stops = self._key_frames() | values | {frame for shape in shapes for frame, _ in shape.depth}
+        around = {layer.id: layer for shape in shapes for layer in project.layers_above(shape.id)}
+        adjusted = {key for layer in around.values() if layer.transform for key in layer.transform.adjusted}
+        stops = self._key_frames() | values | adjusted | {frame for shape in shapes for frame, _ in shape.depth}
         return {frame for frame in stops if project.clip is None or frame in project.clip.frame_range}
 
     def _key_frames(self) -> set[int]:

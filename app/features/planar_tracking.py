@@ -63,7 +63,7 @@ class PlanarTracking:
         if self._document.project.clip is None:
             self._view.say(tr(NO_CLIP))
         elif len(frames) < 2:
-            self._view.say(why_not_on(self._clip(), frames))
+            self._view.say_here(why_not_on(self._clip(), frames))
         elif shapes := self._trackable():
             ids = [shape.id for shape in shapes]
             frames = range(self._begin(shapes, frames.step), frames.stop, frames.step)
@@ -99,12 +99,12 @@ class PlanarTracking:
         if not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able:
-            self._view.say(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
+            self._view.say_here(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
         elif self._points([shape.id for shape in able], self._view.frame) is not None:
             return able
         elif not any(shape.closed for shape in able):
             name = able[0].name
-            self._view.say(
+            self._view.say_here(
                 tr("{name} is open; close it (<points.toggle_closed> in the viewer) to track its plane.", name=name)
             )
             return []

@@ -141,7 +141,7 @@ class Proposals(QObject):
             self._document.apply(_title(offer.proposal), project)
             self._view.select(frozenset(ids))
             key = "<track.forward>" if offer.step > 0 else "<track.backward>"
-            self._view.say(tr("Kept: it is yours now. {key} tracks on from here.", key=key))
+            self._view.say_here(tr("Kept: it is yours now. {key} tracks on from here.", key=key))
 
     def refuse(self) -> None:
         """Leave the shape as it is; the frames around, on which the same is proposed, are not asked about either."""
@@ -154,6 +154,7 @@ class Proposals(QObject):
                     place = shape_id, place[1] + way
             del self._offers[shape_id, frame]
             self.changed.emit()
+            self._view.say(self.told(tr("Left as it is.")))  # how many wait was told before
 
     def keep_always(self) -> None:
         """Make the change, and from now on every one that is proposed for this shape."""

@@ -163,7 +163,7 @@ class Tracking:
         if not later:
             self.forward()
         elif min(later) == frame + 1:
-            self._view.say(tr("The next frame is a key already: there is nothing to track before it."))
+            self._view.say_here(tr("The next frame is a key already: there is nothing to track before it."))
         else:
             self._run(1, min(later))
 
@@ -177,11 +177,11 @@ class Tracking:
                     [shape.id for shape in shapes], gaps, self.configuration, alone=self.scope is Scope.ALONE
                 )
             elif not any(shape.exists_at(self._view.frame) for shape in shapes):
-                self._view.say(does_not_exist(shapes[0], self._view.frame))
+                self._view.say_here(does_not_exist(shapes[0], self._view.frame))
             elif self._is_within_range and gaps_of(shapes):
-                self._view.say(tr(NO_GAP_WITHIN))
+                self._view.say_here(tr(NO_GAP_WITHIN))
             else:
-                self._view.say(tr(NO_GAP))
+                self._view.say_here(tr(NO_GAP))
 
     def next_doubtful(self) -> None:
         self._go_to_doubtful(1)
@@ -204,11 +204,11 @@ class Tracking:
             if frame in clip
         ]
         if not tracked:
-            self._view.say(tr("No frame is tracked yet."))
+            self._view.say_here(tr("No frame is tracked yet."))
             return
         _, frame, sentence = min(tracked, key=lambda each: each[:2])
         self._view.set_frame(frame)
-        self._view.say(sentence())
+        self._view.say_here(sentence())
 
     # ---- the rest is private
 
@@ -220,7 +220,7 @@ class Tracking:
         if self._document.project.clip is None:
             self._view.say(tr(NO_CLIP))
         elif len(frames) < 2:
-            self._view.say(why_not_on(self._clip(), frames))
+            self._view.say_here(why_not_on(self._clip(), frames))
         elif shapes := self._trackable():
             begin = seen_from(self._view.frame, step, self._clip(), self._without_picture())
             begun = [shape for shape in shapes if has_begun(shape, begin, step > 0)]
@@ -233,7 +233,7 @@ class Tracking:
             elif any(shape.exists_at(frame) for frame in frames[1:] for shape in left_out):
                 self._tell_of_left_out(left_out, step)
             else:
-                self._view.say(does_not_exist(shapes[0], frames[1]))
+                self._view.say_here(does_not_exist(shapes[0], frames[1]))
 
     def _tell_of_left_out(self, left_out: Sequence[RotoShape], step: int) -> None:
         """Say which shapes a run cannot begin with: their outline on its first frame is a mere copy of a key ahead.
@@ -297,13 +297,13 @@ class Tracking:
         if not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able and project.is_locked(shapes[0].id):
-            self._view.say(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
+            self._view.say_here(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
         elif not able and shapes[0].closed:
-            self._view.say(
+            self._view.say_here(
                 tr("{name} is a single point; draw an outline around the object to track it.", name=shapes[0].name)
             )
         elif not able:
-            self._view.say(
+            self._view.say_here(
                 tr("{name} is open; close it (<points.toggle_closed> in the viewer) to track it.", name=shapes[0].name)
             )
         return able
@@ -332,10 +332,10 @@ class Tracking:
         if inside := [each for each in doubtful if each[2] in clip]:
             _, _, frame, sentence = min(inside, key=lambda each: each[:2])
             self._view.set_frame(frame)
-            self._view.say(sentence)
+            self._view.say_here(sentence)
         else:
             none = tr("No doubtful frame after frame {frame}.", frame=here)
-            self._view.say(none if step > 0 else tr("No doubtful frame before frame {frame}.", frame=here))
+            self._view.say_here(none if step > 0 else tr("No doubtful frame before frame {frame}.", frame=here))
 
 
 def _track_sentence(name: str, frame: int, trust: float) -> str:

@@ -33,12 +33,12 @@ from ..widgets.asking import ask
 from ..widgets.focus import end_typing
 from .failed_exports import FailedExports
 from .files import Files
+from .plate_names import file_stem
 from .reading import holds_project
 
 if TYPE_CHECKING:
     from ..dialogs.clip_dialog import ClipDialog
     from ..dialogs.export_dialog import ExportDialog
-
 
 NOTHING_TO_EXPORT = N_("There is nothing to export yet; open a clip first.")
 
@@ -275,7 +275,7 @@ class FileActions(QObject):
     def suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:
         """The file that is proposed for what is written of the project."""
         clip = self._document.project.clip
-        stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
+        stem = self._document.path.stem if self._document.path else (file_stem(clip) if clip else "untitled")
         return self._start_folder(purpose) / f"{stem}{suffix}"
 
     # ---- the rest is private

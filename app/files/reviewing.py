@@ -72,7 +72,7 @@ class Reviewing(QObject):
         if asked:
             self._writing.measure(asked)
         else:
-            self._view.say(tr("Nothing is tracked yet whose boil could be measured."))
+            self._view.say_here(tr("Nothing is tracked yet whose boil could be measured."))
 
     def _open(self, output: Output) -> None:
         # Imported late: what encodes movies loads when it is asked for.

@@ -183,7 +183,7 @@ class PlanarTrack(QObject):
         run.reached = frame
         if self._view.frame == run.shown_frame and not self._view.keeps_frame:
             run.shown_frame = frame
-            self._view.set_frame(frame)
+            self._view.set_frame(frame, is_of_run=True)
         if is_doubtful(found.confidence) and not run.warned:
             run.warned = True
             self.doubted.emit(

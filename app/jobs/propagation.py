@@ -270,7 +270,7 @@ class Propagation(QObject):
         """Take the playhead along, unless the artist went to look at another frame, plays, or is busy on this one."""
         if self._view.frame == run.shown_frame and not self._view.keeps_frame:
             run.shown_frame = frame
-            self._view.set_frame(frame)
+            self._view.set_frame(frame, is_of_run=True)
 
     def _guard(self, ids: frozenset[str]) -> None:
         """An edit, undo or redo that touches the curves under work ends the run: its results would be of the past.

@@ -36,6 +36,10 @@ class Selection:
         return found
 
 
+Place = tuple[int, tuple[int, int], frozenset[str], frozenset[str]]
+"""A frame, in and out, and the ids of the shapes and of the layers that are selected."""
+
+
 class ViewState(QObject):
     """Frame, selection, tool, drag preview, play range.
 
@@ -62,8 +66,10 @@ class ViewState(QObject):
         self._range = (1, 2)
         self.is_playing = False
         """Whether the clip is played: the playhead goes its own way."""
-        self._message = self._hint = self._advice = self._of_picture = ""
-        self._is_said_just_now = self._is_said_in_drag = self._is_reading = False
+        self._said = self._hint = self._advice = self._of_picture = ""
+        self._is_said_just_now = self._is_said_in_drag = self._is_reading = self._can_wait = False
+        self._told_of: Place | None = None
+        """What the sentence is about, where it is about a place."""
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
@@ -80,13 +86,18 @@ class ViewState(QObject):
     def frame(self) -> int:
         return self._frame
 
-    def set_frame(self, frame: int) -> None:
-        """Show a frame; of those that the clip does not have, the one at its nearer end."""
+    def set_frame(self, frame: int, *, is_of_run: bool = False) -> None:
+        """Show a frame; of those that the clip does not have, the one at its nearer end.
+
+        Where a run takes the playhead along (`is_of_run`), what was told of the frame before is still to be read.
+        """
         if self._clip is not None:
             frame = min(max(frame, self._clip[0]), self._clip[-1])
         if frame != self._frame:
             self._frame = frame
             self.frame_changed.emit()
+            if not is_of_run:
+                self._leave_place()
 
     def hold_inside(self, frames: range | None) -> None:
         """The clip has these frames, and no other is shown from now on; None: there is no clip."""
@@ -115,11 +126,9 @@ class ViewState(QObject):
         if layers is None:
             layers = self._layers if selection == self._selection else frozenset()
         if (selection, layers) != (self._selection, self._layers):
-            is_about_others = selection.shapes != self._selection.shapes
             self._selection, self._layers = selection, layers
             self.selection_changed.emit()
-            if is_about_others and self._advice and self._message == self._advice:
-                self.say(self._hint)
+            self._leave_place()
 
     @property
     def tool(self) -> str:
@@ -162,6 +171,7 @@ class ViewState(QObject):
         if (first, stop) != self._range and stop > first:
             self._range = (first, stop)
             self.range_changed.emit()
+            self._leave_place()
 
     @property
     def keymap(self) -> Keymap:
@@ -170,41 +180,63 @@ class ViewState(QObject):
 
     def set_keymap(self, keymap: Keymap) -> None:
         if keymap != self._keymap:
-            self._keymap = keymap
+            before, self._keymap = self.message, keymap
             self.keymap_changed.emit()
+            if self.message != before:
+                self.message_changed.emit()
 
     @property
     def message(self) -> str:
-        """The sentence in the status bar: an error, or what to do next."""
-        return self._message
+        """The sentence in the status bar: an error, or what to do next; it names the keys that hold now."""
+        return told(self._said, self._keymap)
 
     @property
     def is_reading(self) -> bool:
         """Whether the sentence is a measure that changes with the hand: no message to look up later."""
         return self._is_reading
 
-    def say(self, sentence: str, *, is_reading: bool = False) -> None:
+    @property
+    def can_wait(self) -> bool:
+        """Whether the sentence, the end of some work, may wait until what stands in the status bar has been read."""
+        return self._can_wait
+
+    def say(self, sentence: str, *, is_reading: bool = False, can_wait: bool = False) -> None:
         """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
-        self._is_reading = is_reading
-        self._message = told(sentence, self._keymap)
+        self._is_reading, self._can_wait = is_reading, can_wait
+        self._told_of = None
+        self._said = sentence
         self._is_said_just_now, self._is_said_in_drag = True, self._preview is not None
         QTimer.singleShot(0, self, self._age)
         self.message_changed.emit()
 
-    def advise(self, sentence: str) -> None:
-        """Tell what to do next with the shapes that are selected; when others are, it goes."""
+    def say_here(self, sentence: str) -> None:
+        """Tell something of this frame, of in and out or of what is selected; when these are others, it goes."""
         self.say(sentence)
-        self._advice = self._message
+        self._told_of = self._place
+
+    @property
+    def _place(self) -> Place:
+        return self._frame, self._range, self._selection.shapes, self._layers
+
+    def _leave_place(self) -> None:
+        """What was told of a place that is left is untrue now, or about nothing that is looked at."""
+        if self._told_of not in (None, self._place):
+            self.say(self._hint)
+
+    def advise(self, sentence: str) -> None:
+        """Tell what to do next with the shapes that are selected, on this frame; the artist's edits leave it."""
+        self.say_here(sentence)
+        self._advice = sentence
 
     def say_of_picture(self, sentence: str) -> None:
         """Tell why there is no picture; where there is one again, it goes."""
         self.say(sentence)
-        self._of_picture = self._message
+        self._of_picture = sentence
 
     def note_picture(self, _frame: int, picture: object) -> None:
         """A frame is shown, or has no picture (None)."""
         if picture is not None and self._of_picture:
-            if self._message == self._of_picture:
+            if self._said == self._of_picture:
                 self.say(self._hint)
             self._of_picture = ""
 
@@ -214,7 +246,7 @@ class ViewState(QObject):
         The tool's hint and advice stay, and so does what was said just now, or in the drag that ends with this edit.
         """
         is_of_drag = self._is_said_in_drag and self._preview is not None
-        if not self._is_said_just_now and not is_of_drag and self._message not in (self._hint, self._advice):
+        if not self._is_said_just_now and not is_of_drag and self._said not in (self._hint, self._advice):
             self.say(self._hint)
 
     def _age(self) -> None:
@@ -224,9 +256,9 @@ class ViewState(QObject):
         """Tell what the tool in the hand expects, in place of the last tool's hint, which goes also where `hint` is
         empty; any other message then stays, as it does where the hint `is_shy`.
         """
-        if (hint and not is_shy) or (self._hint and self._message == self._hint):
+        if (hint and not is_shy) or (self._hint and self._said == self._hint):
             self.say(hint)
-        self._hint = told(hint, self._keymap)
+        self._hint = hint
 
 
 def selected_shapes(project: Project, selection: Selection) -> list[RotoShape]:

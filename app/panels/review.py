@@ -124,7 +124,7 @@ class ReviewPanel(QWidget):
         self._view.set_frame(entry.frame)
         if entry.shape:
             place = {"frame": entry.frame, "text": entry.text, "value": entry.value}
-            self._view.say(tr("Frame {frame}: {text}, {value}.", **place))
+            self._view.say_here(tr("Frame {frame}: {text}, {value}.", **place))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

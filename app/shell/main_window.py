@@ -254,7 +254,7 @@ class MainWindow(QMainWindow):
         reader.refused.connect(view.say_of_picture)
         reader.cache_changed.connect(self.timeline.ruler.update)
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
-        self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
+        self.propagation.finished.connect(lambda ending, text: status.tell_end(ending, self.proposals.told(text)))
         self.under_way.changed.connect(self._pull_running)
         self.file_actions.leaving.connect(self.under_way.drop_edits)
         self.planar.doubted.connect(view.say)

@@ -192,7 +192,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             doubted = frozenset((shape_id, index) for index in doubtful_points(shape, view.frame))
             chosen = view.selection.shapes
             view.select(chosen if shape_id in chosen else frozenset([shape_id]), doubted)
-            view.say(doubt_sentence(shape, view.frame))
+            view.say_here(doubt_sentence(shape, view.frame))
 
     def viewportEvent(self, event: QEvent) -> bool:
         return tells(event, self.viewport(), self.tip_at) or bool(super().viewportEvent(event))

@@ -174,7 +174,8 @@ class MarkBand(TippedWidget):
         painter.setFont(style.small(self.font()))
         painter.setPen(QColor(style.WEAK))
         painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, tr("marks"))
-        painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, HEIGHT))
+        left = LABEL_WIDTH - FLAG  # the flag of the first frame is whole
+        painter.setClipRect(QRectF(left, 0, self.width() - left, HEIGHT))
         marks = self._moved().marks
         for mark, following in pairwise([*marks, None]):
             assert mark is not None
@@ -186,12 +187,13 @@ class MarkBand(TippedWidget):
     def _paint_mark(self, painter: QPainter, mark: Mark, room: float) -> None:
         """A flag, and as much of its word as fits before the next one."""
         x = self._axis.scale.x(mark.frame)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(COLOUR))
-        corners = ((-FLAG, 4), (FLAG, 4), (FLAG, 10), (0, 15), (-FLAG, 10))
-        painter.drawPolygon(QPolygonF([QPointF(x + dx, y) for dx, y in corners]))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        if not self._axis.scale.has_left_of(mark.frame):
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(COLOUR))
+            corners = ((-FLAG, 4), (FLAG, 4), (FLAG, 10), (0, 15), (-FLAG, 10))
+            painter.drawPolygon(QPolygonF([QPointF(x + dx, y) for dx, y in corners]))
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         width = room - x - 3 * FLAG
         if mark.text and width > 12:
             text = painter.fontMetrics().elidedText(

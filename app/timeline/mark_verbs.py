@@ -58,7 +58,7 @@ class MarkVerbs:
         if beyond:
             self._view.set_frame(min(beyond) if step > 0 else max(beyond))
         else:
-            self._view.say(tr(NONE_AFTER if step > 0 else NONE_BEFORE))
+            self._view.say_here(tr(NONE_AFTER if step > 0 else NONE_BEFORE))
 
 
 def remove(document: Document, view: ViewState, mark: Mark) -> None:

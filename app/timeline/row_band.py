@@ -13,7 +13,7 @@ from .. import style
 from ..model.document import Document
 from ..widgets.tipped import TippedWidget
 from .axis import TimeAxis, paint_focus, paint_playhead
-from .keys.row_painter import ROW
+from .keys.row_painter import ROW, frames_room, marks_room
 from .scale import LABEL_WIDTH
 
 Row = TypeVar("Row")
@@ -47,6 +47,9 @@ class RowBand(TippedWidget, Generic[Row]):
     def paint_row(self, painter: QPainter, row: Row) -> None:
         """Paint a row, its top-left corner at the origin. Its name is there; what lies over it is cut off."""
         raise NotImplementedError
+
+    def paint_keys(self, painter: QPainter, row: Row) -> None:
+        """Paint the keys over a row, likewise. That of the first frame is whole, where a frame is less wide, too."""
 
     def paint_over(self, painter: QPainter) -> None:
         """Paint what lies over the rows; nothing unless a class of its own says so."""
@@ -82,7 +85,7 @@ class RowBand(TippedWidget, Generic[Row]):
             self._axis.wheel(event, event.position().x())
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, left = QPainter(self), self._axis.scale.left
+        painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.PANEL))
         for index, row in enumerate(self.rows()):
             if not event.region().intersects(QRect(0, index * ROW, self.width(), ROW)):
@@ -95,8 +98,10 @@ class RowBand(TippedWidget, Generic[Row]):
             room = LABEL_WIDTH - 34 - metrics.horizontalAdvance(ending)
             name = metrics.elidedText(self.name_of(row), Qt.TextElideMode.ElideMiddle, room) + ending
             painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
-            painter.setClipRect(QRectF(left, 0, self.width() - left, ROW))
+            painter.setClipRect(frames_room(self._axis.scale, self.width()))
             self.paint_row(painter, row)
+            painter.setClipRect(marks_room(self._axis.scale, self.width()))
+            self.paint_keys(painter, row)
             painter.restore()
         painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, self.height()))
         self.paint_over(painter)

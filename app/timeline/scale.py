@@ -44,6 +44,10 @@ class TimeScale:
         """The middle of a frame, in pixels."""
         return self.left + (frame - self.first + 0.5) * self.pixels
 
+    def has_left_of(self, frame: float) -> bool:
+        """Whether the middle of a frame lies left of the strip, over the names."""
+        return self.x(frame) < self.left
+
     def time(self, x: float) -> float:
         """The frame under a pixel, with the fraction of it that lies left of the pixel."""
         return self.first + (x - self.left) / self.pixels

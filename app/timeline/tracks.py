@@ -112,10 +112,15 @@ class TrackBand(RowBand[Layer]):
         painter.setPen(QPen(QColor(BACKGROUND), 1, Qt.PenStyle.DotLine))
         painter.drawLine(QLineF(scale.x(own.frames[0]), _y(DOUBTFUL), scale.x(own.frames[-1]), _y(DOUBTFUL)))
         self._paint_confidence(painter, own)
+
+    def paint_keys(self, painter: QPainter, row: Layer) -> None:
+        scale = self._axis.scale
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(style.EDGE), 1))
         painter.setBrush(QColor(style.ACCENT))
-        for frame in own.adjusted:
+        for frame in _of(row).adjusted:
+            if scale.has_left_of(frame):
+                continue
             x, middle = scale.x(frame), ROW / 2
             corners = ((0.0, -DIAMOND), (DIAMOND, 0.0), (0.0, DIAMOND), (-DIAMOND, 0.0))
             painter.drawPolygon(QPolygonF([QPointF(x + dx, middle + dy) for dx, dy in corners]))

@@ -393,6 +393,14 @@ Jetzt: {level}, {changes}</translation>
         <translation>; was danach kam, ist beschädigt</translation>
     </message>
     <message>
+        <source>&lt;track.backward&gt; tracks back.</source>
+        <translation>&lt;track.backward&gt; trackt rückwärts.</translation>
+    </message>
+    <message>
+        <source>&lt;track.forward&gt; tracks forward.</source>
+        <translation>&lt;track.forward&gt; trackt vorwärts.</translation>
+    </message>
+    <message>
         <source>A closed shape needs at least {min_points_closed} points; click to place more.</source>
         <translation>Eine geschlossene Form braucht mindestens {min_points_closed} Punkte; weitere durch Klicken setzen.</translation>
     </message>
@@ -879,6 +887,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>CVAT</source>
         <translation>CVAT</translation>
+    </message>
+    <message>
+        <source>CVAT counts pictures without gaps, and {plate} lacks {count}: fill them, or from frame {first} on shapes lie on other pictures there.</source>
+        <translation>CVAT zählt Bilder ohne Lücken, und in {plate} fehlen {count}: Füllen Sie sie, sonst liegen Formen dort ab Frame {first} auf anderen Bildern.</translation>
     </message>
     <message>
         <source>CVAT for video</source>
@@ -1981,6 +1993,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
         <translation>Frames von einem Umriss zum nächsten</translation>
     </message>
     <message>
+        <source>Frames without a picture are left out of the images: {count}, the first is {first}.</source>
+        <translation>Frames ohne Bild fehlen unter den Bildern: {count}, der erste ist {first}.</translation>
+    </message>
+    <message>
         <source>Frames worth a look</source>
         <translation>Frames, die einen Blick wert sind</translation>
     </message>
@@ -2574,6 +2590,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Leave this action without a key</source>
         <translation>Diese Aktion ohne Taste lassen</translation>
+    </message>
+    <message>
+        <source>Left as it is.</source>
+        <translation>Bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>Left out, for they are locked or no closed outlines: {shown}</source>
@@ -3301,6 +3321,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nuke gets nodes of their own for {what}: one Roto node is not known to join layers as ROAM does.</source>
         <translation>Nuke erhält eigene Nodes für {what}: Ein einzelner Roto-Node verbindet Ebenen nicht sicher wie ROAM.</translation>
+    </message>
+    <message>
+        <source>Nuke has linear keys on every frame for the opacity of {name!r}, straight between frames.</source>
+        <translation>Nuke erhält für die Deckkraft von {name!r} lineare Keyframes auf jedem Frame, dazwischen geht es gerade.</translation>
     </message>
     <message>
         <source>Nuke script</source>
@@ -5523,6 +5547,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The shapes chosen by the button beside lie before it, hidden or not</source>
         <translation>Die mit der Schaltfläche daneben gewählten Formen liegen davor, ausgeblendet oder nicht</translation>
+    </message>
+    <message>
+        <source>The smooth spans of {name!r} become linear keys on every frame, straight between frames.</source>
+        <translation>Aus den weichen Abschnitten von {name!r} werden lineare Keyframes auf jedem Frame, dazwischen geht es gerade.</translation>
     </message>
     <message>
         <source>The soft edge goes over to your next keys, through the tracked frames between; &lt;feather.all_keys&gt; gives it to all.</source>
@@ -7909,8 +7937,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>den Modus {mode!r}</translation>
     </message>
     <message>
-        <source>the motion blur must have 1 to 1024 samples and a shutter of 0 to 1000 frames</source>
-        <translation>die Bewegungsunschärfe muss 1 bis 1024 Abtastungen und einen Verschluss von 0 bis 1000 Frames haben</translation>
+        <source>the motion blur must have 1 to 1024 samples and a shutter of at most 1000 frames</source>
+        <translation>die Bewegungsunschärfe muss 1 bis 1024 Abtastungen und einen Verschluss von höchstens 1000 Frames haben</translation>
     </message>
     <message>
         <source>the name of a layer</source>
@@ -8297,8 +8325,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{count} Formen und Ebenen</translation>
     </message>
     <message>
-        <source>{count} shapes are fitted: drag the points to adjust, &lt;track.forward&gt; tracks forward.</source>
-        <translation>{count} Formen sind angepasst: zum Korrigieren die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
+        <source>{count} shapes are fitted: drag the points to adjust.</source>
+        <translation>{count} Formen sind angepasst: zum Korrigieren die Punkte ziehen.</translation>
     </message>
     <message>
         <source>{count} shapes are selected.</source>
@@ -8464,8 +8492,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{keys} Keyframes für {frames} Frames</translation>
     </message>
     <message>
-        <source>{keys} moved; boil {before:.2f} px before, {after:.2f} px now.</source>
-        <translation>{keys} bewegt; Flimmern vorher {before:.2f} px, jetzt {after:.2f} px.</translation>
+        <source>{keys} moved; boil by the picture {before:.2f} px before, {after:.2f} px now.</source>
+        <translation>{keys} bewegt; Flimmern am Bild gemessen vorher {before:.2f} px, jetzt {after:.2f} px.</translation>
     </message>
     <message>
         <source>{keys} moved; their boil could not be measured.</source>
@@ -8712,16 +8740,16 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{name} ist jetzt geschlossen.</translation>
     </message>
     <message>
-        <source>{name} is drawn: drag its points to adjust it, &lt;track.forward&gt; tracks it forward.</source>
-        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
-    </message>
-    <message>
         <source>{name} is drawn: drag its points to adjust it, it is open, &lt;points.toggle_closed&gt; closes it.</source>
         <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen; die Form ist offen, &lt;points.toggle_closed&gt; schließt sie.</translation>
     </message>
     <message>
-        <source>{name} is fitted: drag the points to adjust, &lt;track.forward&gt; tracks forward.</source>
-        <translation>{name} ist angepasst: zum Korrigieren die Punkte ziehen, &lt;track.forward&gt; trackt vorwärts.</translation>
+        <source>{name} is drawn: drag its points to adjust it.</source>
+        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen.</translation>
+    </message>
+    <message>
+        <source>{name} is fitted: drag the points to adjust.</source>
+        <translation>{name} ist angepasst: zum Korrigieren die Punkte ziehen.</translation>
     </message>
     <message>
         <source>{name} is locked; unlock it to remove its adjust keys.</source>
@@ -9234,6 +9262,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{place}, {field}</source>
         <translation>{place}, {field}</translation>
+    </message>
+    <message>
+        <source>{plate} gives no picture files: the images&apos; names are made up, as {name}.</source>
+        <translation>{plate} hat keine Bilddateien: Die Namen der Bilder sind erfunden, etwa {name}.</translation>
     </message>
     <message>
         <source>{program} counts from 0, the clip&apos;s first frame: an offset of {offset} numbers frames below that, which it does not show.</source>

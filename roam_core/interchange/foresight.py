@@ -7,6 +7,8 @@ from collections.abc import Hashable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from roam_core.interchange.labels.coco import CocoExporter
+from roam_core.interchange.labels.cvat import CvatExporter
 from roam_core.interchange.mattes.exporter import MatteExporter
 from roam_core.interchange.nuke.tracks import NukeTracksExporter
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, KeyChoice, LossyExport
@@ -34,6 +36,9 @@ def foreseen(exporter: Exporter, project: Project, options: ExportOptions = STAN
         return Foreseen()
     if isinstance(exporter, NukeTracksExporter):
         return Foreseen(notes=(TRACKS,))
+    if isinstance(exporter, CocoExporter | CvatExporter):
+        # A server that does not answer must not hold up what waits behind this.
+        exporter = replace(exporter, asks_plate=False)
     keys = KeyChoice.EVERY if options.keys is KeyChoice.REDUCED else options.keys
     tried = replace(options, keys=keys, smoothing=0.0, progress=None)
     few = trimmed(project)

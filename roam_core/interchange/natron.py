@@ -29,7 +29,7 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import lifetime_steps, moments, straight_keys, tangent_notes
+from roam_core.interchange.timing import forwards, lifetime_steps, moments, smooth_notes, straight_keys, tangent_notes
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import values_of
 from roam_core.translatable import N_, sentence
@@ -84,7 +84,9 @@ def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[
         parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
     text = PROGRAM.replace("@PARTS@", python_literal(parts))
     return text, settled(
-        [*hidden_notes(project, root), *tangent_notes(project.root), *writer.notes], writer.losses, options
+        [*hidden_notes(project, root), *tangent_notes(project.root), *smooth_notes(project.root), *writer.notes],
+        writer.losses,
+        options,
     )
 
 
@@ -159,7 +161,7 @@ class _Writer(ShapeWriter):
     def _shape(self, shape: RotoShape, mode: BlendMode | None) -> dict[str, Any]:
         """One shape, by its own mode where `mode` is None."""
         shape = without_smooth_keys(self.begun(shape))
-        blur = shape.motion_blur
+        blur = None if shape.motion_blur is None else forwards(shape.motion_blur)
         if has_feather_curve(shape) and any(values_of(shape.feather)):
             self.notes.append(
                 sentence(

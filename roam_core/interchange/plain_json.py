@@ -390,9 +390,9 @@ class JsonReader(ShapeReader):
             raise self._refusal(place, sentence('"motion_blur" must be null or an object'))
         shutter, phase = (self._number(blur, field, place) for field in ("shutter", "phase"))
         samples = self._number(blur, "samples", place, 16.0)
-        if not 1.0 <= samples <= 1024.0 or not 0.0 <= shutter <= 1000.0:
+        if not 1.0 <= samples <= 1024.0 or not abs(shutter) <= 1000.0:
             raise self._refusal(
-                place, sentence("the motion blur must have 1 to 1024 samples and a shutter of 0 to 1000 frames")
+                place, sentence("the motion blur must have 1 to 1024 samples and a shutter of at most 1000 frames")
             )
         return MotionBlur(shutter, phase, round(samples))
 

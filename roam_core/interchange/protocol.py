@@ -354,13 +354,10 @@ def chosen_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> R
 def within(shape: RotoShape, frames: range) -> RotoShape:
     """The shape with keys on these frames only, which moves on them as it did: the ends of a cut span become keys."""
     first, last = frames[0], frames[-1]
-    spans = pairwise(shape.keys)
-    if any(
-        start.interpolation is Interpolation.SMOOTH and start.frame < cut < stop.frame
-        for start, stop in spans
-        for cut in (first, last)
-    ):
-        shape = without_smooth_keys(shape)
+    cut = {
+        start.frame for start, stop in pairwise(shape.keys) for end in (first, last) if start.frame < end < stop.frame
+    }
+    shape = replace(shape, keys=tuple(_linear_keys(shape, cut)))
     keys = {key.frame: key for key in shape.keys if first <= key.frame <= last}
     for frame in (first, last):
         if frame not in keys and (shape.frames[0] < frame < shape.frames[-1] or not keys):
@@ -372,12 +369,13 @@ def within(shape: RotoShape, frames: range) -> RotoShape:
 
 def without_smooth_keys(shape: RotoShape) -> RotoShape:
     """The shape with a linear key on every frame of its smooth spans, for formats that know linear and hold only."""
-    return replace(shape, keys=tuple(_linear_keys(shape)))
+    return replace(shape, keys=tuple(_linear_keys(shape, set(shape.frames))))
 
 
-def _linear_keys(shape: RotoShape) -> Iterator[Keyframe]:
+def _linear_keys(shape: RotoShape, begun: set[int]) -> Iterator[Keyframe]:
+    """The keys, with linear ones on every frame of the smooth spans that are `begun` on these frames."""
     for key, following in zip(shape.keys, (*shape.keys[1:], None), strict=True):
-        if key.interpolation is not Interpolation.SMOOTH:
+        if key.interpolation is not Interpolation.SMOOTH or key.frame not in begun:
             yield key
             continue
         yield replace(key, interpolation=Interpolation.LINEAR)

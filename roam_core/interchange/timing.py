@@ -9,8 +9,8 @@ from itertools import pairwise, zip_longest
 
 import numpy as np
 
-from roam_core.roto import Animated, Interpolation, Keyframe, Layer, RotoShape, ValueKey
-from roam_core.roto.animated import Animatable, has_tangents, value_at, value_keys, without_tangents
+from roam_core.roto import Animated, Interpolation, Keyframe, Layer, MotionBlur, RotoShape, ValueKey
+from roam_core.roto.animated import Animatable, cubic_slopes, has_tangents, value_at, value_keys, without_tangents
 from roam_core.translatable import sentence
 
 STEP = 1.0 / 1024.0
@@ -104,6 +104,42 @@ def tangent_notes(root: Layer) -> list[str]:
         for item in (root, *root.items())
         if has_tangents(item.opacity) or (isinstance(item, RotoShape) and has_tangents(item.feather))
     ]
+
+
+def smooth_notes(root: Layer) -> list[str]:
+    """A sentence for each shape or layer that goes smoothly from key to key, for formats that know straight spans only.
+
+    On whole frames all is as it was; motion blur and retimes see what lies between.
+    """
+    return [
+        sentence(
+            "The smooth spans of {name!r} become linear keys on every frame, straight between frames.", name=item.name
+        )
+        for item in (root, *root.items())
+        if is_smooth(item.opacity)
+        or (isinstance(item, RotoShape) and (is_smooth(item.feather) or any(map(_goes_smoothly, pairwise(item.keys)))))
+    ]
+
+
+def is_smooth(value: Animatable) -> bool:
+    """True where a value goes smoothly from a key to another one; tangents are not asked about."""
+    return any(
+        before.interpolation is Interpolation.SMOOTH and before.value != after.value and not cubic_slopes(before, after)
+        for before, after in pairwise(value_keys(value))
+    )
+
+
+def _goes_smoothly(span: tuple[Keyframe, Keyframe]) -> bool:
+    before, after = span
+    if before.interpolation is not Interpolation.SMOOTH:
+        return False
+    outset, end = (key.points if key.feather is None else key.feather for key in span)
+    return not (np.array_equal(before.points, after.points) and np.array_equal(outset, end))
+
+
+def forwards(blur: MotionBlur) -> MotionBlur:
+    """The same moments, of a shutter that opens before it closes."""
+    return blur if blur.shutter >= 0.0 else replace(blur, shutter=-blur.shutter, phase=blur.phase + blur.shutter)
 
 
 def opacity_keys(shape: RotoShape) -> tuple[ValueKey, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -22,6 +23,8 @@ SUFFIX = ".otio"
 LIBRARY = "opentimelineio"
 MOST_BYTES = 256 << 20
 INIT_SUFFIXES = (".roam", ".png", ".exr", ".tif", ".tiff", ".jpg")
+DIGITS = 6
+"""Decimals of a frame: what seconds counted in another rate leave behind them."""
 _ESCAPED = re.compile(r"(?:%(?!0[1-9]d)[0-9a-fA-F]{2})+")
 Steps = tuple[Step, ...] | Callable[[Path | None], tuple[Step, ...]]
 """The steps of every job, or what gives them by what a job begins with."""
@@ -131,22 +134,25 @@ def _matte_reference(job: Job, folder: Path, clip: Any) -> Any:
     otio = studio_module(LIBRARY)
     plate = open_clip(job.clip or "")
     found = {path.stem: path for path in sorted(folder.iterdir())} if folder.is_dir() else {}
-    there = [frame for frame in plate.frames if plate.frame_name(frame) in found]
+    step = getattr(clip.media_reference, "frame_step", 1)
+    whole = getattr(clip.media_reference, "start_frame", 0)
+    shown = (frame for frame in plate.frames if (frame - whole) % step == 0)
+    there = [frame for frame in shown if plate.frame_name(frame) in found]
     numbered = _pattern(plate, there)
     if numbered is None:
         return None
-    media, start = clip.available_range(), clip.available_range().start_time
-    shift = otio.opentime.RationalTime(there[0] - _frame_at(clip, plate, start), media.start_time.rate)
+    start, rate = clip.available_range().start_time, _rate(clip)
+    shift = otio.opentime.RationalTime(there[0] - _place_at(clip, plate, start), rate).rescaled_to(start.rate)
+    length = otio.opentime.RationalTime(there[-1] - there[0] + step, rate).rescaled_to(start.rate)
     return otio.schema.ImageSequenceReference(
         target_url_base=otio.url_utils.url_from_filepath(str(folder)) + "/",
         name_prefix=numbered.prefix,
         name_suffix=numbered.suffix + found[plate.frame_name(there[0])].suffix,
         start_frame=there[0],
+        frame_step=step,
         frame_zero_padding=numbered.width,
-        rate=media.start_time.rate,
-        available_range=otio.opentime.TimeRange(
-            start + shift, otio.opentime.RationalTime(there[-1] - there[0] + 1, media.start_time.rate)
-        ),
+        rate=rate,
+        available_range=otio.opentime.TimeRange(start + shift, length),
         metadata={"roam": {"project": str(folder.parent / f"{job.name}.roam")}},
     )
 
@@ -225,8 +231,10 @@ def _frames(clip: Any, plate: PlateSource, name: str, handles: int) -> tuple[int
     otio = studio_module(LIBRARY)
     shown = clip.trimmed_range()
     speed = max([1.0, *(abs(effect.time_scalar) for effect in clip.effects if _is_warp(effect))])
-    first = _frame_at(clip, plate, shown.start_time)
-    last = first + round(shown.duration.rescaled_to(_rate(clip)).value * speed) - 1
+    begin = _place_at(clip, plate, shown.start_time)
+    # Where the edit counts faster than the plate, its last moment may lie within a frame.
+    end = round(begin + shown.duration.rescaled_to(_rate(clip)).value * speed, DIGITS)
+    first, last = math.floor(begin), math.ceil(end) - 1
     is_in_track = isinstance(clip.parent(), otio.schema.Track)  # else it lies in a stack, alone
     before, after = clip.parent().neighbors_of(clip) if is_in_track else (None, None)
     if isinstance(before, otio.schema.Transition):
@@ -251,11 +259,13 @@ def _require_range(clip: Any, plate: PlateSource, name: str) -> None:
         return
     rate = plate.fps if shown is None else shown.start_time.rate
     first, length = plate.frames[0], plate.frames[-1] - plate.frames[0] + 1
+    rate = _sequence_rate(media) or rate
     starts = {0, first}
     if shown is None:
         starts = {first}
     else:
-        begin, end = shown.start_time.value, shown.end_time_exclusive().value
+        times = shown.start_time, shown.end_time_exclusive()
+        begin, end = (round(time.rescaled_to(rate).value, DIGITS) for time in times)
         starts = {start for start in starts if start <= begin and end <= start + length}
     if len(starts) != 1:
         raise RoamError(
@@ -272,16 +282,28 @@ def _is_warp(effect: Any) -> bool:
 
 
 def _rate(clip: Any) -> float:
-    return float(clip.available_range().start_time.rate)
+    """How many numbers of the plate's frames a second takes."""
+    return _sequence_rate(clip.media_reference) or float(clip.available_range().start_time.rate)
 
 
-def _frame_at(clip: Any, plate: PlateSource, time: Any) -> int:
-    """The plate's frame at a time of a clip's media, which begin with the first frame of the plate."""
-    reference = clip.media_reference
-    first = getattr(reference, "start_frame", None)
+def _sequence_rate(reference: Any) -> float:
+    """That of a sequence of images, whatever the rate that its times are told in; 0 where it has none.
+
+    1 is what the library puts where none was given.
+    """
+    is_sequence = isinstance(reference, studio_module(LIBRARY).schema.ImageSequenceReference)
+    return float(reference.rate) if is_sequence and reference.rate != 1.0 else 0.0
+
+
+def _place_at(clip: Any, plate: PlateSource, time: Any) -> float:
+    """The plate's frame at a time of a clip's media, which begin with its first one, and how much of it is over.
+
+    A sequence's numbers go on by its rate, whatever its `frame_step`: that says which of them are pictures.
+    """
+    first = getattr(clip.media_reference, "start_frame", None)
     since = (time - clip.available_range().start_time).rescaled_to(_rate(clip)).value
     start: int = plate.frames[0] if first is None else int(first)
-    return start + round(float(since))
+    return start + round(float(since), DIGITS)
 
 
 def _within(step: Step, first: int, last: int, is_mask: bool) -> Step:

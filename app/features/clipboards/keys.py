@@ -41,7 +41,7 @@ class KeyClipboard:
         """Copy the selected shapes as they are on this frame."""
         shapes = selected_shapes(self._document.project, self._view.selection)
         if not shapes:
-            self._view.say(tr("Select a shape first: its key on this frame is copied."))
+            self._view.say_here(tr("Select a shape first: its key on this frame is copied."))
             return
         alone = tuple(copied_key(shape, self._view.frame) for shape in shapes)
         held = Project(root=Layer("root", "Root", alone), extra={MARK: "keys"})
@@ -85,7 +85,7 @@ class KeyClipboard:
                 refused = refused or sentence_of(error)
         self._document.apply(text, project)
         if not wanted:
-            self._view.say(tr(OF_OTHERS) if chosen else tr(NOTHING_SELECTED))
+            self._view.say_here(tr(OF_OTHERS) if chosen else tr(NOTHING_SELECTED))
         elif refused or kept:
             self._view.say(refused or kept)
 

@@ -60,7 +60,7 @@ class PropertyClipboard:
         chosen = [item for item in self._chosen(copied) if any(hasattr(item, name) for name in names)]
         free = [item for item in chosen if not project.is_locked(item.id)]
         if not free:
-            self._view.say(tr(ALL_LOCKED) if chosen else self._why_none(names))
+            self._view.say_here(tr(ALL_LOCKED) if chosen else self._why_none(names))
             return
         given = models(_shapes(copied), _shapes(chosen), names) | models(_layers(copied), _layers(chosen), names)
         put = [(item, with_properties(item, given[item.id], names)) for item in free if item.id in given]

@@ -110,7 +110,7 @@ class ShapeClipboard:
     def _in_hand(self) -> list[str]:
         """The selected layers and shapes; says so when there is none."""
         if not (rows := self._selected()):
-            self._view.say(tr(NOTHING_SELECTED))
+            self._view.say_here(tr(NOTHING_SELECTED))
         return rows
 
     def _selected(self) -> list[str]:

@@ -16,6 +16,8 @@ from ...model.document import Document
 from ...model.reasons import outdated_by
 from ...model.view_state import ViewState
 from ...translation import tr
+from ..navigation import clip_frames
+from ..tracking import last_to_track
 
 
 def next_colour(project: Project) -> QColor:
@@ -45,11 +47,11 @@ def finish_shape(
     document.apply(tr("Draw shape"), project)
     hand_over(view_state, tool, frozenset({shape.id}))
     name = _named(shape.name, home)
-    said = tr("{name} is drawn: drag its points to adjust it, <track.forward> tracks it forward.", name=name)
+    said = tr("{name} is drawn: drag its points to adjust it.", name=name)
     said_open = tr(
         "{name} is drawn: drag its points to adjust it, it is open, <points.toggle_closed> closes it.", name=name
     )
-    _tell(view_state, outdated, said if closed else said_open)
+    _tell(view_state, outdated, f"{said} {_tracks(document, view_state)}" if closed else said_open)
 
 
 def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequence[RotoShape], text: str) -> None:
@@ -64,9 +66,9 @@ def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequenc
     if not view_state.is_in_use:
         hand_over(view_state, tool, frozenset(ids))
     name = _named(project.shape(ids[0]).name, home)
-    one = tr("{name} is fitted: drag the points to adjust, <track.forward> tracks forward.", name=name)
-    all_ = tr("{count} shapes are fitted: drag the points to adjust, <track.forward> tracks forward.", count=len(ids))
-    _tell(view_state, outdated, one if len(ids) == 1 else all_)
+    one, tracks = tr("{name} is fitted: drag the points to adjust.", name=name), _tracks(document, view_state)
+    all_ = tr("{count} shapes are fitted: drag the points to adjust.", count=len(ids))
+    _tell(view_state, outdated, f"{one if len(ids) == 1 else all_} {tracks}")
 
 
 def home_in_hand(project: Project, view_state: ViewState) -> Layer:
@@ -85,9 +87,17 @@ def hand_over(view_state: ViewState, tool: str, shape_ids: frozenset[str]) -> No
         view_state.set_tool("select")
 
 
+def _tracks(document: Document, view_state: ViewState) -> str:
+    """Which key tracks on from the frame that is shown: back where no frame follows; empty where there is no other."""
+    clip, frame = clip_frames(document.project, view_state.frame), view_state.frame
+    if last_to_track(view_state, clip, 1) > frame:
+        return tr("<track.forward> tracks forward.")
+    return tr("<track.backward> tracks back.") if last_to_track(view_state, clip, -1) < frame else ""
+
+
 def _tell(view_state: ViewState, outdated: str, advice: str) -> None:
     """What the new shape made out of date; else what to do with it."""
     if outdated:
         view_state.say(outdated)
     else:
-        view_state.advise(advice)
+        view_state.advise(advice.rstrip())

@@ -36,7 +36,7 @@ class LayerVerbs:
         """Put the selected layers and shapes into a new layer, which is then selected."""
         chosen = self._view.selection.shapes | self._layers()
         if not chosen:
-            self._view.say(tr(NOTHING_SELECTED))
+            self._view.say_here(tr(NOTHING_SELECTED))
             return
         project, layer = grouped(self._document.project, chosen)
         outdated = outdated_by(self._document.project, project)  # what lies between them lies below them now
@@ -52,7 +52,7 @@ class LayerVerbs:
             project.layers_above(shape_id)[-1].id for shape_id in self._view.selection.shapes
         } - {project.root.id}
         if not layers:
-            self._view.say(tr(NO_LAYER))
+            self._view.say_here(tr(NO_LAYER))
             return
         ordered = sorted(layers, key=lambda layer_id: len(project.layers_above(layer_id)))
         lost = [word for layer_id in ordered if (word := _lost_with(project.find(layer_id)))]
@@ -74,9 +74,9 @@ class LayerVerbs:
         project, rows = self._document.project, rows_in_hand(self._document.project, self._view)
         after = raised(project, rows, step)
         if not rows:
-            self._view.say(tr(NOTHING_SELECTED))
+            self._view.say_here(tr(NOTHING_SELECTED))
         elif after == project:
-            self._view.say(tr("It lies on top already.") if step > 0 else tr("It lies at the bottom already."))
+            self._view.say_here(tr("It lies on top already.") if step > 0 else tr("It lies at the bottom already."))
         outdated = outdated_by(project, after)
         self._document.apply(tr("Restack"), after)
         if outdated:

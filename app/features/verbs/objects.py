@@ -100,7 +100,7 @@ class ObjectVerbs:
         project, shapes = self._document.project, self._selected()
         free = [shape for shape in shapes if not project.is_locked(shape.id)]
         if not free:
-            self._view.say(tr(ALL_LOCKED) if shapes else tr(NOTHING_SELECTED))
+            self._view.say_here(tr(ALL_LOCKED) if shapes else tr(NOTHING_SELECTED))
             return []
         try:
             edited = verb(project, [shape.id for shape in free])

@@ -31,6 +31,6 @@ class PlateEdge:
         elif not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able:
-            self._view.say(tr("Only a closed shape that is not locked has an edge to match; unlock or close one."))
+            self._view.say_here(tr("Only a closed shape that is not locked has an edge to match; unlock or close one."))
         else:
             self._softening.start([shape.id for shape in able])

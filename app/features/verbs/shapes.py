@@ -46,9 +46,9 @@ class ShapeVerbs:
     def select_all(self) -> None:
         """Select the shapes in sight on this frame that are not locked."""
         shapes = editable_shapes(self._view.solo.seen(self._document.project), self._view.frame)
-        if not shapes:
-            self._view.say(tr("No shape is in sight here that could be selected; show or unlock some."))
         self._view.select(frozenset(shape.id for shape in shapes))
+        if not shapes:
+            self._view.say_here(tr("No shape is in sight here that could be selected; show or unlock some."))
 
     def select_none(self) -> None:
         """Let go of all shapes, points and layers."""
@@ -82,7 +82,7 @@ class ShapeVerbs:
         """Delete the selected shapes' keys on this frame."""
         frame, project, selected = self._view.frame, self._document.project, self._selected()
         if selected and not any(project.shape(shape_id).key_at(frame) for shape_id in selected):
-            self._view.say(tr("There is no key on frame {frame} to delete.", frame=frame))
+            self._view.say_here(tr("There is no key on frame {frame} to delete.", frame=frame))
             return
         self._edit_each(tr("Delete key"), lambda shape: edit.delete_keys(shape, [frame]))
 
@@ -100,7 +100,7 @@ class ShapeVerbs:
             self._view.say(f"{told} {tr(LOCKED_STAYS)}" if len(free) < len(self._selected()) else told)
         elif free:
             none = tr("Between in and out, {first} to {last}, no frame is tracked.", first=first, last=stop - 1)
-            self._view.say(tr("No frame is tracked yet.") if is_whole else none)
+            self._view.say_here(tr("No frame is tracked yet.") if is_whole else none)
 
     def delete(self) -> None:
         delete(self._document, self._view, self._selected())
@@ -128,7 +128,7 @@ class ShapeVerbs:
                     name=item.name,
                     layer=around.name,
                 )
-                self._view.say(told)
+                self._view.say_here(told)
                 return
 
     def hide(self) -> None:
@@ -164,14 +164,14 @@ class ShapeVerbs:
         shapes, frame = selected_shapes(self._document.project, self._view.selection), self._view.frame
         if not shapes or any(shape.exists_at(frame) for shape in shapes):
             return True
-        self._view.say(does_not_exist(shapes[0], frame))
+        self._view.say_here(does_not_exist(shapes[0], frame))
         return False
 
     def _free(self, selected: list[str]) -> list[str]:
         """Those of the selected shapes that are not locked; says so when all are."""
         free = [shape_id for shape_id in selected if not self._document.project.is_locked(shape_id)]
         if selected and not free:
-            self._view.say(tr(ALL_LOCKED))
+            self._view.say_here(tr(ALL_LOCKED))
         return free
 
     def _rows(self) -> list[str]:
@@ -182,7 +182,7 @@ class ShapeVerbs:
         """The selected shapes in the order of stacking; says so when there is none."""
         ids = [shape.id for shape in selected_shapes(self._document.project, self._view.selection)]
         if not ids:
-            self._view.say(tr(NOTHING_SELECTED))
+            self._view.say_here(tr(NOTHING_SELECTED))
         return ids
 
 
@@ -213,7 +213,7 @@ def delete(document: Document, view: ViewState, item_ids: Iterable[str], text: s
     """
     ids = list(item_ids)
     if not ids:
-        view.say(tr(NOTHING_SELECTED))
+        view.say_here(tr(NOTHING_SELECTED))
         return
     free = [item_id for item_id in ids if not document.project.holds_locked(item_id)]
     before = document.project

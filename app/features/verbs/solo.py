@@ -30,7 +30,7 @@ class SoloVerbs:
         solo, project = self._view.solo, self._document.project
         rows = [] if solo.ids else rows_in_hand(project, self._view)
         if not rows and not solo.ids:
-            self._view.say(tr(NOTHING_SELECTED))
+            self._view.say_here(tr(NOTHING_SELECTED))
         solo.set(rows, project)
 
     def _follow_project(self) -> None:

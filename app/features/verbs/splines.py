@@ -53,7 +53,7 @@ class SplineVerbs:
             already = tr("The selected shapes are Bezier already.")
             if spline is Spline.BSPLINE:
                 already = tr("The selected shapes are B-spline already.")
-            self._view.say(already if shapes else why_not(project, self._view))
+            self._view.say_here(already if shapes else why_not(project, self._view))
             return
         turned = [control_points.with_spline(shape, spline) for shape in turning]
         self._document.apply(text, project.with_shapes(turned))

@@ -40,9 +40,9 @@ class Steady:
         elif not shapes:
             self._view.say(tr(NO_SHAPE))
         elif not able:
-            self._view.say(tr("Only a closed shape that is not locked can be steadied; unlock or close one."))
+            self._view.say_here(tr("Only a closed shape that is not locked can be steadied; unlock or close one."))
         elif not asked:
-            self._view.say(tr("No tracked key lies between in and out; track or fill the shapes first."))
+            self._view.say_here(tr("No tracked key lies between in and out; track or fill the shapes first."))
         else:
             dialog = SteadyDialog(len(asked), self._view.play_range, self._window)
             ask(dialog, lambda: self._steadying.start(asked, frames, dialog.strength), self._document.replaced)

@@ -51,7 +51,7 @@ class StatusBar(QWidget):
 
     The sentence comes first: what is under way is read as a whole, and what else does not fit beside it is away. The
     button that stops it is always there, and nothing here makes the window wider. What is said meanwhile stands long
-    enough to be read, while the bar goes on.
+    enough to be read, while the bar goes on, and before the sentence with which the work ends.
     """
 
     said = Signal(str)
@@ -75,7 +75,7 @@ class StatusBar(QWidget):
         self._work = ""
         """What was told last of the work under way; empty where that ended."""
         self.reading = QTimer(self, singleShot=True, interval=READING)
-        self.reading.timeout.connect(self._tell_work)
+        self.reading.timeout.connect(self._tell_on)
         self._build()
         view_state.message_changed.connect(lambda: self._show_message(view_state.message))
         under_way.progress.connect(self._show_progress)
@@ -110,6 +110,8 @@ class StatusBar(QWidget):
             self._say(text)
 
     def _show_message(self, text: str) -> None:
+        if self.reading.isActive() and self._view.can_wait:
+            return  # a run of one frame is over before that is read which it left out
         self.reading.stop()
         if not self._under_way.is_any:
             self._say(text)
@@ -117,18 +119,25 @@ class StatusBar(QWidget):
             self._say(text)
             self.reading.start()
         else:
-            self._tell_work()
+            self._tell_on()
 
-    def _tell_work(self) -> None:
-        if self._under_way.is_any and self._work:
+    def _tell_on(self) -> None:
+        """Tell what goes on; where nothing does, what was said last."""
+        if not self._under_way.is_any:
+            self._say(self._view.message)
+        elif self._work:
             self._say(self._work)
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
         self._work = ""
         if sentence or ending is not Ending.DONE:
-            self._view.say(sentence)
+            self.tell_end(ending, sentence)
         elif not self._under_way.is_any:
             self._say(self._view.message)  # that something is being looked at is over
+
+    def tell_end(self, ending: Ending, sentence: str) -> None:
+        """Tell how work ended; what is being read stands first, unless it was stopped or failed."""
+        self._view.say(sentence, can_wait=ending is Ending.DONE)
 
     def add(self, readout: Readout, modes: QWidget) -> None:
         """Give them places of their own: the read-out right of the sentence, the modes at the right end.

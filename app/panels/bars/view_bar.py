@@ -6,12 +6,10 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QActionGroup, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget, QWidgetAction
 
-from roam_core.roto import Clip
-
 from ... import style
 from ...actions.actions import Actions
 from ...canvas.view import CanvasView
-from ...folders import cache_folder
+from ...folders import called
 from ...model.document import Document
 from ...model.viewing import PROXIES, ViewMode
 from ...translation import tr
@@ -134,7 +132,7 @@ class ViewBar(QWidget):
             self._plate.setText("")
             return
         width, height = clip.size
-        parts = [_name(clip), f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space]
+        parts = [called(clip.path), f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space]
         for name, step in PROXIES.items():
             if step > 1 and step == self._canvas.viewing.proxy:
                 parts.append(self._actions[name].text())
@@ -159,12 +157,3 @@ class PlateLabel(QLabel):
         fitting = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
         painter.drawText(self.rect(), self.alignment(), fitting)
         painter.end()
-
-
-def _name(clip: Clip) -> str:
-    """The clip's name as the artist knows it.
-
-    A folder of the application's own cache, such as the demo's, is a name and a hash of its version; the hash says
-    nothing to an artist.
-    """
-    return clip.name.rpartition("-")[0] or clip.name if clip.path.parent == cache_folder() else clip.name

@@ -46,6 +46,8 @@ def paint_depth(painter: QPainter, shape: RotoShape, scale: TimeScale) -> None:
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QColor(style.TEXT))
     for frame, level in shape.depth:
+        if scale.has_left_of(frame):
+            continue
         x, bottom = scale.x(frame), TOP + HEIGHT
         if level == AS_STACKED:
             painter.drawRect(QRectF(x - HALF, TOP + HEIGHT / 2 - 1.0, 2 * HALF, 2.0))

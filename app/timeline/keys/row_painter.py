@@ -21,6 +21,8 @@ DIAMOND, DISC, SQUARE = 5.5, 4.5, 4.0
 """Half the height of an artist's key: linear, smooth, held."""
 HOLE = 2.2
 """Half the height of the hole in the key of some points."""
+BESIDE = 7.0
+"""Half the width of the widest mark, with its frame: it reaches so far towards the names, which end before that."""
 TICK = 4.0
 """Half the height of a tick."""
 SELECTED, BACKGROUND = style.LINE, "#707070"
@@ -58,7 +60,9 @@ class RowPainter:
         painter.fillRect(QRectF(0, 0, size.width(), ROW), QColor(SELECTED if is_selected else style.PANEL))
         painter.fillRect(QRectF(0, ROW - 1, size.width(), 1), QColor(style.WINDOW))
         _paint_label(painter, shape)
-        painter.setClipRect(QRectF(scale.left, 0, size.width() - scale.left, ROW))
+        painter.setClipRect(frames_room(scale, size.width()))
+        _paint_background(painter, marks, scale)
+        painter.setClipRect(marks_room(scale, size.width()))
         _paint_marks(painter, shape, marks, chosen, scale)
         paint_depth(painter, shape, scale)
         painter.end()
@@ -66,9 +70,19 @@ class RowPainter:
         return picture
 
 
+def frames_room(scale: TimeScale, width: int) -> QRectF:
+    """Where the frames are in a row so many pixels wide."""
+    return QRectF(scale.left, 0, width - scale.left, ROW)
+
+
+def marks_room(scale: TimeScale, width: int) -> QRectF:
+    """Where marks are painted there: a little beside the frames, too, so that the mark of the first one is whole."""
+    return frames_room(scale, width).adjusted(-BESIDE, 0, 0, 0)
+
+
 def columns(frames: Int64, scale: TimeScale) -> list[float]:
     """Where to draw the visible ones of `frames`: whole pixels, each once, however many frames share it."""
-    visible = frames[(frames >= scale.first - 1) & (frames <= scale.last + 1)]
+    visible = frames[(frames >= scale.first - 0.5) & (frames <= scale.last + 1)]
     x = np.floor(scale.left + (visible - scale.first + 0.5) * scale.pixels)
     return [float(column) + 0.5 for column in np.unique(x)]
 
@@ -84,7 +98,6 @@ def _paint_marks(
     painter: QPainter, shape: RotoShape, marks: KeyMarks, chosen: frozenset[int], scale: TimeScale
 ) -> None:
     colour, thickness = QColor.fromRgbF(*shape.colour), 2 if scale.pixels >= 9 else 1
-    _paint_background(painter, marks, scale)
     doubtful = columns(marks.doubtful, scale)
     for at, ink in ((columns(marks.engine, scale), colour), (doubtful, QColor(style.DOUBT))):
         painter.setPen(QPen(QBrush(ink), thickness, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))

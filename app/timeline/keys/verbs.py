@@ -144,7 +144,7 @@ class KeyVerbs:
         """Set how shapes move on: from the chosen keys, or from the key before the playhead where none is chosen."""
         chosen = self._meant() or self._governing()
         if not chosen:
-            self._view.say(tr(NONE_BEFORE) if self._view.selection.shapes else tr(NOTHING_HERE))
+            self._view.say_here(tr(NONE_BEFORE) if self._view.selection.shapes else tr(NOTHING_HERE))
         elif places := self._unlocked(chosen):
             project = timing.set_interpolation(self._document.project, places, interpolation)
             self._document.apply(tr(WAYS[interpolation]), project)

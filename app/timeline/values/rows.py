@@ -260,14 +260,19 @@ class ValueRows(RowBand[KeyedValue]):
         return f": {row.name}"
 
     def paint_row(self, painter: QPainter, row: KeyedValue) -> None:
-        scale, colour = self._axis.scale, QColor.fromRgbF(*colour_of(row.item))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(BACKGROUND), 1))
         painter.drawPolyline(self._line(row))
+
+    def paint_keys(self, painter: QPainter, row: KeyedValue) -> None:
+        scale, colour = self._axis.scale, QColor.fromRgbF(*colour_of(row.item))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         chosen = self._chosen.frames_of(row.item.id, row.kind)
         if self._drag is not None:
             chosen = frozenset(self._drag.frame_of(frame) for frame in chosen)
         for key in row.value.keys:
+            if scale.has_left_of(key.frame):
+                continue
             at = QPointF(scale.x(key.frame), (ROW - 1) / 2)
             paint_key(painter, at, form_of(key), colour, key.frame in chosen)
 

@@ -165,7 +165,7 @@ class MagneticTool(PlacingTool):
     def _begin(self, pointer: Pointer) -> None:
         shown = self.pictures.shown if self.pictures is not None else None
         if shown is None or shown.frame != self.view_state.frame:
-            self.view_state.say(tr("There is no picture of this frame to find edges in (yet)."))
+            self.view_state.say_here(tr("There is no picture of this frame to find edges in (yet)."))
             return
         self._shown, self._frame = shown, shown.frame
         self._scale = np.array(shown.scale(self.document.project.require_clip().size))

@@ -138,7 +138,7 @@ class ObjectTool(Tool):
         """The picture of this frame; says so where there is none."""
         shown = self.pictures.shown if self.pictures is not None else None
         if shown is None or shown.frame != self.view_state.frame:
-            self.view_state.say(tr("There is no picture of this frame to look at (yet)."))
+            self.view_state.say_here(tr("There is no picture of this frame to look at (yet)."))
             return None
         return shown
 

@@ -59,7 +59,7 @@ class AdjustTool(GestureTool):
         if self._gesture:
             self.drop()
         elif layer is None:
-            self.view_state.say(tr(NO_TRACK))
+            self.view_state.say_here(tr(NO_TRACK))
         else:
             self._set_key(layer)
 
@@ -77,7 +77,7 @@ class AdjustTool(GestureTool):
     def press(self, pointer: Pointer) -> None:
         layer = self.layer()
         if layer is None:
-            self.view_state.say(tr(NO_TRACK))
+            self.view_state.say_here(tr(NO_TRACK))
             return
         corners = self.corners(self.document.project, layer)
         corner = _corner_at(corners, pointer)

@@ -61,7 +61,7 @@ class ReshapeTool(GestureTool):
             self._gesture = BrushDrag(self.document, view, pointer, grab)
         else:
             nothing = tr("There is no shape here that can be reshaped; draw one, or unlock and show it.")
-            view.say(why_not(self.document.project, view) if view.selection.shapes else nothing)
+            view.say_here(why_not(self.document.project, view) if view.selection.shapes else nothing)
 
     def drag(self, pointer: Pointer) -> None:
         self._pointer = pointer

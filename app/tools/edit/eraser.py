@@ -35,7 +35,7 @@ class Eraser(GestureTool):
 
     def press(self, pointer: Pointer) -> None:
         if not selected_shapes(self.document.project, self.view_state.selection):
-            self.view_state.say(tr(NOTHING_SELECTED))
+            self.view_state.say_here(tr(NOTHING_SELECTED))
             return
         self._gesture = Erasing(self.document, self.view_state, pointer)
         self._gesture.touch(pointer)

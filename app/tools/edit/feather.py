@@ -210,7 +210,7 @@ class FeatherActions:
         view, project = self._view, self._document.project
         shapes = _chosen(project, view)
         if not shapes:
-            view.say(why_not(project, view))
+            view.say_here(why_not(project, view))
             return
         chosen = {s.id: selected_indices(s, view.selection) if view.selection.points else None for s in shapes}
         whole = {s.id: _weights(s, {}) for s in shapes if chosen[s.id] != []}
@@ -222,7 +222,7 @@ class FeatherActions:
         after = grab.settled(project, reset)
         self._document.apply(tr("Reset feather"), after)
         if after == project:
-            view.say(tr(NO_FEATHER))
+            view.say_here(tr(NO_FEATHER))
         else:
             self._say_kept()
 
@@ -231,7 +231,7 @@ class FeatherActions:
         view, project = self._view, self._document.project
         shapes = _chosen(project, view)
         if not shapes:
-            view.say(why_not(project, view))
+            view.say_here(why_not(project, view))
             return
         given = []
         for shape in shapes:

@@ -36,7 +36,7 @@ class OrderActions:
         """Let the selected shapes run the other way."""
         shapes = selected_shapes(self._document.project, self._view.selection)
         if not shapes:
-            self._view.say(tr(NOTHING_SELECTED))
+            self._view.say_here(tr(NOTHING_SELECTED))
             return
         told = tr("%n shape(s) is/are reversed now, on all keys.", "", len(self._free(shapes)))
         self._reorder(tr("Reverse direction"), shapes, {shape.id: reversed_direction for shape in shapes}, told)
@@ -79,7 +79,7 @@ class OrderActions:
             except RoamError as error:  # the others can
                 refused = refused or sentence_of(error)
         if not free:
-            self._view.say(tr(ALL_LOCKED))
+            self._view.say_here(tr(ALL_LOCKED))
             return
         self._view.say(refused or (tr(LOCKED_STAYS) if len(free) < len(shapes) else told))
         if changed:  # last, so that a run that ends for it has the word

@@ -200,7 +200,7 @@ class PointActions:
 
     def _say_why(self) -> None:
         """Say why nothing happened."""
-        self._view.say(why_not(self._document.project, self._view))
+        self._view.say_here(why_not(self._document.project, self._view))
 
 
 def _deleted(points: int, shapes: int) -> str:

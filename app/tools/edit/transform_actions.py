@@ -64,7 +64,7 @@ class TransformActions:
         grab = grab_selection(self._document.project, self._view)
         if grab.weights:
             return grab
-        self._view.say(why_not(self._document.project, self._view))
+        self._view.say_here(why_not(self._document.project, self._view))
         return None
 
     def _matrix(self, numbers: Numbers) -> Array:

@@ -32,7 +32,14 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import beside_zeros, opacity_keys, straight_keys, tangent_notes, without_holds
+from roam_core.interchange.timing import (
+    beside_zeros,
+    opacity_keys,
+    smooth_notes,
+    straight_keys,
+    tangent_notes,
+    without_holds,
+)
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
 from roam_core.translatable import N_, sentence
 
@@ -78,7 +85,9 @@ def blender_script(project: Project, options: ExportOptions = STANDARD) -> tuple
     frames = [frame + options.frame_offset for frame in (clip.first, clip.last)]
     text = PROGRAM.replace("@FRAMES@", str(frames)).replace("@PARTS@", python_literal(parts))
     return text, settled(
-        [*hidden, *tangent_notes(project.root), *writer.notes, *ramp_notes(clip)], writer.losses, options
+        [*hidden, *tangent_notes(project.root), *smooth_notes(project.root), *writer.notes, *ramp_notes(clip)],
+        writer.losses,
+        options,
     )
 
 

@@ -28,8 +28,10 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter,
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import (
     beside_zeros,
+    forwards,
     moments,
     opacity_keys,
+    smooth_notes,
     straight_keys,
     tangent_notes,
     value_moments,
@@ -87,7 +89,9 @@ def fusion_setting(project: Project, options: ExportOptions = STANDARD) -> tuple
         writer.chain(Branch("Root", (root,)))
     text = "\n".join(["{", " Tools = ordered() {", *writer.lines, " },", "}", ""])
     return text, settled(
-        [*hidden_notes(project, root), *tangent_notes(project.root), *writer.notes], writer.losses, options
+        [*hidden_notes(project, root), *tangent_notes(project.root), *smooth_notes(project.root), *writer.notes],
+        writer.losses,
+        options,
     )
 
 
@@ -337,6 +341,7 @@ def _motion_blur(shape: RotoShape) -> list[tuple[str, str]]:
     blur = shape.motion_blur
     if blur is None or not blur.is_seen:
         return []
+    blur = forwards(blur)
     bias = (blur.phase + blur.shutter / 2.0) / (blur.shutter / 2.0)
     values = (("MotionBlur", 1.0), ("Quality", blur.samples), ("ShutterAngle", 360.0 * blur.shutter))
     return [(name, f"Value = {_decimal(value)}") for name, value in (*values, ("CenterBias", bias))]

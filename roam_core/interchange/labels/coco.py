@@ -9,7 +9,7 @@ pixels column after column, zeros first.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ import numpy as np
 
 from roam_core.atomic_write import write_atomically
 from roam_core.interchange.flatten import is_feathered
+from roam_core.interchange.labels.pictures import file_names_of, made_up_name
 from roam_core.interchange.labels.polygons import JOINING, STRAYING, Flattener, area, clipped, runs_of
 from roam_core.interchange.labels.presence import is_dimmed
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
@@ -37,8 +38,16 @@ DIGITS = 3
 """Decimals of a coordinate: a thousandth of a pixel."""
 
 
+@dataclass(frozen=True)
 class CocoExporter:
-    """Writes the objects of a project as the instances of a data set: one file, an image a frame."""
+    """Writes the objects of a project as the instances of a data set: one file, an image a frame.
+
+    Attributes
+    ----------
+    asks_plate : images have the names of the plate's files, whose folder is read; without, names are made up.
+    """
+
+    asks_plate: bool = True
 
     name = "coco"
     title = N_("COCO instances")
@@ -46,17 +55,22 @@ class CocoExporter:
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write the objects on all chosen frames."""
-        document, notes, losses = coco_document(project, options)
+        document, notes, losses = coco_document(project, options, asks_plate=self.asks_plate)
         told = settled(notes, losses, options)
         options.advance(1.0, sentence("Writing {name}", name=path.name))
         write_atomically(path, (_dumps(document) + "\n").encode("ascii"))
         return told
 
 
-def coco_document(project: Project, options: ExportOptions = STANDARD) -> tuple[dict[str, Any], list[str], list[str]]:
+def coco_document(
+    project: Project, options: ExportOptions = STANDARD, *, asks_plate: bool = True
+) -> tuple[dict[str, Any], list[str], list[str]]:
     """The data set as plain values, sentences on what it cannot hold, and on what it shows otherwise."""
     project = readied(project, options, are_labels=True)
-    writer = _Writer(project.require_clip(), replace(options, progress=None), len(project.shapes))
+    clip = project.require_clip()
+    writer = _Writer(clip, replace(options, progress=None), len(project.shapes))
+    if asks_plate:
+        writer.name_images(file_names_of(clip))
     root = writer.prepared(project.root)
     return writer.document(root, options), writer.notes, writer.losses
 
@@ -64,9 +78,31 @@ def coco_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
 @dataclass
 class _Writer(ShapeWriter):
     flatteners: dict[str, Flattener] = field(default_factory=dict)
+    files: Mapping[int, str] | None = None
+    """The names of the plate's files by their frames; None where they are made up."""
     cut_on: int | None = None
     cut: dict[int, Patch] = field(default_factory=dict)
     """What cuts objects on the frame `cut_on`, by the identity of the shapes."""
+
+    def name_images(self, files: Mapping[int, str] | None) -> None:
+        """Images are these files of the plate, and frames without one are no images; what that leaves out is told."""
+        self.files, chosen = files, self.options.frames_of(self.clip)
+        if files is None:
+            self.notes.append(
+                sentence(
+                    "{plate} gives no picture files: the images' names are made up, as {name}.",
+                    plate=self.clip.name,
+                    name=made_up_name(self.clip, chosen[0] + self.options.frame_offset),
+                )
+            )
+        elif missing := [frame for frame in chosen if frame not in files]:
+            self.notes.append(
+                sentence(
+                    "Frames without a picture are left out of the images: {count}, the first is {first}.",
+                    count=len(missing),
+                    first=missing[0],
+                )
+            )
 
     def prepared(self, layer: Layer) -> Layer:
         """The layer with the keys that are to be written, hard and opaque; what that leaves out is told."""
@@ -125,13 +161,14 @@ class _Writer(ShapeWriter):
         if root.invert or not root.visible:
             self.losses.append(sentence("The inversion and visibility of the root layer are lost: it is no object."))
         names = list(dict.fromkeys(item.name for item, _ in objects))
-        frames, width, height = self.options.frames_of(self.clip), *self.clip.size
+        chosen, (width, height) = self.options.frames_of(self.clip), self.clip.size
+        frames = [frame for frame in chosen if self.files is None or frame in self.files]
         images: list[dict[str, Any]] = []
         annotations: list[dict[str, Any]] = []
         for number, frame in enumerate(frames, start=1):
             told_to.advance(number / (len(frames) + 1), sentence("Frame {frame}", frame=frame))
             told = frame + self.options.frame_offset
-            file_name = f"{self.clip.path.stem.rstrip('.#%0123456789d') or 'frame'}.{told:06d}.png"
+            file_name = made_up_name(self.clip, told) if self.files is None else self.files[frame]
             images.append({"id": number, "width": width, "height": height, "file_name": file_name, "frame": told})
             for track, (item, cutters) in enumerate(objects, start=1):
                 found = self._segmentation(item, cutters, frame)

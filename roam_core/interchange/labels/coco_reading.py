@@ -105,16 +105,24 @@ class CocoReader(ShapeReader):
         if images and all(isinstance(frame, int) and not isinstance(frame, bool) for frame in told):
             found = [self._framed(frame) for frame in told]
         else:
-            words = [re.findall(r"\d{1,9}", str(image.get("file_name", ""))[-200:]) for image in images]
-            numbers = [self._framed(int(word[-1])) for word in words if word]
-            if len(set(numbers)) == len(images) and numbers and set(numbers) & set(self.clip.frame_range):
-                found = numbers
-            else:
+            found = self._numbered([str(image.get("file_name", "")) for image in images])
+            if not found:
                 found = [self.clip.first + k for k in range(len(images))]
                 self.note(
                     sentence("The images' names do not number the clip's frames: they were taken in their order.")
                 )
         return {key: frame for key, frame in zip(ids, found, strict=True) if key is not None}
+
+    def _numbered(self, names: list[str]) -> list[int]:
+        """The clip's frames by the group of digits that counts the images, the last that does; none without one."""
+        words = [re.findall(r"\d{1,9}", re.sub(r"\.\w+$", "", name)[-200:]) for name in names]
+        for place in range(1, min(map(len, words), default=0) + 1):
+            numbers = [int(word[-place]) for word in words]
+            if len(set(numbers)) == len(names):
+                frames = [self._framed(number) for number in numbers]
+                if set(frames) & set(self.clip.frame_range):
+                    return frames
+        return []
 
     def _framed(self, number: Any) -> int:
         try:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import is_feathered
+from roam_core.interchange.labels.pictures import file_names_of
 from roam_core.interchange.labels.polygons import JOINING, STRAYING, Flattener
 from roam_core.interchange.labels.presence import below_zero, is_dimmed, stretches
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
@@ -20,15 +21,23 @@ from roam_core.interchange.telling import MODE_WORDS
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import without_holds
 from roam_core.interchange.xml import xml_text
-from roam_core.roto import Layer, Project, RotoShape
+from roam_core.roto import Clip, Layer, Project, RotoShape
 from roam_core.translatable import N_, listed, sentence
 
 NAME = "name"
 """The attribute of a track that holds the shape's name where the label is that of its layer."""
 
 
+@dataclass(frozen=True)
 class CvatExporter(TextExporter):
-    """Writes every shape as a track; its label is the name of the layer in the root that it lies in, or its own."""
+    """Writes every shape as a track; its label is the name of the layer in the root that it lies in, or its own.
+
+    Attributes
+    ----------
+    asks_plate : it is told where the plate lacks pictures, for which its folder is read.
+    """
+
+    asks_plate: bool = True
 
     name = "cvat"
     title = N_("CVAT for video")
@@ -38,6 +47,8 @@ class CvatExporter(TextExporter):
     def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
         """The text and what is told of it."""
         text, notes, losses = cvat_document(project, options)
+        if self.asks_plate:
+            notes += _gaps(project.require_clip())
         return text, settled(notes, losses, options)
 
 
@@ -74,6 +85,23 @@ def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
     ET.indent(root, " ")
     text = ET.tostring(root, encoding="unicode", xml_declaration=False)
     return f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n{text}\n', writer.notes, writer.losses
+
+
+def _gaps(clip: Clip) -> list[str]:
+    """A sentence where pictures of the plate are missing: CVAT numbers those that it is given, without gaps."""
+    files = file_names_of(clip) or dict.fromkeys(clip.frame_range, "")
+    missing = [frame for frame in clip.frame_range if frame not in files]
+    if not missing:
+        return []
+    return [
+        sentence(
+            "CVAT counts pictures without gaps, and {plate} lacks {count}: fill them, or from frame {first} on shapes "
+            "lie on other pictures there.",
+            plate=clip.name,
+            count=len(missing),
+            first=missing[0],
+        )
+    ]
 
 
 @dataclass

@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from roam_core.interchange.sums import UNIONS, Item, is_shown, is_soft_sum, sums_as_unions
+from roam_core.interchange.timing import is_smooth
 from roam_core.roto import BlendMode, Layer, RotoShape
-from roam_core.roto.animated import is_always
+from roam_core.roto.animated import has_tangents, is_always
 from roam_core.translatable import sentence
 
 OPERATIONS = {
@@ -97,6 +98,12 @@ def told(root: Layer) -> Iterator[str]:
             "Nuke gets nodes of their own for {what}: one Roto node is not known to join layers as ROAM does.",
             what=what,
         )
+        for layer in (step.layer for step in made if isinstance(step, Finished)):
+            if has_tangents(layer.opacity) or is_smooth(layer.opacity):
+                yield sentence(
+                    "Nuke has linear keys on every frame for the opacity of {name!r}, straight between frames.",
+                    name=layer.name,
+                )
     if sums := [repr(item.name) for item in sums_as_unions(root)]:
         added = ", ".join(sums[:6])
         some = sentence("{names} and others", names=added) if len(sums) > 6 else added

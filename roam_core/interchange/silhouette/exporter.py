@@ -23,7 +23,7 @@ from roam_core.interchange.flatten import everything, is_feathered, shown_shapes
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.sums import UNIONS, Item, is_shown, soft_sums
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import opacity_keys, tangent_notes
+from roam_core.interchange.timing import opacity_keys, smooth_notes, tangent_notes
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import (
     Animated,
@@ -97,7 +97,7 @@ def _pieces(project: Project, options: ExportOptions) -> tuple[Iterator[str], tu
     )
     shown = frozenset(shape.id for shape in shown_shapes(project.root))
     writer = _Writer(clip, options, len(project.shapes), shown=shown)
-    writer.notes += tangent_notes(project.root)
+    writer.notes += [*tangent_notes(project.root), *smooth_notes(project.root)]
     project = replace(project, root=writer.veiled(_without_timed_intersect(project.root, clip.size)))
     writer.total = len(project.shapes)
     root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")

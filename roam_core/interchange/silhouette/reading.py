@@ -294,7 +294,7 @@ class _SessionReader:
     def _blend(self, mode: str, subject: str) -> BlendMode:
         mode = mode or MODES[BlendMode.ADD]
         for blend, name in MODES.items():
-            if name == mode:
+            if name.lower() == mode.strip().lower():
                 return blend
         self.reader.note(
             sentence("The mode {mode} of the {subject} is none of ROAM's; it adds.", mode=brief(mode), subject=subject)

@@ -88,7 +88,10 @@ def told(found: Steadied) -> str:
     lengths = [_length(found.shapes, spot) for spot in found.boil]
     before, after = np.average(list(found.boil.values()), axis=0, weights=lengths)
     return sentence(
-        "{keys} moved; boil {before:.2f} px before, {after:.2f} px now.", keys=keys, before=before, after=after
+        "{keys} moved; boil by the picture {before:.2f} px before, {after:.2f} px now.",
+        keys=keys,
+        before=before,
+        after=after,
     )
 
 

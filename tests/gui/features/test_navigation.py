@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from app.features.navigation import Navigation
@@ -11,6 +12,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Animated, Clip, Keyframe, Origin, Project, ValueKey, edit
+from roam_core.roto.following import followed, pinned, surface_at, with_moving_layer
 from roam_core.roto.layers import grouped
 from roam_core.roto.linking import BEHIND, set_depth
 
@@ -36,15 +38,16 @@ def test_a_project_opens_on_its_first_key(navigation: Navigation, view_state: Vi
 def test_keys_by_hand_are_visited_of_all_shapes_or_of_the_selected_ones(
     navigation: Navigation, view_state: ViewState
 ) -> None:
-    visited = []
+    visited, told = [], []
     for shapes in (frozenset[str](), frozenset({"shape-1"})):
         view_state.select(shapes)
         view_state.set_frame(1001)
         for step in (navigation.next_key, navigation.next_key, navigation.next_key, navigation.previous_key):
             step()
             visited.append(view_state.frame)
+            told.append(view_state.message)
     assert visited == [1005, 1012, 1020, 1012, 1005, 1020, 1020, 1005]
-    assert view_state.message == "There is no key after this frame."
+    assert told == [""] * 6 + ["There is no key after this frame.", ""]  # it is untrue on the frame before
 
 
 def test_changes_of_depth_are_visited_like_keys(
@@ -79,6 +82,22 @@ def test_keys_of_a_layers_opacity_are_visited_with_it(
     navigation.next_key()
     assert view_state.frame == 1020
     assert "no key after" in view_state.message
+
+
+def test_adjust_keys_of_a_track_are_visited_with_its_shapes(
+    navigation: Navigation, document: Document, view_state: ViewState
+) -> None:
+    project, layer_id = with_moving_layer(document.project, ["shape-1"], 1005)
+    for frame in range(1006, 1016):
+        project = followed(project, layer_id, 1005, frame, np.eye(3))
+    document.apply("Adjust key", pinned(project, layer_id, 1014, surface_at(project, layer_id, 1014) + 2.0))
+    visited = []
+    for shapes in (frozenset({"shape-1"}), frozenset({"shape-2"})):
+        view_state.select(shapes)
+        view_state.set_frame(1005)
+        navigation.next_key()
+        visited.append(view_state.frame)
+    assert visited == [1014, 1012]
 
 
 def test_keys_beside_the_clip_are_not_visited(

@@ -230,6 +230,14 @@ def test_enter_keeps_it_as_the_artists_and_undo_asks_again(qtbot: QtBot, window:
     assert window.proposal_bar.isVisible()
 
 
+def test_what_is_refused_is_told_as_waiting_no_more(qtbot: QtBot, window: MainWindow) -> None:
+    track(qtbot, window)
+    assert window.view_state.message.endswith("1 proposal to answer: Alt+P goes there.")
+    window.actions_by_id["proposal.next"].trigger()
+    window.actions_by_id["proposal.refuse"].trigger()
+    assert window.view_state.message == "Left as it is."
+
+
 def test_backspace_refuses_it_for_the_frames_around_too(qtbot: QtBot, window: MainWindow) -> None:
     track(qtbot, window)
     before = window.document.project

@@ -55,6 +55,17 @@ def test_at_first_they_open_beside_the_clip(window: MainWindow, starts: dict[str
     assert starts["choose_shapes"] == starts["choose_folder"] == [show]
 
 
+def test_no_place_of_a_frame_number_is_proposed_as_a_name(
+    qtbot: QtBot, starts: dict[str, list[Path]], tmp_path: Path
+) -> None:
+    plates = write_clip(tmp_path / "plates")
+    with opened_window(qtbot, plates / "plate.####.png", tmp_path / "journal") as window:
+        for choose in (window.file_actions.save_as, window.file_actions.export_nuke):
+            choose()
+    assert starts["choose_save"] == [plates / "plate.roam"]
+    assert starts["choose_export"] == [plates / "plate.nk"]
+
+
 def test_a_folder_that_cannot_be_looked_at_is_gone() -> None:
     folders = LastFolders()
     folders.note(Purpose.EXPORT, Path("a" * 300) / "plate.nk")

@@ -11,6 +11,7 @@ from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
 from app.model.view_state import ViewState
 from app.panels.bars.status import StatusBar
+from tests.gui.waiting import WAIT
 
 
 class Work(QObject):
@@ -111,7 +112,9 @@ def test_what_is_said_while_work_goes_on_stands_until_it_is_read(
     assert status.sentence.text() == "Tracking body forward: frame 8"
     view_state.say("Hat is locked.")
     works[0].finished.emit(Ending.DONE, "Tracked body.")
-    assert status.sentence.text() == "Tracked body."
+    assert status.sentence.text() == "Hat is locked."
+    status.reading.setInterval(0)
+    qtbot.waitUntil(lambda: status.sentence.text() == "Tracked body.", timeout=WAIT)
     assert not status.reading.isActive()
 
 

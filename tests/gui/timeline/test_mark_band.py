@@ -117,12 +117,13 @@ def test_a_right_click_on_a_note_says_that_it_goes_with_its_mark(
 
 def test_keys_go_from_mark_to_mark(qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState) -> None:
     marked(qtbot, timeline, document, Mark(1012), Mark(1020))
-    visited = []
+    visited, told = [], []
     for step in ("time.next_mark", "time.next_mark", "time.next_mark", "time.previous_mark"):
         handler(timeline, step)()
         visited.append(view_state.frame)
+        told.append(view_state.message)
     assert visited == [1012, 1020, 1020, 1012]
-    assert view_state.message == "There is no mark after this frame."
+    assert told == ["", "", "There is no mark after this frame.", ""]  # it is untrue on the frame before
 
 
 def test_a_mark_and_its_word_are_seen(qtbot: QtBot, timeline: Timeline, document: Document) -> None:

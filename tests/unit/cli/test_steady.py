@@ -42,8 +42,8 @@ def test_tracked_keys_move_and_the_boil_is_told(roam: Roam, trembling: Path) -> 
     assert [key.origin for key in moved] == [Origin.ENGINE] * 8
     assert [key.inputs for key in after.keys] == [key.inputs for key in before.keys]
     words = done.err.split()
-    assert done.err == f"8 keys moved; boil {words[4]} px before, {words[7]} px now.\n"
-    assert float(words[7]) < 0.7 * float(words[4])
+    assert done.err == f"8 keys moved; boil by the picture {words[7]} px before, {words[10]} px now.\n"
+    assert float(words[10]) < 0.7 * float(words[7])
 
 
 def test_a_part_is_saved_elsewhere_and_told_in_json(roam: Roam, trembling: Path, tmp_path: Path) -> None:

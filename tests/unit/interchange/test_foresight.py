@@ -48,3 +48,17 @@ def test_few_keys_are_tried_whatever_keys_are_asked_for() -> None:
     assert trimmed(long).shape(shape.id).frames == (1001, 1005, 1007, 1009)
     found = foreseen(EXPORTERS["nuke"], long, ExportOptions(keys=KeyChoice.REDUCED, smoothing=2.0))
     assert [note for note in found.notes if "keys" in note] == []
+
+
+@pytest.mark.parametrize("name", ["coco", "cvat"])
+def test_the_plate_is_not_asked_for_what_is_foreseen(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its server may not answer, and an export waits behind this."""
+    asked: list[object] = []
+    monkeypatch.setattr(f"roam_core.interchange.labels.{name}.file_names_of", asked.append)
+    project = SCENES["curves"].project
+    foreseen(EXPORTERS[name], project)
+    assert asked == []
+    EXPORTERS[name].export(project, tmp_path / "labels")
+    assert asked == [project.clip]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -38,6 +39,19 @@ def test_the_shape_moves_as_it_did_on_the_frames_that_are_written(interpolation:
 def test_frames_that_hold_all_keys_change_nothing() -> None:
     shape = animated("Arm", Interpolation.SMOOTH)
     assert within(shape, range(1001, 1041)) == shape
+
+
+@pytest.mark.parametrize("frames", [range(1003, 1031), range(1001, 1020), range(1003, 1020)])
+def test_smooth_spans_that_are_not_cut_stay_smooth(frames: range) -> None:
+    """One cut span made all of them straight between frames: motion blur showed that far from the cut, too."""
+    shape = animated("Arm", Interpolation.SMOOTH)
+    cut = within(shape, frames)
+    whole = [span for span in pairwise(shape.frames) if span[0] >= frames[0] and span[1] <= frames[-1]]
+    assert whole
+    for first, last in whole:
+        assert not set(range(first + 1, last)) & set(cut.frames)
+        for moment in np.linspace(first, last, 23):
+            npt.assert_allclose(cut.at(moment).points, shape.at(moment).points, rtol=0, atol=1e-9)
 
 
 def test_beyond_the_keys_the_shape_stands_still() -> None:

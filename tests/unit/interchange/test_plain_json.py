@@ -205,7 +205,7 @@ SHAPE, KEY = ("items", 0, "items", 0), ("items", 0, "items", 0, "keys", 0)
         ((*SHAPE, "colour"), [1, 2], '"colour" must be a list of three numbers'),
         ((*SHAPE, "lifetime"), [5], '"lifetime" must be null or a first frame'),
         ((*SHAPE, "lifetime"), [1009, 1002], '"lifetime" must not end before it begins'),
-        ((*SHAPE, "motion_blur"), {"shutter": -1, "phase": 0}, "must have 1 to 1024 samples"),
+        ((*SHAPE, "motion_blur"), {"shutter": -1001, "phase": 0}, "must have 1 to 1024 samples"),
         ((*SHAPE, "keys"), [], "has no key"),
         ((*KEY, "frame"), 1e12, "is no frame number"),
         ((*KEY, "points"), [], "each point must be a list of two or six numbers"),

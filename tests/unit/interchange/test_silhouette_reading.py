@@ -214,6 +214,11 @@ def test_properties_of_a_shape(read: Read) -> None:
     assert "shutter" in imported.notes[0]
 
 
+@pytest.mark.parametrize("word", ["subtract", "SUBTRACT", " Subtract "])
+def test_a_mode_is_known_in_any_letters(read: Read, word: str) -> None:
+    assert only(read(shape_xml(properties=constant("mode", word)))).blend is BlendMode.SUBTRACT
+
+
 def test_an_opacity_that_rises_from_and_falls_to_zero_is_a_lifetime(read: Read) -> None:
     shape = only(read(shape_xml(properties=keyed("opacity", (3, "0"), (4, "50"), (9, "0"), interp="hold"))))
     assert (shape.opacity, shape.lifetime) == (0.5, (1005, 1010))

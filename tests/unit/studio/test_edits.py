@@ -67,6 +67,61 @@ def test_clips_with_an_init_become_jobs_of_the_frames_that_the_edit_shows(edit: 
     assert ranges(edit, 50) == {"sh010": (1001, 1006), "sh_020": (1001, 1006)}
 
 
+@pytest.mark.parametrize("step", [1, 2])
+@pytest.mark.parametrize(("counted", "ranged"), [(24, 48), (48, 24), (48, 48), (120, 24), (24, None)])
+def test_the_frames_of_a_sequence_go_on_by_its_own_rate(
+    edit: Path, counted: int, ranged: int | None, step: int
+) -> None:
+    """The library says which frame is shown; a clip whose times count 48 a second got twice the frames of the plate."""
+
+    def times(first: float, last: float, rate: float) -> Any:
+        return otio.opentime.TimeRange(
+            otio.opentime.RationalTime(first / RATE * rate, rate), otio.opentime.RationalTime(last / RATE * rate, rate)
+        )
+
+    timeline = read_edit(edit)
+    shot = timeline.video_tracks()[0][0]
+    media = shot.media_reference
+    media.frame_step = step
+    media.available_range = None if ranged is None else times(1001, 6, ranged)
+    shot.source_range = times(1002, 2, counted)
+    edit.write_text(otio.core.serialize_json_to_string(timeline))
+    media.available_range = media.available_range or times(1001, 6, RATE)
+    begin, end = shot.source_range.start_time, shot.source_range.end_time_inclusive()
+    told = media.frame_for_time(begin), media.frame_for_time(end)
+    assert told == (1002, 1003)
+    assert ranges(edit, 0)["sh010"] == told
+
+
+@pytest.mark.parametrize("step", [1, 2])
+def test_mattes_show_at_the_times_of_their_pictures_whatever_the_rates(edit: Path, tmp_path: Path, step: int) -> None:
+    timeline = read_edit(edit)
+    shot = timeline.video_tracks()[0][0]
+    media, half = shot.media_reference, 2 * RATE
+    media.frame_step = step
+    media.available_range = otio.opentime.TimeRange(
+        otio.opentime.RationalTime(100, half), otio.opentime.RationalTime(12, half)
+    )
+    shot.source_range = otio.opentime.TimeRange(
+        otio.opentime.RationalTime(104, half), otio.opentime.RationalTime(4, half)
+    )
+    edit.write_text(otio.core.serialize_json_to_string(timeline))
+    found = jobs_from(edit, handles=1, inits=tmp_path / "inits", out=tmp_path / "out")
+    folder = tmp_path / "out" / "sh010" / "mattes"
+    folder.mkdir(parents=True)
+    for frame in range(1002, 1006):
+        put_mask(folder / f"plate.{frame}.png")
+    found.write_timeline(tmp_path / "with.otio")
+    mattes = read_edit(tmp_path / "with.otio").video_tracks()[1][0]
+    made, time = mattes.media_reference, mattes.trimmed_range().start_time
+    assert media.frame_for_time(time) == made.frame_for_time(time) == 1003
+    number = (1003 - made.start_frame) // made.frame_step
+    assert made.target_url_for_image_number(number).endswith("plate.1003.png")
+    assert made.presentation_time_for_image_number(number) == time
+    assert made.available_range.start_time <= time
+    assert made.available_range.end_time_exclusive() >= mattes.trimmed_range().end_time_exclusive()
+
+
 def test_the_edit_comes_back_with_a_track_of_mattes(edit: Path, tmp_path: Path) -> None:
     found = jobs_from(edit, handles=1, inits=tmp_path / "inits", out=tmp_path / "out")
     line = tasks_of(found.jobs)[0]

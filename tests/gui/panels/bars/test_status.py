@@ -122,6 +122,36 @@ def test_what_a_run_leaves_out_is_read_before_how_far_it_is(
         propagation.drop()
 
 
+def test_the_end_of_a_short_run_waits_until_it_is_read_what_it_left_out(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After one frame the end took its place."""
+    put_in(monkeypatch, GlidingEngine()).allow(1)
+    project, _ = edit.new_shape(Project(Clip(Path("shot"), 1, 9, (64, 48))), SQUARE, 1, name="Torso")
+    document.open(edit.new_shape(project, SQUARE, 5, name="Post")[0], None)
+    view_state.set_play_range(1, 10)
+    propagation = Propagation(document, view_state, runner, lambda frame: None)
+    status = StatusBar(view_state, UnderWay(propagation))
+    qtbot.addWidget(status)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        Tracking(document, view_state, propagation).forward_one()
+    assert status.sentence.text().startswith("Post is not tracked: its first key lies on frame 5.")
+    assert view_state.message.startswith("Tracked Torso")
+    status.reading.timeout.emit()
+    assert status.sentence.text() == view_state.message
+
+
+@pytest.mark.parametrize("ending", [Ending.CANCELLED, Ending.FAILED])
+def test_a_run_that_ends_before_its_end_says_so_at_once(qtbot: QtBot, view_state: ViewState, ending: Ending) -> None:
+    work = Work()
+    status = StatusBar(view_state, UnderWay(work))
+    qtbot.addWidget(status)
+    work.progress.emit(0.0, "Tracking")
+    view_state.say("Post is not tracked.")
+    work.finished.emit(ending, "It ended.")
+    assert status.sentence.text() == "It ended."
+
+
 def test_work_that_ends_without_a_word_is_told_no_more(qtbot: QtBot, view_state: ViewState) -> None:
     work = Work()
     status = StatusBar(view_state, UnderWay(work))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -17,6 +20,7 @@ from roam_core.roto import Clip, Origin, Project, edit
 from tests.gui.hand import CTRL, Hand
 from tests.gui.tools.conftest import OnlyShape
 
+CLIP = Clip(Path("shot"), 1, 9, (640, 480))
 CORNERS = [(40.0, 40.0), (120.0, 40.0), (120.0, 100.0)]
 RETURN, ESCAPE, BACKSPACE = Qt.Key.Key_Return, Qt.Key.Key_Escape, Qt.Key.Key_Backspace
 
@@ -141,10 +145,12 @@ def test_escape_leaves_the_shape_open(hand: Hand, view_state: ViewState, drawing
     assert view_state.selection.shapes == {only().id}
 
 
-@pytest.mark.parametrize(("finish", "follow"), [(RETURN, "Ctrl+9 tracks it"), (ESCAPE, "Ctrl+8 closes it")])
+@pytest.mark.parametrize(("finish", "follow"), [(RETURN, "Ctrl+9 tracks forward."), (ESCAPE, "Ctrl+8 closes it")])
 def test_a_finished_shape_says_what_comes_next(
-    hand: Hand, view_state: ViewState, drawing: str, finish: Qt.Key, follow: str
+    hand: Hand, document: Document, view_state: ViewState, drawing: str, finish: Qt.Key, follow: str
 ) -> None:
+    document.apply("Clip", replace(document.project, clip=CLIP))
+    view_state.set_play_range(1, 10)
     own = {"track.forward": ("Ctrl+9",), "points.toggle_closed": ("Ctrl+8",)}
     view_state.set_keymap({**view_state.keymap, **own})
     click_all(hand)
@@ -154,6 +160,35 @@ def test_a_finished_shape_says_what_comes_next(
     view_state.select(view_state.selection.shapes, frozenset({(only_id, 0) for only_id in view_state.selection.shapes}))
     assert follow in view_state.message
     view_state.select(frozenset())
+    assert view_state.message == SelectTool.hint
+
+
+@pytest.mark.parametrize(
+    ("clip", "frame", "follow"),
+    [
+        (CLIP, 4, " ] or F7 tracks forward."),
+        (CLIP, 9, " [ or F5 tracks back."),
+        (replace(CLIP, last=1), 1, ""),
+        (None, 1, ""),
+    ],
+)
+def test_a_finished_shape_does_not_advise_to_track_where_no_frame_is(
+    hand: Hand,
+    document: Document,
+    view_state: ViewState,
+    bezier: DrawingTool,
+    clip: Clip | None,
+    frame: int,
+    follow: str,
+) -> None:
+    """On the last frame it said that ] tracks forward, and went on saying it when the artist went there."""
+    document.apply("Clip", replace(document.project, clip=clip))
+    view_state.set_play_range(1, 2 if clip is None else clip.last + 1)
+    view_state.set_frame(frame)
+    click_all(hand)
+    hand.key(RETURN)
+    assert view_state.message == f"Shape 1 is drawn: drag its points to adjust it.{follow}"
+    view_state.set_frame(frame + 1)
     assert view_state.message == SelectTool.hint
 
 

@@ -262,7 +262,9 @@ def test_what_was_done_is_told(shot: Shot, trembling: RotoShape) -> None:
     before, after = (np.mean([pair[k] for pair in found.boil.values()]) for k in (0, 1))
     measured = boil(shot.read, [trembling], FRAMES, RESIDUAL)
     assert before == pytest.approx(np.mean([measured[spot].pixels for spot in found.boil]), abs=0.1)
-    assert told(found) == f"{len(found.moved)} keys moved; boil {before:.2f} px before, {after:.2f} px now."
+    assert (
+        told(found) == f"{len(found.moved)} keys moved; boil by the picture {before:.2f} px before, {after:.2f} px now."
+    )
     assert fractions == sorted(fractions)
     assert 0.5 < fractions[-1] <= 1.0
     nothing = steadying(shot.read, [trembling], FRAMES, 0.0, STEADINESS, RESIDUAL)
