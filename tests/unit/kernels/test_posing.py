@@ -9,7 +9,7 @@ from roam_core.arrays import Array
 from roam_core.kernels import posing
 from roam_core.kernels.posing import RIM, Costs, Prior, Samples, Ties, View, affines, energies, refined
 from tests.reference.posing import ref_affines, ref_carried, ref_energy
-from tests.unit.kernels.conftest import EXACT
+from tests.unit.kernels.conftest import EXACT, needs_compiler
 
 ONE = np.array([[30.0, 25.0, -1.0, 0.4]])
 TWO = np.array([[24.0, 25.0, -1.0, 0.1], [32.0, 26.0, 0.0, 0.2]])
@@ -245,6 +245,7 @@ def test_outside_the_picture_nothing_is_seen_and_nothing_breaks() -> None:
         assert cost == pytest.approx(COSTS.beyond)
 
 
+@needs_compiler
 @CHAINS
 def test_whatever_the_layout_of_its_arrays_a_kernel_is_compiled_once(bones: Array) -> None:
     """Templates are cut to every second place, and shares of bones stand in columns: each was compiled for."""
