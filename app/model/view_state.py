@@ -67,7 +67,7 @@ class ViewState(QObject):
         self.is_playing = False
         """Whether the clip is played: the playhead goes its own way."""
         self._said = self._hint = self._advice = self._of_picture = ""
-        self._is_said_just_now = self._is_said_in_drag = self._is_reading = self._can_wait = False
+        self._is_said_just_now = self._is_said_in_drag = self._is_reading = self._can_wait = self._is_left = False
         self._told_of: Place | None = None
         """What the sentence is about, where it is about a place."""
         self._keymap = load_keymap()
@@ -200,9 +200,14 @@ class ViewState(QObject):
         """Whether the sentence, the end of some work, may wait until what stands in the status bar has been read."""
         return self._can_wait
 
-    def say(self, sentence: str, *, is_reading: bool = False, can_wait: bool = False) -> None:
+    @property
+    def is_left(self) -> bool:
+        """Whether the sentence is what was left when another one went: no news to be read before work that goes on."""
+        return self._is_left
+
+    def say(self, sentence: str, *, is_reading: bool = False, can_wait: bool = False, is_left: bool = False) -> None:
         """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
-        self._is_reading, self._can_wait = is_reading, can_wait
+        self._is_reading, self._can_wait, self._is_left = is_reading, can_wait, is_left
         self._told_of = None
         self._said = sentence
         self._is_said_just_now, self._is_said_in_drag = True, self._preview is not None
@@ -221,7 +226,7 @@ class ViewState(QObject):
     def _leave_place(self) -> None:
         """What was told of a place that is left is untrue now, or about nothing that is looked at."""
         if self._told_of not in (None, self._place):
-            self.say(self._hint)
+            self.say(self._hint, is_left=True)
 
     def advise(self, sentence: str) -> None:
         """Tell what to do next with the shapes that are selected, on this frame; the artist's edits leave it."""
@@ -237,7 +242,7 @@ class ViewState(QObject):
         """A frame is shown, or has no picture (None)."""
         if picture is not None and self._of_picture:
             if self._said == self._of_picture:
-                self.say(self._hint)
+                self.say(self._hint, is_left=True)
             self._of_picture = ""
 
     def go_on(self) -> None:
@@ -247,7 +252,7 @@ class ViewState(QObject):
         """
         is_of_drag = self._is_said_in_drag and self._preview is not None
         if not self._is_said_just_now and not is_of_drag and self._said not in (self._hint, self._advice):
-            self.say(self._hint)
+            self.say(self._hint, is_left=True)
 
     def _age(self) -> None:
         self._is_said_just_now = False

@@ -72,9 +72,9 @@ class MarkBand(TippedWidget):
 
     def mark_at(self, x: float) -> Mark | None:
         """The mark near a pixel, or None."""
-        near = [(abs(self._axis.scale.x(mark.frame) - x), mark.frame, mark) for mark in self._document.project.marks]
-        distance, _, mark = min(near, default=(GRAB + 1, 0, None))
-        return mark if distance <= GRAB and x >= LABEL_WIDTH else None
+        marks = self._document.project.marks
+        distance, frame = self._axis.scale.nearest([mark.frame for mark in marks], x)
+        return next((mark for mark in marks if mark.frame == frame), None) if distance <= GRAB else None
 
     # ---- events
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from roam_core.arrays import Array
+from roam_core.arrays import Array, Int64
 
 LABEL_WIDTH = 148
 """Pixels left of the frames: the names of the rows."""
@@ -47,6 +47,17 @@ class TimeScale:
     def has_left_of(self, frame: float) -> bool:
         """Whether the middle of a frame lies left of the strip, over the names."""
         return self.x(frame) < self.left
+
+    def nearest(self, frames: Sequence[int] | Int64, x: float) -> tuple[float, int | None]:
+        """How many pixels the nearest of the `frames` lies from the pixel `x`, and which it is; infinity and None
+        where there is none. Those left of the strip are passed over: they have no marks.
+        """
+        there = np.asarray(frames, dtype=np.int64)
+        there = there[there >= self.first - 0.5]
+        if not len(there):
+            return math.inf, None
+        distances = np.abs(self.left + (there - self.first + 0.5) * self.pixels - x)
+        return float(distances.min()), int(there[distances.argmin()])
 
     def time(self, x: float) -> float:
         """The frame under a pixel, with the fraction of it that lies left of the pixel."""

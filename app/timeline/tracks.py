@@ -53,11 +53,10 @@ class TrackBand(RowBand[Layer]):
     def adjust_key_at(self, at: QPointF) -> tuple[Layer, int] | None:
         """The adjust key near a place, with its layer."""
         layer = self.row_at(at.y())
-        if layer is None or at.x() < LABEL_WIDTH:
+        if layer is None:
             return None
-        near = [(abs(self._axis.scale.x(frame) - at.x()), frame) for frame in _of(layer).adjusted]
-        distance, frame = min(near, default=(GRAB + 1.0, 0))
-        return (layer, frame) if distance <= GRAB else None
+        distance, frame = self._axis.scale.nearest(_of(layer).adjusted, at.x())
+        return None if frame is None or distance > GRAB else (layer, frame)
 
     # ---- events
 
@@ -72,12 +71,12 @@ class TrackBand(RowBand[Layer]):
                 return
             after = unpinned(self._document.project, key[0].id, key[1])
             self._document.apply(tr("Remove adjust key"), after)
+        elif event.button() == Qt.MouseButton.LeftButton and key is not None:
+            self._axis.view_state.set_frame(key[1])
         elif event.button() == Qt.MouseButton.LeftButton and at.x() < LABEL_WIDTH:
             layer = self.row_at(at.y())
             if layer is not None:
                 self._axis.view_state.select(frozenset(shape.id for shape in layer.shapes()))
-        elif event.button() == Qt.MouseButton.LeftButton and key is not None:
-            self._axis.view_state.set_frame(key[1])
         elif event.button() == Qt.MouseButton.LeftButton:
             self._axis.scrub(at.x())
 
@@ -90,9 +89,9 @@ class TrackBand(RowBand[Layer]):
         layer = self.row_at(at.y())
         if layer is None:
             return ""
-        if at.x() < LABEL_WIDTH:
-            return tr("The motion of {name}: click to select its shapes", name=layer.name)
         key = self.adjust_key_at(at)
+        if at.x() < LABEL_WIDTH and key is None:
+            return tr("The motion of {name}: click to select its shapes", name=layer.name)
         if key is not None:
             return tr(
                 "Frame {frame}: an adjust key of {name}\nClick to go there, right-click to remove it",

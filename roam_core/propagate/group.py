@@ -23,11 +23,11 @@ from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termin
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import cuts, near, stacked, units
-from roam_core.propagate.shapes.taking_part import governing_key
-from roam_core.roto import Origin, RotoShape
+from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys, set_key
 from roam_core.roto.feather import turned
+from roam_core.roto.imported import is_import
 from roam_core.translatable import sentence
 
 
@@ -193,7 +193,7 @@ class GroupTracker:
             stamped = self._stamp(frame, forward=frame > before, shapes=shapes)
             for k, shape in enumerate(shapes):
                 if set_in_part[k] is in_part and not given[k] and shape.exists_at(frame):
-                    drawn = governing_key(shape, frame, frame > before) or shape.at(before)
+                    drawn = _feathered(shape, frame, frame > before) or shape.at(before)
                     soft = turned(drawn.feather, drawn.points, solved[k].points)
                     shapes[k] = set_engine_keys(shape, [engine_key(frame, solved[k], soft, stamped)])
         return tuple(shapes)
@@ -291,6 +291,15 @@ def _as_corrected(shape: RotoShape, known: RotoShape, frame: int) -> RotoShape:
     if np.array_equal(given.points, known.at(frame).points):
         return shape
     return set_key(shape, frame, given.points, given.feather)
+
+
+def _feathered(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
+    """The key whose feather a run carries to `frame`: the nearest that it passes of the artist's, or of a file's."""
+    for key in reversed(shape.keys) if forward else shape.keys:
+        is_passed = key.frame <= frame if forward else key.frame >= frame
+        if is_passed and (key.origin is Origin.ARTIST or (key.frame != frame and is_import(key))):
+            return key
+    return None
 
 
 def _artist_key(shape: RotoShape, frame: int) -> bool:

@@ -18,7 +18,8 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto.control_points import points_of
 from roam_core.roto.imported import is_import
 from roam_core.roto.keying import Change
-from roam_core.roto.shape import Origin, Outline, RotoShape
+from roam_core.roto.placement import carried, matrix_at
+from roam_core.roto.shape import Origin, Outline, RotoShape, unplaced
 
 Turn = Callable[[Array, int, int, tuple[float, float]], Array]
 """Puts one handle of points `(P, 3, 2)` at a position: `(points, index, part, position) -> points`."""
@@ -123,12 +124,16 @@ def between_keys(drawn: RotoShape, frame: int, points: Array) -> Array | None:
     """The feather of an outline `points (P, 3, 2)` on `frame`, by the keys of `drawn`.
 
     From one key to the next it goes over from one feather to the other, each `turned` as the outline is; beyond the
-    last it stays.
+    last it stays. In layers that move it is turned as the outline is there, and goes along with them.
     """
     passed = [key for key in drawn.keys if key.frame <= frame]
-    around = (*passed[-1:], *drawn.keys[len(passed) :][:1])
-    keys = tuple(replace(key, feather=turned(key.feather, key.points, points)) for key in around)
-    return replace(drawn, keys=keys).at(frame).feather
+    around = replace(drawn, keys=(*passed[-1:], *drawn.keys[len(passed) :][:1]))
+    if drawn.placement:
+        matrix = matrix_at(drawn.placement, frame)
+        own, _ = carried(points, None, np.asarray(np.linalg.inv(matrix)))
+        return carried(own, between_keys(unplaced(around), frame, own), matrix)[1]
+    keys = tuple(replace(key, feather=turned(key.feather, key.points, points)) for key in around.keys)
+    return replace(around, keys=keys).at(frame).feather
 
 
 def carried_on(shape: RotoShape, frame: int) -> RotoShape:

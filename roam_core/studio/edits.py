@@ -134,7 +134,7 @@ def _matte_reference(job: Job, folder: Path, clip: Any) -> Any:
     otio = studio_module(LIBRARY)
     plate = open_clip(job.clip or "")
     found = {path.stem: path for path in sorted(folder.iterdir())} if folder.is_dir() else {}
-    step = getattr(clip.media_reference, "frame_step", 1)
+    step = max(getattr(clip.media_reference, "frame_step", 1), 1)
     whole = getattr(clip.media_reference, "start_frame", 0)
     shown = (frame for frame in plate.frames if (frame - whole) % step == 0)
     there = [frame for frame in shown if plate.frame_name(frame) in found]

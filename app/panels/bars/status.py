@@ -115,7 +115,7 @@ class StatusBar(QWidget):
         self.reading.stop()
         if not self._under_way.is_any:
             self._say(text)
-        elif text:
+        elif text and not self._view.is_left:
             self._say(text)
             self.reading.start()
         else:

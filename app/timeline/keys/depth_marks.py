@@ -33,8 +33,7 @@ def depth_sentence(shape: RotoShape, frame: int) -> str:
 
 def change_at(shape: RotoShape, x: float, scale: TimeScale, reach: float) -> int | None:
     """The frame of the change of depth whose mark lies within `reach` of `x`, widget units; None where none does."""
-    near = [(abs(scale.x(start) - x), start) for start, _ in shape.depth]
-    distance, frame = min(near, default=(reach + 1.0, 0))
+    distance, frame = scale.nearest([start for start, _ in shape.depth], x)
     return frame if distance <= reach else None
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
@@ -132,7 +131,7 @@ class KeyRows(QAbstractScrollArea):
         if event.button() != Qt.MouseButton.LeftButton:
             return
         shape = self.shape_at(event.position().y())
-        if event.position().x() < LABEL_WIDTH:
+        if self._is_name(event.position()):
             if shape is not None:
                 self._select(shape, event.modifiers())
             return
@@ -207,12 +206,11 @@ class KeyRows(QAbstractScrollArea):
         shape = self.shape_at(at.y())
         if shape is None:
             return ""
-        if at.x() < LABEL_WIDTH:
+        near, change = self.key_at(at), change_at(shape, at.x(), self._axis.scale, GRAB)
+        if self._is_name(at) and change is None:
             return tr("{name}: click to select, Shift adds", name=shape.name)
         if self._end_at(at) is not None:
             return tr(TIP)
-        near = self.key_at(at)
-        change = change_at(shape, at.x(), self._axis.scale, GRAB)
         frame = near[1] if near is not None else self._axis.scale.frame(at.x()) if change is None else change
         return key_tip(shape, frame, self._marks_of(shape))
 
@@ -227,13 +225,14 @@ class KeyRows(QAbstractScrollArea):
     def _nearest_key(self, at: QPointF) -> tuple[float, Place | None]:
         """The artist's key of a row that is nearest to a place, and how many pixels it lies away."""
         shape = self.shape_at(at.y())
-        if shape is None or at.x() < LABEL_WIDTH:
+        if shape is None:
             return math.inf, None
-        scale, artist = self._axis.scale, self._marks_of(shape).artist
-        if not len(artist):
-            return math.inf, None
-        distances = np.abs(scale.left + (artist - scale.first + 0.5) * scale.pixels - at.x())
-        return float(distances.min()), (shape.id, int(artist[distances.argmin()]))
+        distance, frame = self._axis.scale.nearest(self._marks_of(shape).artist, at.x())
+        return distance, None if frame is None else (shape.id, frame)
+
+    def _is_name(self, at: QPointF) -> bool:
+        """Whether a place means a shape's name, and no key: that of the first frame reaches to the end of the names."""
+        return at.x() < LABEL_WIDTH and self.key_at(at) is None
 
     def _ends(self) -> StretchEnds:
         """The brackets beside the chosen keys, over all rows from the first to the last that has some."""

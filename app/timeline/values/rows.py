@@ -97,10 +97,10 @@ class ValueRows(RowBand[KeyedValue]):
         if event.button() != Qt.MouseButton.LeftButton or row is None:
             return
         self._scrubs = False
-        if at.x() < LABEL_WIDTH:
+        place, end, self._pressed, self._is_drag = self.key_at(at), self._end_at(at), at, False
+        if at.x() < LABEL_WIDTH and place is None:
             self._select(row)
             return
-        place, end, self._pressed, self._is_drag = self.key_at(at), self._end_at(at), at, False
         self._pressed_time, self._scrubs = self._axis.scale.time(at.x()), place is None and end is None
         self._stretch = None if end is None else Stretch(self._axis, end, at.x())
         if self._stretch is not None:
@@ -192,11 +192,11 @@ class ValueRows(RowBand[KeyedValue]):
         row = self.row_at(at.y())
         if row is None:
             return ""
-        if at.x() < LABEL_WIDTH:
+        place = self.key_at(at)
+        if at.x() < LABEL_WIDTH and place is None:
             return tr("{title}. Click to select", title=row.title)
         if self._end_at(at) is not None:
             return tr(TIP)
-        place = self.key_at(at)
         frame = place[2] if place is not None else self._axis.scale.frame(at.x())
         factor, unit = SHOWN_AS[row.kind]
         return tr(
@@ -225,10 +225,10 @@ class ValueRows(RowBand[KeyedValue]):
     def _nearest_key(self, at: QPointF) -> tuple[float, ValuePlace | None]:
         """The key of a row that is nearest to a place, and how many pixels it lies away."""
         row = self.row_at(at.y())
-        if row is None or at.x() < LABEL_WIDTH:
+        if row is None:
             return math.inf, None
-        distance, frame = min((abs(self._axis.scale.x(frame) - at.x()), frame) for frame in row.value.frames)
-        return distance, (row.item.id, row.kind.value, frame)
+        distance, frame = self._axis.scale.nearest(row.value.frames, at.x())
+        return distance, None if frame is None else (row.item.id, row.kind.value, frame)
 
     def _ends(self) -> StretchEnds:
         """The brackets beside the chosen keys, over all rows from the first to the last that has some."""

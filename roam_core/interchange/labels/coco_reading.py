@@ -115,7 +115,7 @@ class CocoReader(ShapeReader):
 
     def _numbered(self, names: list[str]) -> list[int]:
         """The clip's frames by the group of digits that counts the images, the last that does; none without one."""
-        words = [re.findall(r"\d{1,9}", re.sub(r"\.\w+$", "", name)[-200:]) for name in names]
+        words = [re.findall(r"\d{1,9}", re.sub(r"\.(?!\d+$)\w+$", "", name)[-200:]) for name in names]
         for place in range(1, min(map(len, words), default=0) + 1):
             numbers = [int(word[-place]) for word in words]
             if len(set(numbers)) == len(names):

@@ -241,7 +241,7 @@ class Stamps:
         self.shapes = tuple(shapes)
         self._clip, self._size = clip, size
         self._places = {id(shape): k for k, shape in enumerate(self.shapes)}
-        self._by_name = {shape.id: k for k, shape in enumerate(self.shapes)}
+        self._by_id = {shape.id: k for k, shape in enumerate(self.shapes)}
         self._known: dict[tuple[object, ...], str] = {}
         self._solved: dict[tuple[tuple[int, ...], int, bool], tuple[int, ...]] = {}
         self._given: dict[tuple[tuple[int, ...], bool], list[int]] = {}
@@ -263,7 +263,7 @@ class Stamps:
 
     def _place(self, shape: RotoShape) -> int | None:
         """The index of a shape, or else of the one that has its id now; None where there is none."""
-        return self._places.get(id(shape), self._by_name.get(shape.id))
+        return self._places.get(id(shape), self._by_id.get(shape.id))
 
     def together(self, shape: RotoShape) -> tuple[RotoShape, ...]:
         """A shape and the others of its object, as stacked."""
@@ -331,7 +331,7 @@ class Stamps:
         return self._known[name]
 
     def is_filled(self, shape: RotoShape, key: Keyframe, gap: Gap, params: RoamParams, alone: bool = False) -> bool:
-        """Whether a key of a shape, which is found by its id, is one that filling a gap would make again."""
+        """Whether a key of one of the shapes is one that filling a gap would make again."""
         asked_beyond = Stamp.read(key.inputs).asked_beyond
         k = self._place(shape)
         if k is None or key.origin is not Origin.ENGINE:

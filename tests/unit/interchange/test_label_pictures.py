@@ -71,7 +71,7 @@ def test_a_lone_picture_is_named_as_it_is(tmp_path: Path) -> None:
     assert images_of(clip)[0] == ["still.tif"]
 
 
-@pytest.mark.parametrize("name", ["plate.{}.jp2", "plate_{}_v002.png", "take3/{}/beauty_01.exr"])
+@pytest.mark.parametrize("name", ["plate.{}.jp2", "plate_{}_v002.png", "take3/{}/beauty_01.exr", "plate.{}"])
 def test_a_data_set_is_read_by_the_digits_that_count_its_images(tmp_path: Path, name: str) -> None:
     """The last digits of a name were taken, those of an extension or a version too: then the images' order."""
     document = {

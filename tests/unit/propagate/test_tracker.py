@@ -20,6 +20,7 @@ from roam_core.params import CONFIGS, params_for, scale_for
 from roam_core.propagate import Termination, Tracker, track
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from roam_core.roto.feather import turned
+from roam_core.roto.imported import IMPORT
 from tests.golden.shots import Shot, gliding, outline_distance, square
 
 pytestmark = pytest.mark.parametrize("config", list(CONFIGS))
@@ -216,6 +217,19 @@ def test_the_feather_curve_rides_along_and_turns_with_the_outline(config: str, b
     assert len(after.keys) == len(blob_shot.frames)
     for key in after.keys:
         np.testing.assert_array_equal(key.feather, turned(soft, blob_shot.truth(1001), key.points))
+
+
+def test_a_run_from_a_key_of_a_file_carries_on_the_feather_of_that_key(config: str, blob_shot: Shot) -> None:
+    """It jumped back to that of the artist's key before."""
+    soft, softer = np.full((6, 3, 2), 2.0), np.full((6, 3, 2), 6.0)
+    read = Keyframe(1003, blob_shot.truth(1003), softer, origin=Origin.ENGINE, inputs=f"{IMPORT}::0123")
+    shape = RotoShape("a", "A", (Keyframe(1001, blob_shot.truth(1001), soft), read))
+    tracker = Tracker(config)
+    tracker.start(blob_shot.read(1003), shape, 1003)
+    for frame in (1004, 1005):
+        key = tracker.step(blob_shot.read(frame), frame).key
+        assert key is not None
+        np.testing.assert_array_equal(key.feather, turned(softer, read.points, key.points))
 
 
 # ---- what is refused, and what fails with a name ---------------------------------------------------------------------

@@ -12,6 +12,8 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
 from roam_core.roto import Keyframe, Origin, RotoShape, edit, feather
 from roam_core.roto.imported import IMPORT
 from roam_core.roto.keying import Keying, held_at, reshape
+from roam_core.roto.placement import LayerTransform
+from roam_core.roto.shape import placed, unplaced
 
 SQUARE = polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 KAPPA = 0.5522847498
@@ -149,6 +151,22 @@ def test_between_two_keys_that_turn_a_feather_keeps_its_width() -> None:
     np.testing.assert_allclose(np.hypot(*found[0, ANCHOR]), 8.0)
     for frame, points, offset in turning():
         np.testing.assert_allclose(feather.between_keys(one, frame, points), offset, atol=1e-12)
+
+
+def test_in_a_layer_that_turns_a_feather_is_turned_by_it_once() -> None:
+    """The layer turned it, and then the outline that the layer had turned did so again."""
+    matrices = {frame: np.eye(3) for frame in (1, 9)}
+    matrices[9][:2, :2] = QUARTER.T
+    layer = LayerTransform.of(matrices)
+    soft = turning()[0][2]
+    inside = tracked(1, 9).with_key(Keyframe(1, SQUARE, soft))
+    inside = inside.with_keys(replace(key, points=SQUARE) for key in inside.keys)
+    found = unplaced(
+        feather.carried_on(placed(inside.with_keys([replace(inside.keys[-1], feather=soft)]), (layer,)), 1)
+    )
+    for key in found.keys:
+        assert key.feather is not None
+        np.testing.assert_allclose(key.feather, soft, atol=1e-9, err_msg=str(key.frame))
 
 
 def turning() -> list[tuple[int, Array, Array]]:

@@ -93,7 +93,7 @@ def test_the_frames_of_a_sequence_go_on_by_its_own_rate(
     assert ranges(edit, 0)["sh010"] == told
 
 
-@pytest.mark.parametrize("step", [1, 2])
+@pytest.mark.parametrize("step", [0, 1, 2])
 def test_mattes_show_at_the_times_of_their_pictures_whatever_the_rates(edit: Path, tmp_path: Path, step: int) -> None:
     timeline = read_edit(edit)
     shot = timeline.video_tracks()[0][0]

@@ -100,6 +100,27 @@ def test_frames_of_a_run_take_no_sentence_away(qtbot: QtBot, qapp: QApplication,
     assert status.sentence.text() == "Hat is locked; unlock it to track it."
 
 
+def test_a_hint_that_is_left_where_a_place_is_left_does_not_hide_how_far_a_run_is(
+    qtbot: QtBot, view_state: ViewState
+) -> None:
+    """Whoever looked at another frame meanwhile read the tool's hint for some seconds."""
+    work = Work()
+    status = StatusBar(view_state, UnderWay(work))
+    qtbot.addWidget(status)
+    view_state.say_hint("Click an outline.")
+    view_state.advise("Hat is drawn: drag its points.")
+    work.progress.emit(0.5, "Tracking")
+    view_state.select(frozenset({"hat"}))
+    assert view_state.message == "Click an outline."
+    assert status.sentence.text() == "Tracking"
+    view_state.say_here("There is no key after this frame.")
+    assert status.sentence.text() == "There is no key after this frame."
+    view_state.select(frozenset())
+    assert status.sentence.text() == "Tracking"
+    view_state.say_hint("Click a point.")
+    assert status.sentence.text() == "Click a point."
+
+
 def test_what_a_run_leaves_out_is_read_before_how_far_it_is(
     qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
