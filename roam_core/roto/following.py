@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection
 from dataclasses import replace
+from functools import partial
+from itertools import takewhile
 
 import numpy as np
 
@@ -11,10 +13,13 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, fit
+from roam_core.roto.baking import baked
+from roam_core.roto.edit import remove_items
+from roam_core.roto.imported import IMPORT, stamped
 from roam_core.roto.layers import grouped
-from roam_core.roto.placement import LayerTransform, matrix_at
+from roam_core.roto.placement import LayerTransform, Placement, matrix_at
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import Origin, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, RotoShape
 from roam_core.translatable import sentence
 
 LAYER_NAME = "Planar"
@@ -25,22 +30,30 @@ def with_moving_layer(project: Project, shape_ids: Collection[str], frame: int) 
     """A layer around shapes that a track can move, and its id: the one that holds just these, or a new one.
 
     A layer that moves already is taken up again where it holds exactly these shapes; so a track can be gone on with, in
-    either direction. Otherwise a new one named "Planar 1", "Planar 2", ... stands still on `frame`.
+    either direction. So is the innermost one that holds just these and stands still, as all in it does: a layer of the
+    artist's, or one whose motion was removed. Otherwise a new one named "Planar 1", "Planar 2", ... comes around them.
+    What begins to move stands still on `frame`.
+
+    No shape moves by that, on no frame: what a layer moved out of which a shape is taken is told by engine keys of the
+    shape then, which a track replaces. Moving layers that hold nothing any more fall away.
     """
     if (there := moving_layer(project, shape_ids)) is not None:
         return project, there.id
-    project, layer = grouped(project, set(shape_ids), project.free_name(LAYER_NAME))
     begun = replace(LayerTransform.of({frame: projective.IDENTITY}), adjusted=(frame,))
-    return _with_transform(project, layer.id, begun), layer.id
+    if (there := _still_layer(project, shape_ids)) is not None:
+        return _with_transform(project, there.id, begun), there.id
+    after, layer = grouped(project, set(shape_ids), project.free_name(LAYER_NAME))
+    for shape_id in shape_ids:
+        if _moved_by(project, shape_id) != _moved_by(after, shape_id):
+            after = after.with_shape(_baked_for_track(project.shape(shape_id)))
+    emptied = [each.id for each in _layers(project) if each.transform is not None and any(each.shapes())]
+    after = remove_items(after, [each.id for each in _layers(after) if each.id in emptied and not any(each.shapes())])
+    return _with_transform(after, layer.id, begun), layer.id
 
 
 def moving_layer(project: Project, shape_ids: Collection[str]) -> Layer | None:
     """The layer that moves and holds just these shapes."""
-    chosen = set(shape_ids)
-    for item in project.root.items():
-        if isinstance(item, Layer) and item.transform is not None and {s.id for s in item.shapes()} == chosen:
-            return item
-    return None
+    return next((layer for layer in _layers_of(project, shape_ids) if layer.transform is not None), None)
 
 
 def followed(
@@ -55,13 +68,15 @@ def followed(
     """
     layer = _layer(project, layer_id)
     own = layer.transform or LayerTransform.of({start: projective.IDENTITY})
+    if start not in own.frames:  # a run that begins beside the others: what it was matched to must not move with it
+        own = own.with_matrices({start: own.at(start)}, dict(own.confidence))
     outside = _inverse(_above(project, layer_id, frame)) @ motion @ _above(project, layer_id, start)
     told = {} if confidence is None else {frame: confidence}
     after = own.with_matrices({frame: outside @ own.at(start)}, told)
     if frame in own.adjusted and frame != start:
         there = projective.apply(_inverse(after.at(frame)) @ own.at(frame), surface_of(layer))
         after = _spread(after, surface_of(layer), there, frame, (min(start, frame), max(start, frame)))
-    return _with_transform(project, layer_id, after, frame)
+    return _with_transform(project, layer_id, after, (start, frame))
 
 
 def surface_at(project: Project, layer_id: str, frame: int) -> Array:
@@ -188,6 +203,44 @@ def _is_convex(corners: Array) -> bool:
     return bool(abs(turns.sum()) == len(corners))
 
 
+def _layers(project: Project) -> list[Layer]:
+    """The layers of a project, parents before children."""
+    return [item for item in project.root.items() if isinstance(item, Layer)]
+
+
+def _layers_of(project: Project, shape_ids: Collection[str]) -> list[Layer]:
+    """The layers that hold just these shapes, the outermost first."""
+    chosen = set(shape_ids)
+    return [layer for layer in _layers(project) if {shape.id for shape in layer.shapes()} == chosen]
+
+
+def _still_layer(project: Project, shape_ids: Collection[str]) -> Layer | None:
+    """The innermost layer that holds just these shapes, where nothing in it moves."""
+    around = _layers_of(project, shape_ids)
+    if not around or any(isinstance(item, Layer) and item.transform is not None for item in around[0].items()):
+        return None
+    return around[-1]
+
+
+def _moved_by(project: Project, shape_id: str) -> Placement:
+    return project.placement_in(project.layers_above(shape_id)[-1].id)
+
+
+def _baked_for_track(shape: RotoShape) -> RotoShape:
+    """A placed shape with keys in place of what moves it; those are no artist's keys, so that a track replaces them."""
+    own = set(shape.frames)
+    plain = baked(shape)
+    told = (key if key.frame in own else replace(key, origin=Origin.ENGINE, inputs=IMPORT) for key in plain.keys)
+    return _with_stamps(replace(plain, keys=tuple(told)))
+
+
+def _with_stamps(shape: RotoShape) -> RotoShape:
+    """A shape in plate space whose engine keys of ours tell between which of the artist's they stand."""
+    item = stamped(shape)
+    assert isinstance(item, RotoShape)
+    return item
+
+
 def _inverse(matrix: Array) -> Array:
     return np.asarray(np.linalg.inv(matrix), dtype=np.float64)
 
@@ -199,19 +252,46 @@ def _above(project: Project, layer_id: str, frame: int) -> Array:
 
 
 def _with_transform(
-    project: Project, layer_id: str, transform: LayerTransform | None, tracked: int | None = None
+    project: Project, layer_id: str, transform: LayerTransform | None, tracked: tuple[int, int] | None = None
 ) -> Project:
+    """The project with another motion of a layer, its keys as they are seen.
+
+    `tracked` are the frames from which and to which a track has come: engine keys between give way.
+    """
     seen = [project.shape(shape.id) for shape in _layer(project, layer_id).shapes()]
     project = project.map_item(layer_id, lambda layer: replace(layer, transform=transform))
-    for shape in _without_engine_key(seen, tracked):
-        project = project.with_shape(shape)
+    if tracked is None:
+        return project.with_shapes(seen)
+    project = project.with_shapes(_without_engine_keys(shape, *tracked) for shape in seen)
+    for shape in seen:
+        led = project.map_item(shape.id, partial(_led_to, start=tracked[0], frame=tracked[1]))
+        if led.find(shape.id) is not project.find(shape.id):
+            project = led.with_shape(_with_stamps(led.shape(shape.id)))
     return project
 
 
-def _without_engine_key(shapes: Iterable[RotoShape], frame: int | None) -> Iterable[RotoShape]:
-    for shape in shapes:
-        kept = tuple(key for key in shape.keys if key.frame != frame or key.origin is Origin.ARTIST)
-        yield replace(shape, keys=kept or shape.keys)
+def _without_engine_keys(shape: RotoShape, start: int, frame: int) -> RotoShape:
+    """The shape without engine keys after `start` up to `frame`, unless it has no other key."""
+    gone = range(frame, start, 1 if frame < start else -1) or (frame,)
+    kept = tuple(key for key in shape.keys if key.frame not in gone or key.origin is Origin.ARTIST)
+    return replace(shape, keys=kept or shape.keys)
+
+
+def _led_to(held: RotoShape, start: int, frame: int) -> RotoShape:
+    """A shape, as its layer holds it, that on `frame` is where it were without the engine keys beyond.
+
+    They stay where they are seen, while the layer's motion ends: without a key before them all tracked frames would be
+    drawn to the first of them.
+    """
+    step = 1 if frame > start else -1
+    beyond = sorted((key for key in held.keys if (key.frame - frame) * step > 0), key=lambda key: key.frame * step)
+    engines = {key.frame for key in takewhile(lambda key: key.origin is Origin.ENGINE, beyond)}
+    bare = tuple(key for key in held.keys if key.frame not in engines)
+    if not engines or not bare or held.key_at(frame) is not None:
+        return held
+    outline = replace(held, keys=bare).at(frame)
+    made = Keyframe(frame, outline.points, outline.feather, Origin.ENGINE, inputs=IMPORT)
+    return held.with_keys([made])
 
 
 def _layer(project: Project, layer_id: str) -> Layer:

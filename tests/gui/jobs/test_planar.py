@@ -26,7 +26,7 @@ from roam_core.geometry.bezier import ANCHOR
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import DOUBTFUL
 from roam_core.roto import BlendMode, Clip, Layer, Project, edit
-from roam_core.roto.following import pinned, surface_at
+from roam_core.roto.following import pinned, still, surface_at
 from roam_core.roto.layers import grouped
 from roam_core.roto.surfaces import LeaveOut, covering, legs_of
 from tests.gui.hand import Hand
@@ -200,8 +200,9 @@ def test_undo_ends_the_run(
 def test_a_group_that_is_done_again_after_a_run_does_not_move_in_its_place(
     qtbot: QtBot, document: Document, track: PlanarTrack, verbs: PlanarTracking, plate: Plate
 ) -> None:
-    """It has the id that the layer of the run has without it."""
-    document.apply("Group", grouped(document.project, ["shape-1"])[0])
+    """It has the id that the layer of the run has without it, and holds another shape, too."""
+    document.apply("Draw", edit.new_shape(document.project, 0.1 * board.BOARD, 1)[0])
+    document.apply("Group", grouped(document.project, ["shape-1", "shape-2"])[0])
     plate.hold(1)
     verbs.forward()
     document.undo_stack.undo()
@@ -210,6 +211,20 @@ def test_a_group_that_is_done_again_after_a_run_does_not_move_in_its_place(
     document.undo_stack.redo()
     assert layer(document).transform is None
     assert max(miss(document, frame) for frame in range(1, LAST + 1)) < 0.5
+
+
+def test_a_run_after_the_motion_was_removed_moves_the_same_layer(
+    qtbot: QtBot, document: Document, view_state: ViewState, track: PlanarTrack, verbs: PlanarTracking
+) -> None:
+    finish(qtbot, track, verbs.forward)
+    document.apply("Remove", still(document.project, "layer-1"))
+    removed = document.project
+    view_state.set_frame(1)
+    finish(qtbot, track, verbs.forward)
+    assert [item.id for item in document.project.root.items()] == ["layer-1", "shape-1"]
+    assert max(miss(document, frame) for frame in range(1, LAST + 1)) < 0.5
+    document.undo_stack.undo()
+    assert document.project is removed
 
 
 def test_a_lost_plane_is_told_and_the_frames_before_stay(

@@ -8,8 +8,10 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import ANCHOR, polygon_points
+from roam_core.propagate.shapes.provenance import is_stale
 from roam_core.roto import Keyframe, Layer, LayerTransform, Origin, Project, edit
 from roam_core.roto.following import followed, pinned, still, surface_at, unpinned, with_moving_layer
+from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0), (10.0, 26.0)])
 
@@ -173,3 +175,68 @@ def test_corners_that_fold_the_surface_are_refused(tracked: tuple[Project, str])
     corners = surface_at(project, layer_id, 6)[[0, 2, 1, 3]]
     with pytest.raises(RoamError, match="corners of one surface"):
         pinned(project, layer_id, 6, corners)
+
+
+def test_a_layer_that_stands_still_is_taken_up(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    again, taken = with_moving_layer(still(project, layer_id), ["shape-1"], 4)
+    assert taken == layer_id
+    assert [above.id for above in again.layers_above("shape-1")] == ["root", layer_id]
+    assert transform_of(again, layer_id).adjusted == (4,)
+    np.testing.assert_array_equal(shown(again, layer_id, 4), SQUARE[:, ANCHOR])
+
+
+def test_a_layer_in_which_another_moves_is_not_taken_up(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    project, car = grouped(project, [layer_id])
+    project, _ = edit.new_shape(project, SQUARE, 1, layer_id=car.id)
+    after, moving = with_moving_layer(project, ["shape-1", "shape-2"], 1)
+    assert moving not in (layer_id, car.id)
+    assert [above.id for above in after.layers_above("shape-1")] == ["root", car.id, moving]
+
+
+def test_a_run_beside_the_tracked_frames_goes_on_from_what_was_seen(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    seen = shown(project, layer_id, 20)  # held where the first run ended
+    for frame in range(21, 31):
+        project = followed(project, layer_id, 20, frame, moved(3.0 * (frame - 20)))
+    for frame in (15, 20, 21, 25, 30):
+        off = np.array([3.0 * max(frame - 20, 0), 0.0])
+        np.testing.assert_allclose(shown(project, layer_id, frame), seen + off, atol=1e-9)
+
+
+def test_a_shape_that_comes_from_another_moving_layer_stays_where_it_is_seen(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    project, _ = edit.new_shape(project, SQUARE, 1)
+    after, moving = with_moving_layer(project, ["shape-1", "shape-2"], 5)
+    for frame in range(13):
+        np.testing.assert_allclose(shown(after, moving, frame), shown(project, layer_id, frame), atol=1e-9)
+    assert after.shape("shape-1").artist_frames == (1,)
+    assert not any(is_stale(after.shape("shape-1"), key, None) for key in after.shape("shape-1").keys)
+    assert not after.has(layer_id)  # it holds nothing any more
+    for frame in range(6, 9):
+        after = followed(after, moving, 5, frame, moved(0.0, 2.0 * (frame - 5)))
+        for each in range(5, frame + 1):
+            off = [0.0, 2.0 * (each - 5)]
+            np.testing.assert_allclose(shown(after, moving, each), shown(project, layer_id, 5) + off, atol=1e-9)
+    for frame in (*range(1, 6), *range(9, 13)):
+        np.testing.assert_allclose(shown(after, moving, frame), shown(project, layer_id, frame), atol=1e-9)
+
+
+@pytest.mark.parametrize("start", [1, 12])
+def test_engine_keys_beyond_a_track_do_not_draw_what_it_found_to_them(start: int) -> None:
+    """They stay where they are seen, while the layer's motion ends before them."""
+    project, shape = edit.new_shape(Project(), SQUARE, start)
+    step = 1 if start == 1 else -1
+    told = {start + step * k: SQUARE + np.array([10.0 * k, 0.0]) for k in range(1, 12)}
+    shape = edit.set_engine_keys(shape, [Keyframe(f, points, origin=Origin.ENGINE) for f, points in told.items()])
+    project, layer_id = with_moving_layer(project.with_shape(shape), ["shape-1"], start)
+    for k in range(1, 6):
+        project = followed(project, layer_id, start, start + step * k, moved(10.0 * k, 1.0))
+    for k in range(1, 12):
+        off = [10.0 * k, 1.0 if k < 6 else 0.0]
+        np.testing.assert_allclose(shown(project, layer_id, start + step * k), SQUARE[:, ANCHOR] + off, atol=1e-9)
+    found = project.shape("shape-1")
+    last = start + step * 5
+    assert set(found.frames) == {start, last, *(start + step * k for k in range(6, 12))}
+    assert not is_stale(found, found.key_at(last), None)
