@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pyqtgraph as pg
-from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QWidget
 
 from .. import style
 from ..model.view_state import ViewState
@@ -133,3 +133,17 @@ def paint_focus(painter: QPainter, widget: QWidget, view: QWidget | None = None)
         painter.setPen(QPen(QColor(style.TEXT), 1))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect((widget if view is None else view).rect().adjusted(0, 0, -1, -1))
+
+
+class FocusRepaint(QObject):
+    """Has a scrolled part of the timeline painted anew as the keyboard comes to it or goes, for `paint_focus`."""
+
+    def __init__(self, area: QAbstractScrollArea) -> None:
+        super().__init__(area)
+        self._area = area
+        area.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._area and event.type() in (QEvent.Type.FocusIn, QEvent.Type.FocusOut):
+            self._area.viewport().update()
+        return False

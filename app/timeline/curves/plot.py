@@ -10,7 +10,6 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
-    QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -28,7 +27,7 @@ from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...translation import number, tr
 from ...widgets.tipped import tells
-from ..axis import TimeAxis, paint_focus, place_playhead, show_frames
+from ..axis import FocusRepaint, TimeAxis, paint_focus, place_playhead, show_frames
 from ..keys.walking import KeyWalk, is_key_press, is_of_walk
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
@@ -70,6 +69,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
 
     def __init__(self, document: Document, axis: TimeAxis, chosen: ValueSelection) -> None:
         super().__init__(background=style.PANEL)
+        FocusRepaint(self)
         self._document, self._axis, self._chosen = document, axis, chosen
         self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus, self.places)
         self.hand = CurveHand(document, axis, chosen, self.verbs, self.found_at, self.keys_in, self.value_at, self.pull)
@@ -312,14 +312,6 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         elif is_key_press(event) and not self.hand.is_busy and (self._walk.take(event) or is_of_walk(event)):
             return True
         return bool(super().event(event))
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.viewport().update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.viewport().update()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc drops a drag; what nudges points in the viewer nudges keys here, a frame or a unit, with Shift ten."""

@@ -8,7 +8,6 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
-    QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -28,7 +27,7 @@ from ...model.document import Document
 from ...model.view_state import shapes_in_hand
 from ...translation import tr
 from ...widgets.tipped import tells
-from ..axis import TimeAxis, paint_focus, paint_playhead
+from ..axis import FocusRepaint, TimeAxis, paint_focus, paint_playhead
 from ..marks import KeyMarks, MarksOf
 from ..scale import LABEL_WIDTH
 from .depth_marks import change_at
@@ -68,6 +67,7 @@ class KeyRows(QAbstractScrollArea):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        FocusRepaint(self)
         self._document, self._axis, self._marks, self._keys = document, axis, marks, keys
         self._painter, self._presses = RowPainter(), 0
         self.menu = QMenu(self)
@@ -178,14 +178,6 @@ class KeyRows(QAbstractScrollArea):
             self._bring_into_sight(self._walk.at)
             return True
         return super().event(event)
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.viewport().update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.viewport().update()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc drops a drag; what nudges points in the viewer nudges keys here."""

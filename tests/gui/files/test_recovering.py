@@ -114,7 +114,8 @@ def test_work_on_a_plate_that_is_numbered_anew_asks_whether_it_goes_along(
     window.recovering.offer()
     with qtbot.waitSignal(window.files.renumbered, timeout=WAIT):
         qtbot.mouseClick(asked(qtbot, window).recover, Qt.MouseButton.LeftButton)
-    assert "Its plate is numbered from 1 now, not from 1001." in window.view_state.message
+    told = "Its plate is numbered from 1 now, not from 1001."  # as the opening ends, after the question
+    qtbot.waitUntil(lambda: told in window.view_state.message, timeout=WAIT)
     (box,) = [each for each in window.findChildren(QMessageBox) if each.isVisible()]
     next(button for button in box.buttons() if button.text() == f"Shift by {1 - FIRST}").click()
     assert [shape.frames for shape in window.document.project.shapes] == [(1,)]

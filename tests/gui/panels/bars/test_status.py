@@ -121,17 +121,25 @@ def test_a_hint_that_is_left_where_a_place_is_left_does_not_hide_how_far_a_run_i
     assert status.sentence.text() == "Click a point."
 
 
-def test_what_a_run_leaves_out_is_read_before_how_far_it_is(
-    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """It gave way at once to the sentence with which a run begins: an occluder that is drawn where it comes in."""
-    engine = put_in(monkeypatch, GlidingEngine())
+def with_a_post(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner
+) -> tuple[Propagation, StatusBar]:
+    """A torso that is drawn on the first frame, and a post before it that is drawn where it comes in."""
     project, _ = edit.new_shape(Project(Clip(Path("shot"), 1, 9, (64, 48))), SQUARE, 1, name="Torso")
     document.open(edit.new_shape(project, SQUARE, 5, name="Post")[0], None)
     view_state.set_play_range(1, 10)
     propagation = Propagation(document, view_state, runner, lambda frame: None)
     status = StatusBar(view_state, UnderWay(propagation))
     qtbot.addWidget(status)
+    return propagation, status
+
+
+def test_what_a_run_leaves_out_is_read_before_how_far_it_is(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It gave way at once to the sentence with which a run begins: an occluder that is drawn where it comes in."""
+    engine = put_in(monkeypatch, GlidingEngine())
+    propagation, status = with_a_post(qtbot, document, view_state, runner)
     Tracking(document, view_state, propagation).forward()
     engine.allow(2)
     qtbot.waitUntil(lambda: view_state.frame == 3, timeout=WAIT)
@@ -148,12 +156,7 @@ def test_the_end_of_a_short_run_waits_until_it_is_read_what_it_left_out(
 ) -> None:
     """After one frame the end took its place."""
     put_in(monkeypatch, GlidingEngine()).allow(1)
-    project, _ = edit.new_shape(Project(Clip(Path("shot"), 1, 9, (64, 48))), SQUARE, 1, name="Torso")
-    document.open(edit.new_shape(project, SQUARE, 5, name="Post")[0], None)
-    view_state.set_play_range(1, 10)
-    propagation = Propagation(document, view_state, runner, lambda frame: None)
-    status = StatusBar(view_state, UnderWay(propagation))
-    qtbot.addWidget(status)
+    propagation, status = with_a_post(qtbot, document, view_state, runner)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT):
         Tracking(document, view_state, propagation).forward_one()
     assert status.sentence.text().startswith("Post is not tracked: its first key lies on frame 5.")
