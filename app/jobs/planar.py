@@ -136,7 +136,7 @@ class PlanarTrack(QObject):
         project, read = self._document.project, self._read
         shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
         legs = (frames,) if vertices else legs_of(frames, adjusted_frames(project, shape_ids))
-        work = Work(tuple(shapes), tuple(covers), legs, PlaneMotion(kind), points)
+        work = Work(tuple(shapes), tuple(covers), legs, PlaneMotion(kind), project.require_clip().pixel_aspect, points)
         job = self._runner.start("track", lambda report: _track(report, read, work))
         job.partial.connect(self._apply)
         job.progress.connect(self.progress)
@@ -279,13 +279,15 @@ def _is_gone(run: _Run, project: Project) -> bool:
 class Work:
     """What the worker is to do: shapes on the plane, shapes before it, frames in legs, and what the plane may do.
 
-    `points` are followed in place of the plane, where there are any.
+    `points` are followed in place of the plane, where there are any. A pixel is shown `pixel_aspect` times as wide as
+    high.
     """
 
     shapes: tuple[RotoShape, ...]
     covers: tuple[RotoShape, ...]
     legs: tuple[range, ...]
     kind: PlaneMotion
+    pixel_aspect: float
     points: TrackPoints | None = None
 
 
@@ -371,7 +373,8 @@ def _surface(report: Report, read: ReadFrame, work: Work) -> Iterator[Found]:
 
     for leg in work.legs:
         outlines, holes = outlines_at(work.shapes, leg[0])
-        for step in track_plane(read, outlines, holes, leg, work.kind, report.token, partial(covers_at, work.covers)):
+        given = outlines, holes, leg, work.kind, report.token, partial(covers_at, work.covers), work.pixel_aspect
+        for step in track_plane(read, *given):
             yield Found(leg[0], step.frame, step.matrix, step.confidence)
 
 
@@ -380,13 +383,15 @@ def _points(report: Report, read: ReadFrame, work: Work, points: TrackPoints) ->
     from roam_core.motion.point_track import motion_of, track_points
 
     places = np.array(points.places)
-    if motion_of(places, places) is None:
+    if motion_of(places, places, work.pixel_aspect) is None:
         raise RoamError(tr("The points lie on one line, or on one another: put them apart."))
     covers = partial(covers_at, work.covers)
     for leg in work.legs:
         start = places
-        for step in track_points(read, start, leg, points.pattern, points.search, report.token, covers):
-            motion = motion_of(start, step.places)
+        for step in track_points(
+            read, start, leg, points.pattern, points.search, report.token, covers, work.pixel_aspect
+        ):
+            motion = motion_of(start, step.places, work.pixel_aspect)
             if motion is not None:
                 places = step.places
                 yield Found(leg[0], step.frame, motion, float(step.confidence.mean()))

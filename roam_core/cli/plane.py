@@ -123,6 +123,7 @@ def follow(
     from roam_core.motion.plane_track import track_plane  # numba: a command's help must not wait for it
 
     shapes, covers = work
+    aspect = project.require_clip().pixel_aspect
     ids = [shape.id for shape in shapes]
     legs = legs_of(frames, adjusted_frames(project, ids))
     project, layer = with_moving_layer(project, ids, frames[0])
@@ -131,7 +132,7 @@ def follow(
     with bar(1.0) as shown:
         for leg in legs:
             left = deque(leg[1:])
-            given = *outlines_at(shapes, leg[0]), leg, kind, token, partial(covers_at, covers)
+            given = *outlines_at(shapes, leg[0]), leg, kind, token, partial(covers_at, covers), aspect
             for step in track_plane(plate.read_or_bridge, *given):
                 project = followed(project, layer, leg[0], step.frame, step.matrix, step.confidence)
                 keeper.offer(project)

@@ -1,4 +1,8 @@
-"""Motions of a plane as matrices `(3, 3)`: least squares and RANSAC for translation, similarity, affine, homography."""
+"""Motions of a plane as matrices `(3, 3)`: least squares and RANSAC for translation, similarity, affine, homography.
+
+They act on pixels. Where these are shown wider than high (`pixel_aspect` is not 1), what turns is a similarity as it is
+shown: in pixels it shears. The other kinds are the same, however pixels are shown.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +28,7 @@ class PlaneMotion(StrEnum):
         return {"translation": 1, "similarity": 2, "affine": 3, "homography": 4}[self.value]
 
 
-def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
+def fit(kind: PlaneMotion, source: Array, target: Array, pixel_aspect: float = 1.0) -> Array | None:
     """The motion `(3, 3)` that carries `source (K, 2)` to `target (K, 2)` with the least squared error.
 
     Of a homography the error is measured in the target picture, to first order. None where the points fix none: too
@@ -32,7 +36,7 @@ def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
     """
     if len(source) < kind.pairs:
         return None
-    before, after = _centrings(kind, source, target)
+    before, after = _centrings(kind, source, target, pixel_aspect)
     s, t = projective.apply(before, source), projective.apply(after, target)
     weights = np.ones(len(s))
     for _ in range(3 if kind is PlaneMotion.HOMOGRAPHY and len(s) > 4 else 1):
@@ -47,7 +51,7 @@ def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
 
 
 def ransac(
-    kind: PlaneMotion, source: Array, target: Array, threshold: float, trials: int = 256
+    kind: PlaneMotion, source: Array, target: Array, threshold: float, pixel_aspect: float = 1.0, trials: int = 256
 ) -> tuple[Array | None, Bools]:
     """A motion `(3, 3)` robust to outliers, and which of the pairs `(K, 2)` agree with it.
 
@@ -60,16 +64,16 @@ def ransac(
     n, none = len(source), np.zeros(len(source), dtype=bool)
     if n < kind.pairs:
         return None, none
-    before, after = _centrings(kind, source, target)
+    before, after = _centrings(kind, source, target, pixel_aspect)
     s, t = projective.apply(before, source), projective.apply(after, target)
     drawn = np.random.default_rng(0).random((trials, n)).argpartition(kind.pairs - 1, axis=1)[:, : kind.pairs]
     guesses = _solved(kind, s[drawn], t[drawn])
-    scale = after[0, 0]  # of what `t` is measured in, to a pixel of the target
+    scale = after[1, 1]  # of what `t` is measured in, to a pixel of the target
     best = guesses[best_motion(guesses, s, t, threshold * scale, projective.HORIZON)]
     agree = np.hypot(*(projective.apply(best, s) - t).T) <= threshold * scale
     matrix = None
     for _ in range(10):
-        found = fit(kind, source[agree], target[agree])
+        found = fit(kind, source[agree], target[agree], pixel_aspect)
         if found is None:
             break
         matrix, was = found, agree
@@ -86,9 +90,13 @@ def _centring(points: Array) -> Array:
     return np.array([[1.0 / spread, 0.0, -middle[0] / spread], [0.0, 1.0 / spread, -middle[1] / spread], [0, 0, 1.0]])
 
 
-def _centrings(kind: PlaneMotion, source: Array, target: Array) -> tuple[Array, Array]:
-    """The maps of `_centring` for both; a translation keeps its size, so one scale serves both."""
-    before, after = _centring(source), _centring(target)
+def _centrings(kind: PlaneMotion, source: Array, target: Array, pixel_aspect: float) -> tuple[Array, Array]:
+    """The maps of `_centring` for both; a translation keeps its size, so one scale serves both.
+
+    Those of a similarity map to what is shown, where it turns without shear.
+    """
+    shown = np.diag([pixel_aspect if kind is PlaneMotion.SIMILARITY else 1.0, 1.0, 1.0])
+    before, after = (_centring(projective.apply(shown, points)) @ shown for points in (source, target))
     if kind is PlaneMotion.TRANSLATION:
         after = np.diag([before[0, 0] / after[0, 0]] * 2 + [1.0]) @ after
     return before, after

@@ -123,6 +123,7 @@ class PlaneTracker:
     outlines : closed splines `(P, 3, 2)` on the first picture; where an even number of them overlap is outside.
     holes : closed splines that are cut out of it, and go with the plane.
     covers : closed splines of what lies before it on the first picture.
+    pixel_aspect : how much wider than high a pixel is shown: what turns then is a similarity as it is shown.
 
     Raises
     ------
@@ -137,11 +138,12 @@ class PlaneTracker:
         outlines: Sequence[Array],
         holes: Sequence[Array] = (),
         covers: Sequence[Array] = (),
+        pixel_aspect: float = 1.0,
         params: PlaneTrackParams = PLANE_TRACK,
     ) -> None:
-        self.kind, self.params = PlaneMotion(kind), params
+        self.kind, self.params, self._aspect = PlaneMotion(kind), params, pixel_aspect
         self._mask = inside(outlines, [*holes, *covers], picture.size)
-        texture = Texture.of(picture.grey, self._mask, params.registration)
+        texture = Texture.of(picture.grey, self._mask, params.registration, pixel_aspect)
         if texture is None:
             raise RoamError(sentence("Too little of the picture lies inside the shapes to track a plane by it."))
         self._key = _Reference(texture, projective.IDENTITY)
@@ -222,7 +224,7 @@ class PlaneTracker:
         )
         to_full = np.array([[1 / shrunk, 0, region.x0], [0, 1 / shrunk, region.y0], [0, 0, 1.0]])
         free = look.is_free(projective.apply(to_full, target))
-        motion, agree = ransac(self.kind, source[free], target[free], params.agree)
+        motion, agree = ransac(self.kind, source[free], target[free], params.agree, self._aspect)
         if motion is None or agree.sum() < max(params.enough * self.kind.pairs, 4):
             return None
         return projective.usable(to_full @ motion @ np.linalg.inv(to_full) @ self._matrix)
@@ -277,7 +279,7 @@ class PlaneTracker:
         last = self._last
         if last is None or last.confidence < self.params.least_confidence:
             return None
-        texture = Texture.of(self._before.grey, self._seen, self.params.registration)
+        texture = Texture.of(self._before.grey, self._seen, self.params.registration, self._aspect)
         if texture is None:
             return None
         return _Reference(texture, self._matrix, last.error, last.seen, last.reference.steps + 1)
@@ -331,11 +333,13 @@ def track_plane(
     kind: PlaneMotion,
     token: CancelToken | None = None,
     covers: Covers = no_covers,
+    pixel_aspect: float = 1.0,
     params: PlaneTrackParams = PLANE_TRACK,
 ) -> Iterator[PlaneStep]:
     """Follow the plane from `frames[0]`, where its outlines `(P, 3, 2)` are given, through the other frames.
 
-    A frame whose picture is missing is passed over. Frames on which the plane is hidden come when it is seen again.
+    `pixel_aspect` is how much wider than high a pixel is shown. A frame whose picture is missing is passed over. Frames
+    on which the plane is hidden come when it is seen again.
 
     Raises
     ------
@@ -347,7 +351,7 @@ def track_plane(
     if not outlines:
         raise RoamError(sentence("There is no closed shape to track; draw one, or select one, first."))
     start = frames[0]
-    tracker = PlaneTracker(kind, PreparedFrame(read(start)), outlines, holes, covers(start), params)
+    tracker = PlaneTracker(kind, PreparedFrame(read(start)), outlines, holes, covers(start), pixel_aspect, params)
     around = np.concatenate([outline.reshape(-1, 2) for outline in outlines])
 
     def look(frame: int) -> PlaneStep:

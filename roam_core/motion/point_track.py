@@ -56,9 +56,12 @@ class PointStep:
         return np.asarray(self.confidence > 0.0)
 
 
-def motion_of(before: Array, after: Array) -> Array | None:
-    """The motion `(3, 3)` that one to four points `(N, 2)` tell; None where they tell none, all on a line, say."""
-    return fit(KINDS[min(len(before), max(KINDS))], before, after)
+def motion_of(before: Array, after: Array, pixel_aspect: float = 1.0) -> Array | None:
+    """The motion `(3, 3)` that one to four points `(N, 2)` tell; None where they tell none, all on a line, say.
+
+    What two of them tell is turned as it is shown, where pixels are shown `pixel_aspect` times as wide as high.
+    """
+    return fit(KINDS[min(len(before), max(KINDS))], before, after, pixel_aspect)
 
 
 class PatternTracker(PlaneTracker):
@@ -81,7 +84,9 @@ class PatternTracker(PlaneTracker):
     ) -> None:
         corners = np.asarray(place) + pattern * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
         try:
-            super().__init__(PlaneMotion(params.motion), picture, [polygon_points(corners)], (), covers, params.plane)
+            super().__init__(
+                PlaneMotion(params.motion), picture, [polygon_points(corners)], (), covers, params=params.plane
+            )
         except RoamError:
             if np.count_nonzero(self._mask) > (2.0 * pattern - 1.0) ** 2:  # nothing of it is cut off
                 raise RoamError(
@@ -155,6 +160,7 @@ class PointTracker:
     Parameters
     ----------
     places : (N, 2) on the first picture. pattern, search : half the sides of their areas, pixels.
+    pixel_aspect : how much wider than high a pixel is shown.
     """
 
     def __init__(
@@ -165,7 +171,9 @@ class PointTracker:
         search: float,
         params: PointTrackParams = POINT_TRACK,
         covers: Sequence[Array] = (),
+        pixel_aspect: float = 1.0,
     ) -> None:
+        self._aspect = pixel_aspect
         self._patterns = [PatternTracker(picture, place, pattern, search, params, covers) for place in places]
         self._places = np.array(places, dtype=np.float64)
         self._motions = [projective.IDENTITY] * len(self._places)
@@ -231,7 +239,7 @@ class PointTracker:
             first = np.concatenate([self._patterns[each].corners for each in seen])
             ways.append(fit(PlaneMotion.HOMOGRAPHY, first, now))
         if seen:
-            step = motion_of(self._places[seen], self._at(motions)[seen])
+            step = motion_of(self._places[seen], self._at(motions)[seen], self._aspect)
             ways.append(None if step is None else projective.usable(step @ self._motions[index]))
         else:
             ways.append(self._motions[index])
@@ -249,11 +257,13 @@ def track_points(
     search: float,
     token: CancelToken | None = None,
     covers: Covers = no_covers,
+    pixel_aspect: float = 1.0,
     params: PointTrackParams = POINT_TRACK,
 ) -> Iterator[PointStep]:
     """Follow points from `frames[0]`, where they are at `places (N, 2)`, through the other frames.
 
-    A frame whose picture is missing is passed over. Frames on which all points are hidden come when one is seen again.
+    `pixel_aspect` is how much wider than high a pixel is shown. A frame whose picture is missing is passed over. Frames
+    on which all points are hidden come when one is seen again.
 
     Raises
     ------
@@ -265,7 +275,9 @@ def track_points(
     start = np.asarray(places, dtype=np.float64).reshape(-1, 2)
     if not 0 < len(start) <= max(KINDS):
         raise RoamError(sentence("Put one, two, three or four points on the picture to track them."))
-    tracker = PointTracker(PreparedFrame(read(frames[0])), start, pattern, search, params, covers(frames[0]))
+    tracker = PointTracker(
+        PreparedFrame(read(frames[0])), start, pattern, search, params, covers(frames[0]), pixel_aspect
+    )
 
     def look(frame: int) -> PointStep:
         try:

@@ -88,15 +88,17 @@ class _Level:
 class Texture:
     """What a surface looks like on a reference picture, coarse to fine.
 
-    `area` is the number of its pixels on the finest level, `corners (4, 2)` those of its box in the reference picture.
+    `area` is the number of its pixels on the finest level, `corners (4, 2)` those of its box in the reference picture,
+    `pixel_aspect` how much wider than high a pixel is shown.
     """
 
     levels: tuple[_Level, ...]
     corners: Array
     params: RegistrationParams
+    pixel_aspect: float = 1.0
 
     @classmethod
-    def of(cls, grey: UInt8, mask: UInt8, params: RegistrationParams) -> Texture | None:
+    def of(cls, grey: UInt8, mask: UInt8, params: RegistrationParams, pixel_aspect: float = 1.0) -> Texture | None:
         """Of `grey (h, w)` where `mask (h, w)` is not zero; None where that is too little."""
         x, y, wide, high = cv2.boundingRect(mask)
         if wide == 0 or high == 0:
@@ -112,7 +114,7 @@ class Texture:
             levels.append(_level(grey, mask, region, factor, params))
         if np.count_nonzero(levels[0].core) < params.least_area:
             return None
-        return cls(tuple(reversed(levels)), corners, params)
+        return cls(tuple(reversed(levels)), corners, params, pixel_aspect)
 
     @property
     def area(self) -> int:
@@ -240,7 +242,7 @@ def _refined(
     texture: Texture,
 ) -> Fit | None:
     params = texture.params
-    equations = _Equations(level, kind, projective.apply(_inverse(level.to_full), texture.corners), params)
+    equations = _Equations(level, kind, texture)
     seen, spread = _warped(level, picture, matrix, params), np.zeros(4)
     for _ in range(params.rounds):
         step = equations.step(seen, matrix, expected)
@@ -264,11 +266,12 @@ def _misfit(level: _Level, seen: _Seen, matrix: Array, texture: Texture) -> floa
 
     What is too simple a motion stays a little right everywhere and is wrong at the corners.
     """
-    box = projective.apply(_inverse(level.to_full), texture.corners)
-    step = _Equations(level, PlaneMotion.HOMOGRAPHY, box, texture.params).step(seen, matrix, None)
+    equations = _Equations(level, PlaneMotion.HOMOGRAPHY, texture)
+    step = equations.step(seen, matrix, None)
     if step is None:
         return 0.0
     change, _, spread = step
+    box = equations.box
     moved = ((projective.apply(change, box) - box) ** 2).sum(axis=1).mean()
     return float(np.sqrt(max(moved - (spread**2).mean(), 0.0)))
 
@@ -298,16 +301,16 @@ class _Equations:
     Places are measured about the middle, in halves of the longer side: so all parameters are of one size.
     """
 
-    def __init__(self, level: _Level, kind: PlaneMotion, box: Array, params: RegistrationParams) -> None:
-        self._level, self._kind, self._params = level, kind, params
-        self.box = box
+    def __init__(self, level: _Level, kind: PlaneMotion, texture: Texture) -> None:
+        self._level, self._kind, self._params, self._aspect = level, kind, texture.params, texture.pixel_aspect
+        self.box = projective.apply(_inverse(level.to_full), texture.corners)
         height, width = level.values.shape
         self._half = half = max(width, height) / 2.0
         self._from_unit = np.array([[half, 0.0, width / 2], [0.0, half, height / 2], [0.0, 0.0, 1.0]])
         self._to_unit = np.linalg.inv(self._from_unit)
         along, down = (np.arange(width) + 0.5 - width / 2) / half, (np.arange(height) + 0.5 - height / 2) / half
         self._x, self._y = np.meshgrid(along, down)
-        self._corners = projective.apply(self._to_unit, box)
+        self._corners = projective.apply(self._to_unit, self.box)
 
     def step(self, seen: _Seen, matrix: Array, expected: Expected | None) -> tuple[Array, float, Array] | None:
         """The change of the texture's pixels `(3, 3)`, how far it moves a corner, and their expected error `(4,)`.
@@ -327,7 +330,7 @@ class _Equations:
             normal, right = normal + more, right + towards
         inverse = _inverse(normal)
         unknown = inverse @ right
-        spread = _spread(self._kind, self._corners, inverse * noise) * self._half
+        spread = self._spread(inverse * noise) * self._half
         change = self._change(unknown)
         moved = float(np.hypot(*(projective.apply(change, self.box) - self.box).T).max())
         if moved > self._params.jump:
@@ -340,7 +343,7 @@ class _Equations:
             cv2.Sobel(middle, cv2.CV_32F, *order, ksize=3, scale=0.125)[use].astype(np.float64) * self._half
             for order in ((1, 0), (0, 1))
         )
-        return _columns(self._kind, self._x[use], self._y[use], dx, dy)
+        return self._columns(self._x[use], self._y[use], dx, dy)
 
     def _expecting(self, matrix: Array, expected: Expected, noise: float) -> tuple[Array, Array]:
         """What draws the corners to where they are expected, as part of the normal equations.
@@ -354,47 +357,47 @@ class _Equations:
         weight = noise / (expected.within / larger / self._half) ** 2
         x, y = self._corners.T
         one, none = np.ones_like(x), np.zeros_like(x)
-        rows = np.concatenate([_columns(self._kind, x, y, one, none), _columns(self._kind, x, y, none, one)])
+        rows = np.concatenate([self._columns(x, y, one, none), self._columns(x, y, none, one)])
         off = (self._corners - back).T.ravel()
         return weight * rows.T @ rows, weight * rows.T @ off
 
     def _change(self, unknown: Array) -> Array:
-        return np.asarray(self._from_unit @ _motion(self._kind, unknown) @ self._to_unit)
+        return np.asarray(self._from_unit @ self._motion(unknown) @ self._to_unit)
 
+    def _columns(self, x: Array, y: Array, dx: Array, dy: Array) -> Array:
+        """How the values at places change with each parameter of the motion `(N, U)`.
 
-def _columns(kind: PlaneMotion, x: Array, y: Array, dx: Array, dy: Array) -> Array:
-    """How the values at places change with each parameter of the motion `(N, U)`."""
-    if kind is PlaneMotion.TRANSLATION:
-        columns = [dx, dy]
-    elif kind is PlaneMotion.SIMILARITY:
-        columns = [dx, dy, dx * x + dy * y, dy * x - dx * y]
-    else:
-        columns = [dx, dy, dx * x, dx * y, dy * x, dy * y]
-        if kind is PlaneMotion.HOMOGRAPHY:
-            out = dx * x + dy * y
-            columns += [-out * x, -out * y]
-    return np.stack(columns, axis=1)
+        What is turned by little as it is shown moves by `(-y / pixel_aspect, pixel_aspect * x)` in pixels.
+        """
+        if self._kind is PlaneMotion.TRANSLATION:
+            columns = [dx, dy]
+        elif self._kind is PlaneMotion.SIMILARITY:
+            columns = [dx, dy, dx * x + dy * y, dy * (self._aspect * x) - dx * (y / self._aspect)]
+        else:
+            columns = [dx, dy, dx * x, dx * y, dy * x, dy * y]
+            if self._kind is PlaneMotion.HOMOGRAPHY:
+                out = dx * x + dy * y
+                columns += [-out * x, -out * y]
+        return np.stack(columns, axis=1)
 
+    def _motion(self, unknown: Array) -> Array:
+        """The motion `(3, 3)` of the parameters of `_columns`."""
+        matrix = np.eye(3)
+        matrix[:2, 2] = unknown[:2]
+        if self._kind is PlaneMotion.SIMILARITY:
+            grow, turn = unknown[2:]
+            matrix[:2, :2] += np.array([[grow, -turn / self._aspect], [turn * self._aspect, grow]])
+        elif self._kind is not PlaneMotion.TRANSLATION:
+            matrix[:2, :2] += unknown[2:6].reshape(2, 2)
+            matrix[2, :2] = unknown[6:] if self._kind is PlaneMotion.HOMOGRAPHY else 0.0
+        return matrix
 
-def _motion(kind: PlaneMotion, unknown: Array) -> Array:
-    """The motion `(3, 3)` of the parameters of `_columns`."""
-    matrix = np.eye(3)
-    matrix[:2, 2] = unknown[:2]
-    if kind is PlaneMotion.SIMILARITY:
-        grow, turn = unknown[2:]
-        matrix[:2, :2] += np.array([[grow, -turn], [turn, grow]])
-    elif kind is not PlaneMotion.TRANSLATION:
-        matrix[:2, :2] += unknown[2:6].reshape(2, 2)
-        matrix[2, :2] = unknown[6:] if kind is PlaneMotion.HOMOGRAPHY else 0.0
-    return matrix
-
-
-def _spread(kind: PlaneMotion, places: Array, covariance: Array) -> Array:
-    """The standard deviation `(K,)` of places `(K, 2)` under a motion whose parameters vary so."""
-    x, y = places.T
-    one, none = np.ones_like(x), np.zeros_like(x)
-    total = np.zeros(len(places))
-    for dx, dy in ((one, none), (none, one)):
-        rows = _columns(kind, x, y, dx, dy)
-        total += ((rows @ covariance) * rows).sum(axis=1)
-    return np.asarray(np.sqrt(np.maximum(total, 0.0)))
+    def _spread(self, covariance: Array) -> Array:
+        """The standard deviation `(4,)` of the corners under a motion whose parameters vary so."""
+        x, y = self._corners.T
+        one, none = np.ones_like(x), np.zeros_like(x)
+        total = np.zeros(len(x))
+        for dx, dy in ((one, none), (none, one)):
+            rows = self._columns(x, y, dx, dy)
+            total += ((rows @ covariance) * rows).sum(axis=1)
+        return np.asarray(np.sqrt(np.maximum(total, 0.0)))

@@ -107,6 +107,19 @@ def test_the_shape_follows_in_one_undo_step(
     assert document.project is before
 
 
+def test_what_turns_on_wide_pixels_is_followed_as_it_is_shown(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner
+) -> None:
+    clip = Clip(board.__file__, 1, LAST, (board.WIDTH // 2, board.HEIGHT), pixel_aspect=2.0)
+    project, shape = edit.new_shape(Project(clip=clip), board.NARROW, 1)
+    document.open(project, None)
+    view_state.select(frozenset({shape.id}))
+    track = PlanarTrack(document, view_state, runner, lambda frame: board.squeezed(KIND, frame - 1))
+    finish(qtbot, track, lambda: track.start([shape.id], range(1, LAST + 1), KIND))
+    corners = document.project.shape(shape.id).at(LAST).anchors
+    assert np.abs(corners - board.squeezed_corners(KIND, LAST - 1)).max() < 0.5
+
+
 def test_backward_goes_on_with_the_same_layer(
     qtbot: QtBot, document: Document, view_state: ViewState, track: PlanarTrack, verbs: PlanarTracking
 ) -> None:

@@ -12,11 +12,13 @@ import pytest
 
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import polygon_points
+from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.following import moving_layer
 from tests.unit.cli.conftest import Roam
 from tests.unit.cli.test_bad_input import require_refusal
+from tests.unit.motion import test_plane_track as board
 from tests.unit.motion.plane_scene import Scene
 
 SCENE = Scene(crossing=(-6, 10), covers=0.8)
@@ -63,6 +65,19 @@ def test_a_surface_is_followed_and_what_covers_it_is_left_out_by_name(roam: Roam
     found = file.load(project)
     assert [shape.id for shape in found.shapes] == ["screen", "hand", "other"]
     assert found.shape("screen").artist_frames == (1,)
+
+
+def test_what_turns_on_wide_pixels_needs_no_shear(roam: Roam, tmp_path: Path) -> None:
+    kind, plate, path = PlaneMotion.SIMILARITY, tmp_path / "plate", tmp_path / "wide.roam"
+    plate.mkdir()
+    for frame in range(board.COUNT):
+        assert cv2.imwrite(str(plate / f"plate.{frame + 1:04d}.png"), board.squeezed(kind, frame))
+    clip = replace(Clip.of(open_clip(plate)), pixel_aspect=2.0)
+    shape = RotoShape("board", "Board", (Keyframe(1, board.NARROW),))
+    file.save(Project(clip, Layer("root", "Root", (shape,))), path)
+    assert roam("plane", path, "--motion", "similarity").status == 0
+    corners = file.load(path).shape("board").at(board.COUNT).anchors
+    assert np.abs(corners - board.squeezed_corners(kind, board.COUNT - 1)).max() < 0.5
 
 
 @pytest.mark.parametrize("gone", [[3], [2, 3], [6]])

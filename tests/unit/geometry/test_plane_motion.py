@@ -44,6 +44,19 @@ def test_a_third_of_lies_is_seen_through(kind: PlaneMotion) -> None:
     np.testing.assert_array_equal(matrix, again)
 
 
+def test_what_turns_on_wide_pixels_is_a_similarity_as_it_is_shown() -> None:
+    source, wide = spots(40), np.diag([2.0, 1.0, 1.0])
+    true = np.linalg.inv(wide) @ MOTIONS[PlaneMotion.SIMILARITY] @ wide
+    target = projective.apply(true, source)
+    np.testing.assert_allclose(fit(PlaneMotion.SIMILARITY, source, target, 2.0), true, rtol=1e-7, atol=1e-7)
+    target[::3] += 30.0
+    matrix, agree = ransac(PlaneMotion.SIMILARITY, source, target, 1.0, pixel_aspect=2.0)
+    np.testing.assert_allclose(matrix, true, rtol=1e-7, atol=1e-7)
+    np.testing.assert_array_equal(agree, np.arange(40) % 3 > 0)
+    for kind in (PlaneMotion.AFFINE, PlaneMotion.HOMOGRAPHY):
+        np.testing.assert_array_equal(fit(kind, source, target, 2.0), fit(kind, source, target))
+
+
 def test_a_homography_is_as_near_as_opencvs() -> None:
     source, rng = spots(80), np.random.default_rng(2)
     true = projective.apply(MOTIONS[PlaneMotion.HOMOGRAPHY], source)

@@ -20,6 +20,8 @@ from roam_core.motion.plane_track import LostPlane, PlaneStep, PlaneTracker, tra
 
 WIDTH, HEIGHT, COUNT = 320, 240, 12
 BOARD = polygon_points([(90.0, 70.0), (210.0, 70.0), (210.0, 170.0), (90.0, 170.0)])
+NARROW = BOARD * [0.5, 1.0]
+"""The board on pixels that are shown twice as wide as high."""
 TO_OPENCV = np.array([[1.0, 0.0, -0.5], [0.0, 1.0, -0.5], [0.0, 0.0, 1.0]])
 
 
@@ -57,6 +59,16 @@ def picture(kind: PlaneMotion, frame: int) -> np.ndarray:
     return np.where(mask[..., None] > 0, moved, BACKGROUND).astype(np.uint8)
 
 
+def squeezed(kind: PlaneMotion, frame: int) -> np.ndarray:
+    """The picture on pixels that are shown twice as wide as high."""
+    return cv2.resize(picture(kind, frame), (WIDTH // 2, HEIGHT), interpolation=cv2.INTER_AREA)
+
+
+def squeezed_corners(kind: PlaneMotion, frame: int) -> np.ndarray:
+    """Where the corners of the board are there `(4, 2)`."""
+    return projective.apply(true_motion(kind, frame), BOARD[:, 0]) * [0.5, 1.0]
+
+
 def misses(kind: PlaneMotion, steps: list[PlaneStep]) -> list[float]:
     """By how many pixels the worst corner of the board is missed, frame by frame."""
     corners = BOARD[:, 0]
@@ -73,6 +85,13 @@ def test_a_board_is_followed_without_drift(kind: PlaneMotion) -> None:
     assert max(misses(kind, steps)) < 0.5
     assert misses(kind, steps)[-1] < 0.4  # what adds up from frame to frame is taken out
     assert min(step.confidence for step in steps) > 0.9
+
+
+def test_a_board_that_turns_on_wide_pixels_needs_no_shear() -> None:
+    kind = PlaneMotion.SIMILARITY
+    for step in track_plane(lambda frame: squeezed(kind, frame), [NARROW], [], range(COUNT), kind, pixel_aspect=2.0):
+        there = projective.apply(step.matrix, NARROW[:, 0])
+        assert np.abs(there - squeezed_corners(kind, step.frame)).max() < 0.5
 
 
 def test_it_goes_backward_alike() -> None:

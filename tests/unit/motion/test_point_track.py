@@ -40,6 +40,13 @@ def test_points_are_found_in_pictures_of_any_size(size: int) -> None:
     assert min(step.confidence.min() for step in steps) > 0.8
 
 
+def test_two_points_tell_what_turns_on_wide_pixels_as_it_is_shown() -> None:
+    before, quarter = np.array([(10.0, 0.0), (-10.0, 0.0)]), np.array([(0.0, 20.0), (0.0, -20.0)])
+    motion = motion_of(before, quarter, pixel_aspect=2.0)  # 20 wide as shown, and 20 high once it is turned
+    assert motion is not None
+    np.testing.assert_allclose(projective.apply(motion, np.array([0.0, 20.0])), [-10.0, 0.0], atol=1e-9)
+
+
 def test_four_points_tell_the_motion_of_the_plane() -> None:
     *_, last = track_points(read, PLACES, range(8), **AREAS)
     corners = PLACES + np.array([[-8.0, -8.0], [8.0, 8.0], [-8.0, 8.0], [8.0, -8.0]])
