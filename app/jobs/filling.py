@@ -99,10 +99,17 @@ def fill(report: Report, request: FillRequest) -> str:
     cannot be filled, as where the picture of its key is damaged, does not lose the others; `RoamError` is raised at the
     end.
     """
+    from roam_core.propagate.between.frames_shown import is_gap_filled
     from roam_core.propagate.between.span import fill_span
 
     params, stamps = params_for(request.config), Stamps(request.shapes, request.clip, request.size)
-    wanted = [gap for gap in request.gaps if not _is_filled(stamps, request, gap, params)]
+    shapes = [shape for shape in request.shapes if shape.id in request.asked]
+
+    def is_filled(gap: Gap) -> bool:
+        inside = range(gap[0] + 1, gap[1])
+        return is_gap_filled(request.read, shapes, gap, inside, stamps, params, alone=request.alone)
+
+    wanted = [gap for gap in request.gaps if not is_filled(gap)]
     plate = _Plate(request.read)
     failures: list[RoamError] = []
     spread = _filled_apart(report, request, wanted, params)
@@ -190,14 +197,6 @@ class _Plate(Mapping[int, Any]):
 def _closed(request: FillRequest, asked: Collection[str]) -> list[RotoShape]:
     """The shapes asked for, and those that may take part; an open one that was asked for is told of by the engine."""
     return [shape for shape in request.shapes if shape.closed or shape.id in asked]
-
-
-def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParams) -> bool:
-    """Whether the shapes asked for that hold artist keys on both ends of the gap are filled in it."""
-    from roam_core.propagate.between.frames_shown import is_gap_filled
-
-    keyed = [shape for shape in request.shapes if shape.id in request.asked and set(gap) <= set(shape.artist_frames)]
-    return is_gap_filled(request.read, keyed, gap, range(gap[0] + 1, gap[1]), stamps, params, alone=request.alone)
 
 
 def _keys_in(shape: RotoShape, gap: Gap) -> tuple[Keyframe, ...]:

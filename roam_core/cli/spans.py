@@ -75,7 +75,7 @@ def taken(
             continue
         keys: list[Keyframe] = []
         for gap in gaps:
-            if takes_part(shape, gap) and set(gap) <= set(shape.artist_frames):
+            if takes_part(shape, gap):
                 between = [key for key in other.keys if gap[0] < key.frame < gap[1]]
                 keys += [key for key in between if stamps.is_filled(shape, key, gap, params, picking.alone)]
         if keys:

@@ -89,22 +89,17 @@ def is_gap_filled(
 ) -> bool:
     """True when each of `frames`, all in the gap, that shows something holds keys that filling would only make again.
 
-    `shapes` are those that are to be filled. One that ends or begins on a key of the gap gets no keys there, but those
-    that it has beyond must not be out of date.
+    `shapes` are those that are to be filled; of one that ends or begins in the gap, the frames on which it exists.
     """
     frames = tuple(frames)
     for shape in shapes:
         if not takes_part(shape, gap):
             continue
         keys = {frame: shape.key_at(frame) for frame in frames if shape.exists_at(frame)}
-        made = [key for key in keys.values() if key is not None]
-        if set(gap) <= set(shape.artist_frames):
-            if not all(stamps.is_filled(shape, key, gap, params, alone) for key in made):
-                return False
-            lacking = [frame for frame, key in keys.items() if key is None]
-            if lacking and next(frames_shown(read, shape, gap, lacking, params), None) is not None:
-                return False
-        elif any(stamps.is_stale(shape, key) for key in made):
+        if not all(key is None or stamps.is_filled(shape, key, gap, params, alone) for key in keys.values()):
+            return False
+        lacking = [frame for frame, key in keys.items() if key is None]
+        if lacking and next(frames_shown(read, shape, gap, lacking, params), None) is not None:
             return False
     return True
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from pytestqt.qtbot import QtBot
 
@@ -61,6 +63,19 @@ def test_what_is_filled_already_is_not_solved_again(
             propagation.fill(["shape-1"], GAPS)
     assert [asked[:2] for asked in engine.asked] == [*GAPS, (4, 7)]
     assert sentences[1] == "Filled already: nothing that it depends on has changed."
+
+
+def test_what_ends_in_a_gap_is_filled_up_to_there(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    ends = replace(edit.delete_keys(document.project.shape("shape-2"), [7]), lifetime=(None, 3))
+    document.apply("End", document.project.with_shape(ends))
+    engine.allow(2)
+    for ids in (["shape-1"], ["shape-1", "shape-2"]):
+        with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+            propagation.fill(ids, GAPS[:1])
+    assert engine_frames(document, "shape-2")[0] == 2
+    assert engine.asked == [(1, 4, ("shape-1",)), (1, 4, ("shape-1", "shape-2"))]
 
 
 def test_frames_that_a_fill_passed_over_are_not_solved_again(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -169,3 +170,15 @@ def test_a_single_point_is_left_out_like_an_open_line(
     done = run(roam, plate, two, command, "--config", config)
     assert (done.status, done.err) in ((0, "Filled 1 gap(s).\n"), (0, "Tracked 2 shape(s) from frame 1001 to 1006.\n"))
     assert solved(two) == {"Body": INSIDE, "Spot": INSIDE, "Line": [], "Dot": []}
+
+
+@pytest.mark.parametrize("workers", [(), ("--workers", 2)])
+def test_what_ends_in_a_gap_is_filled_up_to_there_once(roam: Roam, two: Path, workers: tuple[object, ...]) -> None:
+    project = file.load(two)
+    spot = next(shape for shape in project.shapes if shape.name == "Spot")
+    ends = replace(edit.delete_keys(spot, [1006]), lifetime=(None, 1004))
+    file.save(project.with_shape(ends), two)
+    assert roam("fill", two, *CONFIG, "--shape", "Body").status == 0
+    assert roam("fill", two, *CONFIG, *workers).err == "Filled 1 gap(s).\n"
+    assert (solved(two)["Body"], solved(two)["Spot"]) == (INSIDE, INSIDE[:2])
+    assert roam("fill", two, *CONFIG, *workers).err == "Filled 0 gap(s); 1 already filled.\n"
