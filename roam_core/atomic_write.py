@@ -24,8 +24,12 @@ STALE_SECONDS = 3600.0
 """A temporary file that was not touched for so long, and whose process is gone, was left by a killed process."""
 
 _TEMPORARY = re.compile(r"\.roam-(?P<process>[0-9]+)-[0-9a-f]{16}\.tmp")
-_UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EBADF, errno.EACCES, errno.EPERM, errno.EISDIR})
+_UNSUPPORTED = frozenset(
+    {errno.EINVAL, errno.ENOTSUP, errno.ENOSYS, errno.EBADF, errno.EACCES, errno.EPERM, errno.EISDIR}
+)
 """How file systems say that a folder cannot be flushed."""
+_NO_PERMISSIONS = frozenset({errno.EPERM, errno.EACCES, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS})
+"""How file systems say that they keep no permissions, or let none be set: shares, memory cards, disks of Windows."""
 
 
 class NameTaken(RoamError):
@@ -46,9 +50,9 @@ def write_atomically(
 ) -> None:
     """Put `content`, whole or in pieces, at `path`: at every moment the old file is there, or the new one.
 
-    A symbolic link stays, and what it points to is replaced. The file keeps its permissions. File and folder are
-    flushed to the disk, unless it is said that this takes too long (`flushes`). The first call for a folder removes
-    what killed processes left there.
+    A symbolic link stays, and what it points to is replaced. The file keeps its permissions, where the disk lets them
+    be set. File and folder are flushed to the disk, unless it is said that this takes too long (`flushes`). The first
+    call for a folder removes what killed processes left there.
 
     `before_replacing` is called when all of the content lies beside its place, as to keep the old file as a backup: a
     write that fails before has changed nothing. What it raises ends the write, and the old file stays.
@@ -72,7 +76,7 @@ def write_atomically(
     try:
         _write(temporary, [content] if isinstance(content, bytes) else content, flushes)
         if target.exists():
-            temporary.chmod(stat.S_IMODE(target.stat().st_mode) & 0o777)
+            _set_permissions(temporary, stat.S_IMODE(target.stat().st_mode) & 0o777)
         if before_replacing is not None:
             before_replacing()
         if replaces:
@@ -224,6 +228,17 @@ def _write(temporary: Path, pieces: Iterable[bytes], flushes: bool) -> None:
         file.flush()
         if flushes:
             os.fsync(file.fileno())
+
+
+def _set_permissions(temporary: Path, mode: int) -> None:
+    """Have a file bear `mode`; on a disk that lets no permissions be set it bears those that the disk gives."""
+    if stat.S_IMODE(temporary.stat().st_mode) == mode:
+        return
+    try:
+        temporary.chmod(mode)
+    except OSError as error:
+        if error.errno not in _NO_PERMISSIONS:
+            raise
 
 
 def _put_as_new(temporary: Path, target: Path) -> None:

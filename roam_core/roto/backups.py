@@ -113,6 +113,8 @@ def _keep(target: Path, temporary: Path) -> None:
     try:
         os.link(target, temporary)
     except OSError:
-        shutil.copy2(target, temporary)
+        shutil.copyfile(target, temporary)
+        with contextlib.suppress(OSError):  # a disk without links may have no permissions or times to set either
+            shutil.copystat(target, temporary)
         with temporary.open("rb+") as file:
             os.fsync(file.fileno())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import time
 from collections.abc import Iterator
@@ -20,7 +21,7 @@ from roam_core.atomic_write import (
     write_atomically,
 )
 from roam_core.errors import RoamError
-from tests.unit.roto.faults import each_crash, each_fault
+from tests.unit.roto.faults import each_crash, each_fault, refusing
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs links, FIFOs and processes of POSIX")
 OLD, NEW = b"the old project", b"the new project" * 5000
@@ -210,6 +211,32 @@ def test_a_new_file_has_the_permissions_of_the_user_s_mask(tmp_path: Path) -> No
     finally:
         os.umask(before)
     assert (tmp_path / "a").stat().st_mode & 0o777 == 0o640
+
+
+@posix
+@pytest.mark.parametrize("number", [errno.EPERM, errno.ENOTSUP, errno.ENOSYS])
+def test_a_disk_that_lets_no_permissions_be_set_is_written_to_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    (tmp_path / "a").write_bytes(OLD)
+    (tmp_path / "a").chmod(0o600)
+    monkeypatch.setattr(os, "chmod", refusing(number))
+    write_atomically(tmp_path / "a", NEW)
+    assert (tmp_path / "a").read_bytes() == NEW
+    assert names(tmp_path) == ["a"]
+
+
+@posix
+def test_a_disk_that_fails_as_permissions_are_set_keeps_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a").write_bytes(OLD)
+    (tmp_path / "a").chmod(0o600)
+    monkeypatch.setattr(os, "chmod", refusing(errno.EIO))
+    with pytest.raises(RoamError, match="cannot be written"):
+        write_atomically(tmp_path / "a", NEW)
+    assert (tmp_path / "a").read_bytes() == OLD
+    assert names(tmp_path) == ["a"]
 
 
 @posix

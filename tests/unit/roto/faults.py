@@ -19,7 +19,7 @@ CALLS: tuple[tuple[Any, str], ...] = (
     (Path, "stat"),
     (Path, "chmod"),
     (Path, "replace"),
-    (shutil, "copy2"),
+    (shutil, "copyfile"),
 )
 """What writing a file calls, beside the methods of the file itself. Clearing away is left to work."""
 
@@ -38,6 +38,15 @@ class WatchedFile:
 
     def __exit__(self, *_: object) -> None:
         self._file.close()
+
+
+def refusing(number: int) -> Callable[..., None]:
+    """A call that a file system does not have: it fails with that error number."""
+
+    def refused(*_: object, **__: object) -> None:
+        raise OSError(number, os.strerror(number))
+
+    return refused
 
 
 def done_with(work: Work, failing: int | None, fail: Callable[[], object]) -> list[str]:

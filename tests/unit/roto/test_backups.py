@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import pytest
 from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto.backups import backup_path, is_named_as_backup, rotate
-from tests.unit.roto.faults import each_crash, each_fault
+from tests.unit.roto.faults import each_crash, each_fault, refusing
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs links and processes of POSIX")
 
@@ -82,6 +83,17 @@ def test_a_disk_without_links_gets_copies(tmp_path: Path, monkeypatch: pytest.Mo
 
     monkeypatch.setattr(os, "link", refused)
     (tmp_path / "a.roam").write_bytes(b"1")
+    saved(tmp_path / "a.roam", b"2", 2)
+    assert held(tmp_path) == {"a.roam": b"2", "a.roam.1": b"1"}
+
+
+@pytest.mark.parametrize("number", [errno.EPERM, errno.ENOTSUP])
+def test_a_disk_without_links_permissions_and_times_has_backups(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    (tmp_path / "a.roam").write_bytes(b"1")
+    for name in ("link", "chmod", "utime"):
+        monkeypatch.setattr(os, name, refusing(number))
     saved(tmp_path / "a.roam", b"2", 2)
     assert held(tmp_path) == {"a.roam": b"2", "a.roam.1": b"1"}
 
