@@ -25,12 +25,13 @@ REACH = 7.0
 """Radius of the hit area of a point, and half the width of an outline's, in screen pixels."""
 
 COARSE, REFINEMENTS = 48, 8
-"""How many pieces of a segment are looked at first, and how often the search closes in on the nearest, by a quarter."""
+"""How many pieces of a segment are looked at first, and how often the search closes in on near ones, by quarters."""
 
 FINE = np.linspace(-1.0, 1.0, 9)
 
 SAME_SPOT = 0.75
-"""An anchor wins over a handle that is nearer by less than this, in screen pixels."""
+"""An anchor wins over a handle that is nearer by less than this, in screen pixels; one of a selected point over that of
+another by less than half of it: where points lie on one another, the selected one is meant."""
 
 
 @dataclass(frozen=True)
@@ -68,16 +69,18 @@ def hit(
 
 def hit_point(project: Project, frame: int, selection: Selection, position: Vector, pixel: Vector) -> PointHit | None:
     """The nearest anchor or handle of the selected shapes within reach, or None."""
-    best: PointHit | None = None
+    best, least = None, np.inf
     for shape in _selected(project, frame, selection):
         points = shape.at(frame).control_points
         distances = np.hypot(*np.moveaxis((points - position) / pixel, -1, 0))
-        distances[:, [IN, OUT]] += SAME_SPOT
-        distances[~_grabbable(points, shape.id, selection)] = np.inf
-        index, part = np.unravel_index(int(np.argmin(distances)), distances.shape)
-        distance = float(distances[index, part])
-        if distance <= REACH + (SAME_SPOT if part != ANCHOR else 0.0) and (best is None or distance < best.distance):
-            best = PointHit(shape.id, int(index), int(part), distance)
+        ranks = distances.copy()
+        ranks[:, [IN, OUT]] += SAME_SPOT
+        ranks[_others(len(points), shape.id, selection), ANCHOR] += SAME_SPOT / 2
+        ranks[(distances > REACH) | ~_grabbable(points, shape.id, selection)] = np.inf
+        index, part = np.unravel_index(int(np.argmin(ranks)), ranks.shape)
+        if ranks[index, part] < least:
+            least = ranks[index, part]
+            best = PointHit(shape.id, int(index), int(part), float(distances[index, part]))
     return best
 
 
@@ -179,6 +182,13 @@ def _grabbable(points: Array, shape_id: str, selection: Selection) -> Bools:
     return parts
 
 
+def _others(count: int, shape_id: str, selection: Selection) -> Bools:
+    """Which of the points `(P,)` of a shape are not selected."""
+    others = np.ones(count, dtype=bool)
+    others[[index for index in selection.indices_of(shape_id) if index < count]] = False
+    return others
+
+
 def _on_outline(shape: RotoShape, frame: int, position: Vector, pixel: Vector) -> OutlineHit | None:
     control = bezier.segments(shape.at(frame).points / pixel, shape.closed)
     target = np.divide(position, pixel)
@@ -189,16 +199,21 @@ def _on_outline(shape: RotoShape, frame: int, position: Vector, pixel: Vector) -
         return None
     step, t = 1.0 / COARSE, np.linspace(0.0, 1.0, COARSE + 1)
     gaps = _gaps(control[near], t, target)
-    row, column = np.unravel_index(int(np.argmin(gaps)), gaps.shape)
-    segment, found = int(near[row]), float(t[column])
+    # A line that comes back beside itself is near on both of its sides, and the nearer side need not be the one whose
+    # place happens to lie nearer: every place that is nearer than those beside it is closed in on.
+    beside = np.pad(gaps, ((0, 0), (1, 1)), constant_values=np.inf)
+    rows, columns = np.nonzero((gaps <= beside[:, :-2]) & (gaps <= beside[:, 2:]))
+    each, found, control = np.arange(len(rows)), t[columns], control[near[rows]]
     for _ in range(REFINEMENTS):
-        t = np.clip(found + step * FINE, 0.0, 1.0)
-        gaps = _gaps(control[segment : segment + 1], t, target)
-        found, step = float(t[int(np.argmin(gaps))]), step / 4.0
-    distance = float(np.sqrt(gaps.min()))
-    return OutlineHit(shape.id, segment, found, distance) if distance <= REACH else None
+        places = np.clip(found[:, None] + step * FINE, 0.0, 1.0)
+        gaps = _gaps(control, places, target)
+        found, step = places[each, gaps.argmin(axis=1)], step / 4.0
+    best = int(gaps.min(axis=1).argmin())
+    distance = float(np.sqrt(gaps[best].min()))
+    return OutlineHit(shape.id, int(near[rows[best]]), float(found[best]), distance) if distance <= REACH else None
 
 
 def _gaps(control: Array, t: Array, target: Array) -> Array:
-    """Squared distances `(S, N)` of `target (2,)` to the places `t (N,)` of segments `(S, 4, 2)`."""
-    return np.asarray(((np.einsum("nb,sbc->snc", bezier.bernstein(t), control) - target) ** 2).sum(axis=2))
+    """Squared distances `(S, N)` of `target (2,)` to the places `t` of segments `(S, 4, 2)`: `(N,)`, or `(S, N)`."""
+    weights = bezier.bernstein(t.ravel()).reshape(*t.shape, 4)
+    return np.asarray(((weights @ control - target) ** 2).sum(axis=2))

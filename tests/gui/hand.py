@@ -48,12 +48,16 @@ class Hand:
         self.press(at, modifiers)
         self.release(at, modifiers)
 
-    def double_click(self, at: Spot) -> None:
+    def double_click(self, at: Spot, modifiers: Qt.KeyboardModifier = NONE) -> None:
         """Press, release, second press, release: as the window system delivers it."""
-        self.click(at)
+        self.click(at, modifiers)
+        self.press_again(at, modifiers)
+        self.release(at, modifiers)
+
+    def press_again(self, at: Spot, modifiers: Qt.KeyboardModifier = NONE) -> None:
+        """The second press of a double click."""
         self._held = LEFT
-        self._send(QEvent.Type.MouseButtonDblClick, at, LEFT, NONE)
-        self.release(at)
+        self._send(QEvent.Type.MouseButtonDblClick, at, LEFT, modifiers)
 
     def drag(self, start: Spot, end: Spot, modifiers: Qt.KeyboardModifier = NONE) -> None:
         """Press, move in two steps, release."""

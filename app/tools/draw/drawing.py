@@ -45,6 +45,8 @@ class DrawingTool(PlacingTool):
         self._frame = 0
         self._pressed: Pointer | None = None
         self._is_closing = False
+        self._open = self._points
+        """The points as they were before the press that closes the shape."""
 
     @property
     def points(self) -> Array:
@@ -91,6 +93,7 @@ class DrawingTool(PlacingTool):
         self._pressed = self._hover = pointer
         self._is_closing = self._closes(pointer)
         if self._is_closing:
+            self._open = self._points
             return
         if not len(self._points):
             self._frame = self.view_state.frame
@@ -124,8 +127,9 @@ class DrawingTool(PlacingTool):
     def take_back(self) -> bool:
         if not len(self._points):
             return False
-        self._points = self._points[:-1]
-        self._pressed, self._is_closing = None, False
+        if not self._reopen():
+            self._points = self._points[:-1]
+        self._pressed = None
         return True
 
     def key(self, name: str) -> None:
@@ -179,13 +183,22 @@ class DrawingTool(PlacingTool):
         x, y = self._points[0, ANCHOR].tolist()
         return pointer.screen_distance((x, y)) <= REACH
 
+    def _reopen(self) -> bool:
+        """Take back the press that closes the shape, and what its drag made of the first point; False without one."""
+        if not self._is_closing:
+            return False
+        self._points, self._is_closing = self._open, False
+        return True
+
     def _finish_closed(self) -> None:
         if self._place_count < edit.MIN_POINTS_CLOSED:
+            self._reopen()
             self.view_state.say(tr(TOO_FEW, min_points_closed=edit.MIN_POINTS_CLOSED))
         else:
             self._finish(closed=True)
 
     def _finish_open(self) -> None:
+        self._reopen()
         if self._place_count < edit.MIN_POINTS_OPEN:
             self.drop()
         else:

@@ -57,15 +57,21 @@ class SelectTool(GestureTool):
             self._gesture = (Lasso if draws_line else Marquee)(self.document, self.view_state, pointer)
 
     def double_press(self, pointer: Pointer) -> None:
-        """On an outline: select all points of its shape, the one that the first press met."""
+        """On an outline: select all points of its shape, the one that the first press met; with Shift beside others.
+
+        Where the first press has inserted a point, the second inserts no other.
+        """
         found = self._hit(pointer)
+        if pointer.holds(INSERT) and found is not None:
+            return
         if not isinstance(found, OutlineHit):
             self.press(pointer)
             return
         project = self.document.project
         shape_id = self._pressed if project.has(self._pressed) else found.shape_id
         count = project.shape(shape_id).point_count
-        self.view_state.select(frozenset(), frozenset((shape_id, index) for index in range(count)))
+        held = self.view_state.selection if pointer.holds(Modifier.ShiftModifier) else Selection()
+        self.view_state.select(held.shapes, held.points | {(shape_id, index) for index in range(count)})
 
     def hover(self, pointer: Pointer) -> None:
         found = self._hit_insertion(pointer) if pointer.holds(INSERT) else self._hit(pointer)
@@ -160,7 +166,8 @@ class SelectTool(GestureTool):
             return Gesture(self.document, view, pointer)
         is_alone = view.selection == Selection(frozenset({shape_id}))
         clicked = self._next_below(pointer, shape_id) if is_alone else shape_id
-        after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({clicked}))
+        others = frozenset(point for point in view.selection.points if point[0] != shape_id)
+        after_click = Selection(shapes - {shape_id}, others) if adds else Selection(frozenset({clicked}))
         return self._move(pointer, Selection(shapes), after_click)
 
     def _next_below(self, pointer: Pointer, shape_id: str) -> str:

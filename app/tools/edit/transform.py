@@ -83,13 +83,15 @@ class TransformTool(SelectTool):
             self._gesture = BoxDrag(self.document, self.view_state, pointer, grab, box, part)
 
     def double_press(self, pointer: Pointer) -> None:
-        """On the pivot: put it back into the middle."""
+        """On the pivot: put it back into the middle. On another part of the box it is a press as any other."""
         box = self.box(pointer.pixel)
         part = box.hit(pointer) if box else None
         if part and part.act is Act.PIVOT:
             self.put_pivot(CENTRE)
-        elif part is None:
+        elif part is None or pointer.holds(INSERT):
             super().double_press(pointer)
+        else:
+            self.press(pointer)
 
     def release(self, pointer: Pointer) -> None:
         drag = self._gesture if isinstance(self._gesture, BoxDrag) else None

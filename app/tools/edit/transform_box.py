@@ -218,7 +218,7 @@ def _scaled(box: Box, place: Vector, pressed: Pointer, pointer: Pointer) -> Pull
     arm = _arm(box, fixed, place)
     reach = arm + np.linalg.solve(box.sides, _delta(pressed, pointer))
     if pointer.holds(Modifier.ShiftModifier):
-        before, after = box.sides @ arm, box.sides @ reach
+        before, after = box.sides @ arm / pointer.pixel, box.sides @ reach / pointer.pixel  # as it is seen
         length = float(before @ before)
         factors = np.full(2, float(after @ before) / length if length > 1e-12 else 1.0)
     else:

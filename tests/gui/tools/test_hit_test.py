@@ -9,7 +9,7 @@ import pytest
 
 from app.model.view_state import Selection
 from app.tools.hit_test import REACH, OutlineHit, PointHit, hit, hit_outline, points_in_box
-from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
+from roam_core.geometry.bezier import ANCHOR, IN, OUT, bernstein, polygon_points, segments
 from roam_core.roto import Keyframe, Project, RotoShape, edit
 from roam_core.roto.layers import moved
 
@@ -146,3 +146,24 @@ def test_outline_search_agrees_with_a_fine_sampling_of_the_whole_curve() -> None
             assert found.distance == pytest.approx(nearest, abs=0.05)
         elif nearest > REACH + 0.05:
             assert found is None
+
+
+def test_of_points_on_one_another_the_selected_one_is_meant() -> None:
+    beside = [(110.0, 10.0), (210.0, 10.0), (210.0, 110.0), (110.0, 110.0)]
+    project, both = project_with(SQUARE, beside), ("shape-1", "shape-2")
+    for meant in (("shape-1", 1), ("shape-2", 0)):
+        found = hit(project, 1, chosen(*both, points={meant}), (110.0, 10.0), ONE)
+        assert isinstance(found, PointHit)
+        assert (found.shape_id, found.index) == meant
+
+
+def test_a_line_that_comes_back_beside_itself_is_hit_on_both_sides() -> None:
+    points = polygon_points([(100.0, 60.0), (104.0, 60.0), (102.0, 70.0)])
+    points[0, OUT], points[1, IN] = (110.0, -218.0), (103.0, -205.0)  # a thin finger, 200 pixels long
+    project, shape = edit.new_shape(Project(), points, 1)
+    finger = segments(shape.at(1).points, closed=True)[:1]
+    for zoom in (4.0, 8.0, 16.0):
+        for spot in (bernstein(np.linspace(0.02, 0.98, 97)) @ finger)[0]:
+            found = hit_outline(project, 1, chosen(shape.id), spot, (1.0 / zoom, 1.0 / zoom))
+            assert found is not None
+            assert found.distance < 2.0

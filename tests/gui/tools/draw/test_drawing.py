@@ -56,6 +56,29 @@ def test_tools_are_found_by_their_names() -> None:
     assert all(tool.title for tool in TOOLS.values())
 
 
+def test_backspace_takes_back_the_press_that_closes_and_no_point(hand: Hand, bezier: DrawingTool) -> None:
+    click_all(hand)
+    drawn = bezier.points
+    hand.press(CORNERS[0])
+    hand.move((30.0, 60.0))
+    hand.key(BACKSPACE)
+    np.testing.assert_array_equal(bezier.points, drawn)
+    hand.release((30.0, 60.0))
+    np.testing.assert_array_equal(bezier.points, drawn)
+
+
+def test_too_few_places_are_not_closed_and_stay_as_they_were(
+    hand: Hand, document: Document, bezier: DrawingTool
+) -> None:
+    for corner in (*CORNERS[:2], CORNERS[1]):
+        hand.click(corner)
+    hand.drag(CORNERS[0], (30.0, 60.0))
+    hand.key(ESCAPE)
+    (shape,) = document.project.shapes
+    assert not shape.closed
+    np.testing.assert_array_equal(shape.at(1).points[0], np.tile(CORNERS[0], (3, 1)))
+
+
 # ---- both tools
 
 

@@ -415,3 +415,29 @@ def test_escape_drops_a_marquee_and_a_layer_that_is_gone_stays_gone(
     hand.key(Qt.Key.Key_Escape)
     hand.release((140.0, 120.0))
     assert not view_state.layers
+
+
+def test_a_double_click_that_inserts_inserts_one_point(
+    hand: Hand, document: Document, square: str, only: OnlyShape
+) -> None:
+    hand.double_click((80.0, 40.0), CTRL | ALT)
+    assert only().point_count == len(SQUARE) + 1
+    assert document.undo_stack.count() == 1
+
+
+def test_a_double_click_with_shift_adds_all_points_of_a_shape(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    triangle = add_triangle(document)
+    view_state.select(frozenset({square}), frozenset({(square, 0)}))
+    hand.double_click((170.0, 20.0), SHIFT)
+    assert view_state.selection.points == {(square, 0), *((triangle, index) for index in range(3))}
+
+
+def test_a_shape_that_is_taken_away_leaves_the_points_of_others_selected(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    triangle = add_triangle(document)
+    view_state.select(frozenset({square, triangle}), frozenset({(square, 0), (triangle, 1)}))
+    hand.click((160.0, 40.0), SHIFT)
+    assert view_state.selection == Selection(frozenset({square}), frozenset({(square, 0)}))

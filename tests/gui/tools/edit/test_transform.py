@@ -10,7 +10,7 @@ from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from app.tools.edit.transform import TransformTool
-from app.tools.edit.transform_box import Box
+from app.tools.edit.transform_box import Act, Box, Part, pulled
 from app.tools.tool import Pointer
 from roam_core.geometry.bezier import IN, polygon_points
 from roam_core.roto import edit
@@ -423,3 +423,21 @@ def test_the_pointer_shows_what_a_press_would_do(canvas: CanvasView, hand: Hand,
         "turn": cursor.PointingHandCursor,
         "beside": cursor.ArrowCursor,
     }
+
+
+def test_a_second_press_drags_like_any_other(hand: Hand, document: Document, boxed: str, only: OnlyShape) -> None:
+    hand.click((60.0, 60.0))
+    hand.press_again((60.0, 60.0))
+    hand.move((65.0, 60.0))
+    hand.move((70.0, 55.0))
+    hand.release((70.0, 55.0))
+    assert only.anchors() == [(x + 10.0, y - 5.0) for x, y in SQUARE]
+
+
+def test_proportions_are_kept_by_what_is_seen_on_wide_pixels() -> None:
+    pixel, corner = (0.5, 1.0), np.array([80.0, 60.0])  # shown as 160 by 60
+    box = Box.around((0.0, 0.0), (80.0, 60.0), pixel)
+    across = np.array([-60.0, 160.0]) * pixel / 8.0  # at a right angle to the diagonal on the screen
+    pressed, there = (Pointer((x, y), pixel, Qt.KeyboardModifier.ShiftModifier) for x, y in (corner, corner + across))
+    pull = pulled(box, Part(Act.SCALE, (1.0, 1.0)), pressed, there, np.array([corner]))
+    np.testing.assert_allclose(pull.matrix, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], atol=1e-12)
