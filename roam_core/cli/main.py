@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
@@ -100,8 +101,27 @@ def _run_command(name: str, argv: list[str]) -> int:
     module.add_arguments(parser)
     arguments = parser.words(argv)
     take_threads()
-    status: int = module.run(arguments)
+    try:
+        status: int = module.run(arguments)
+    except (RoamError, Cancelled, OSError):
+        raise
+    except Exception as error:
+        if words := _numbers_in(arguments):
+            said = " ".join(str(error).split()) or type(error).__name__
+            raise RoamError(
+                f"The engine cannot compute with {' and '.join(words)} ({said}). Give other values, or leave them out."
+            ) from error
+        raise
     return status
+
+
+def _numbers_in(arguments: argparse.Namespace) -> list[str]:
+    """What of the engine's numbers `--config` gives values: each is in its bounds, and may be none to compute with."""
+    if not isinstance(config := getattr(arguments, "config", None), str):
+        return []
+    from roam_core.params import numbers_in  # a command without a configuration does not wait for them
+
+    return numbers_in(config)
 
 
 def _module(command: str) -> ModuleType:

@@ -10,7 +10,15 @@ from __future__ import annotations
 from roam_core.params.appearance import AppearanceParams
 from roam_core.params.between import EndpointConsistencyParams, SpanParams
 from roam_core.params.confidence import CONFIDENCE, ConfidenceParams
-from roam_core.params.configurations import CONFIGS, DEFAULT_CONFIG, DOUBTFUL, departed, is_doubtful, params_for
+from roam_core.params.configurations import (
+    CONFIGS,
+    DEFAULT_CONFIG,
+    DOUBTFUL,
+    departed,
+    is_doubtful,
+    numbers_in,
+    params_for,
+)
 from roam_core.params.contour import (
     INVARIANTS,
     UNTYING,
@@ -121,6 +129,7 @@ __all__ = [
     "departed",
     "enlargement_for",
     "is_doubtful",
+    "numbers_in",
     "params_for",
     "scale_for",
 ]

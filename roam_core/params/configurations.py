@@ -108,6 +108,12 @@ def params_for(config: str | RoamParams) -> RoamParams:
     return CONFIGS[config] if config in CONFIGS else _changed(config)
 
 
+def numbers_in(name: str) -> list[str]:
+    """The words of a configuration's name that give parameters values (`window=7`); dials are turned within bounds."""
+    dials = {dial.name for dial in DIALS}
+    return [word for word in WORD.split(name)[1:] if word.partition("=")[0] not in dials]
+
+
 def departed(name: str) -> list[str]:
     """A sentence for each dial that a configuration's name turns, though it is offered there no more."""
     base, *words = WORD.split(name)
