@@ -64,7 +64,7 @@ def _exported() -> None:
     box = np.array([(14, 24), (46, 24), (46, 40), (14, 40)], dtype=np.float64)
     moved = tuple(Keyframe(frame, polygon_points(box + 2.0 * frame)) for frame in (FRAMES[0], FRAMES[-1]))
     soft = RotoShape("warm-up", "warm-up", moved, motion_blur=MotionBlur(), feather=3.0)
-    render_matte([soft], FRAMES[1], (SIZE[1], SIZE[0]))
+    render_matte([soft, replace(soft, feather=0.0)], FRAMES[1], (SIZE[1], SIZE[0]))
     # A key on every frame, by which fewer can be found.
     dense = replace(soft, motion_blur=None, feather=0.0)
     keys = tuple(Keyframe(frame, dense.at(frame).points, interpolation=Interpolation.LINEAR) for frame in FRAMES)

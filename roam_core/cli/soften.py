@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     found, soft = task.change(
         lambda read, token, progress: softened(
-            read, task.asked, task.project.shapes, SOFTNESS, token, progress, blur=blur, feather=feather
+            read, task.asked, task.project.plate_root, SOFTNESS, token, progress, blur=blur, feather=feather
         ),
         lambda both: both[1],
     )

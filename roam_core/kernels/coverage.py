@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from roam_core.arrays import Array, Float32
+from roam_core.arrays import Array, Bools, Float32
 
 SWEEP_STEP, MOST_STEPS = 0.125, 1024
 """Pixels from one filled outline of a sweep to the next, and how many of them at most: the mean over a step strays from
@@ -80,6 +80,30 @@ def swept_coverage(start: Array, end: Array, size: tuple[int, int]) -> Float32:
     sums = np.zeros((bottom - top, right - left + 1))
     _sum_sweep(start - corner, end - corner, steps, sums)
     _wind(sums, result[top:bottom, left:right])
+    return result
+
+
+def holds_centres(line: Array, size: tuple[int, int]) -> Bools:
+    """Which pixels have their centre inside of a closed polyline: where its winding number is not 0.
+
+    Parameters
+    ----------
+    line : (K, 2) vertices in pixels, as for `coverage`.
+    size : (h, w) of the image.
+
+    Returns
+    -------
+    (h, w) bool.
+    """
+    line = _checked(line)
+    result = np.zeros(size, dtype=np.bool_)
+    box = _box(line, size, 0.0)
+    if box is None or len(line) < 3:
+        return result
+    top, bottom, left, right = box
+    turns = np.zeros((bottom - top, right - left + 1), dtype=np.int32)
+    _sum_crossings(line - (float(left), float(top)), turns)
+    np.not_equal(np.cumsum(turns[:, :-1], axis=1), 0, out=result[top:bottom, left:right])
     return result
 
 
@@ -192,6 +216,29 @@ def _sum_areas(line, sums):  # type: ignore[no-untyped-def]
                 share = 0.5 * (a + b) - column
                 sums[row, column] += part * (1.0 - share)
                 sums[row, column + 1] += part * share
+
+
+@njit(nogil=True, cache=True)
+def _sum_crossings(line, turns):  # type: ignore[no-untyped-def]
+    """Add every edge's sign to `turns (h, w + 1)` where it crosses a row of pixels' centres: at the first after it."""
+    height, width = turns.shape[0], turns.shape[1] - 1
+    count = line.shape[0]
+    for k in range(count):
+        x0, y0 = line[k, 0], line[k, 1]
+        x1, y1 = line[(k + 1) % count, 0], line[(k + 1) % count, 1]
+        if y0 == y1:
+            continue
+        sign = 1
+        if y0 > y1:
+            sign = -1
+            x0, y0, x1, y1 = x1, y1, x0, y0
+        # Rows whose centre lies in [y0, y1): a vertex on a centre counts for one of its two edges.
+        first = int(np.ceil(min(max(y0 - 0.5, 0.0), float(height))))
+        last = int(np.ceil(min(max(y1 - 0.5, 0.0), float(height))))
+        slope = (x1 - x0) / (y1 - y0)
+        for row in range(first, last):
+            x = min(max(x0 + (row + 0.5 - y0) * slope, min(x0, x1)), max(x0, x1))
+            turns[row, int(np.ceil(min(max(x - 0.5, 0.0), float(width))))] += sign
 
 
 @njit(nogil=True, cache=True)

@@ -10,7 +10,7 @@ import numpy as np
 from roam_core.arrays import Array, Indices, Matte
 from roam_core.geometry import bezier
 from roam_core.roto import Interpolation, Outline, RotoShape
-from roam_core.roto.sight import is_out_of_sight
+from roam_core.roto.sight import is_out_of_sight, moving_in_sight
 
 TOLERANCE = 1.0 / 512.0
 """Pixels by which the polyline that is filled may stray from the spline: that much of a pixel's area at the very most,
@@ -65,7 +65,8 @@ def shape_matte(shape: RotoShape, frame: float, size: tuple[int, int]) -> Matte:
     Parameters
     ----------
     shape : visible or not. An open shape has no area, and outside its lifetime a shape does not exist: both give zeros,
-        inverted or not. Nothing is inside of one that is out of sight (`roto.sight`).
+        inverted or not. Nothing is inside of one that is out of sight (`roto.sight`), and motion blur does not show how
+        it closes.
     frame : the plate's frame number. With motion blur the shutter opens at `frame + phase`.
     size : (h, w) of the image.
 
@@ -82,7 +83,8 @@ def shape_patch(shape: RotoShape, frame: float, size: tuple[int, int]) -> Patch:
     if not has_area(shape, frame):
         return Patch(0, 0, np.zeros((0, 0), dtype=np.float32))
     moments = _moments(shape, frame)
-    outlines = [shape.at(moment) for moment in moments]
+    first, last = moving_in_sight(shape, frame, min(moments), max(moments))
+    outlines = [shape.at(min(max(moment, first), last)) for moment in moments]
     feathers = [shape.feather_at(moment) for moment in moments]
     top, bottom, left, right = _reach(outlines, max(feathers), size)
     values = np.zeros((bottom - top, right - left), dtype=np.float32)
@@ -112,7 +114,7 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
     inwards where it is negative, averaged over each pixel. Where a shape has both, the matte is as soft as the wider of
     the two outside.
     """
-    from roam_core.kernels.coverage import coverage, distance  # numba: a command's help must not wait for it
+    from roam_core.kernels.coverage import coverage, distance, holds_centres  # numba: a command's help must not wait
 
     line, feathered = _lines(outline)
     if feathered is None:
@@ -123,9 +125,8 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
         # A wide ramp hides what a narrow one shows: by a 512th of its width the line may stray.
         coarse = outline.flatten(float(np.clip(abs(feather) / 512.0, TOLERANCE, 0.05)))
         away = distance(coarse, size, abs(feather) + 0.5)
-        # The distance is that to the outline, which lies elsewhere than where a feather curve leaves a half.
-        hard = matte if feathered is None else coverage(line, size)
-        signed = np.where(hard < np.float32(0.5), away, -away)
+        # By its centre, not by its coverage: in a corner that passes a half while the centre is well inside or outside.
+        signed = np.where(holds_centres(coarse, size), -away, away)
         if feather > 0.0:
             np.maximum(matte, _ramp(signed, feather), out=matte)
         else:
@@ -248,13 +249,21 @@ def _places(counts: Indices) -> tuple[Indices, Array]:
 
 
 def _between(line: Array, feathered: Array, size: tuple[int, int]) -> Matte:
-    """Mean coverage of the outlines between two that are joined vertex by vertex, about one a pixel of their gap."""
-    from roam_core.kernels.coverage import coverage
+    """Mean coverage of the outlines between two that are joined vertex by vertex, about one a pixel of their gap.
+
+    Where that would be too many, each is swept to the next one: the gap shows no bands.
+    """
+    from roam_core.kernels.coverage import coverage, swept_coverage
 
     gap = float(np.hypot(*(feathered - line).T).max())
     levels = int(np.clip(np.ceil(gap), LEAST_LEVELS, MOST_LEVELS))
+
+    def at(level: float) -> Array:
+        weight = level / levels
+        return np.asarray((1.0 - weight) * line + weight * feathered)
+
     total = np.zeros(size, dtype=np.float32)
     for level in range(levels):
-        weight = (level + 0.5) / levels
-        total += coverage((1.0 - weight) * line + weight * feathered, size)
+        is_wide = gap > levels
+        total += swept_coverage(at(level), at(level + 1), size) if is_wide else coverage(at(level + 0.5), size)
     return total / np.float32(levels)

@@ -12,7 +12,7 @@ from roam_core.cancel import CancelToken, Progress, half
 from roam_core.matte.softness import Softness, measured, middle, turn
 from roam_core.media.source import ReadImage
 from roam_core.params.softness import SoftnessParams
-from roam_core.roto import Keyframe, MotionBlur, RotoShape
+from roam_core.roto import Keyframe, Layer, MotionBlur, RotoShape
 from roam_core.roto.control_points import settled
 from roam_core.roto.feather import pulled, tidy
 from roam_core.translatable import sentence
@@ -21,7 +21,7 @@ from roam_core.translatable import sentence
 def softened(
     read: ReadImage,
     asked: Sequence[RotoShape],
-    shapes: Sequence[RotoShape],
+    root: Layer,
     params: SoftnessParams,
     token: CancelToken,
     progress: Progress,
@@ -29,8 +29,8 @@ def softened(
     blur: bool = True,
     feather: bool = True,
 ) -> tuple[Softness, list[RotoShape]]:
-    """What is `measured` of the shapes that are asked for, and these as soft as the plate (`matched`)."""
-    found = measured(read, asked, shapes, params, token, half(progress, 0.0))
+    """What is `measured` of the shapes that are asked for among those of `root`, and these as soft as the plate."""
+    found = measured(read, asked, root, params, token, half(progress, 0.0))
     made, matching = [], half(progress, 0.5)
     for done, shape in enumerate(asked):
         token.check()
@@ -43,8 +43,9 @@ def matched(shape: RotoShape, found: Softness, params: SoftnessParams, *, blur: 
     """The shape as soft as the plate: by motion blur, by feather, or by both, where feather does what motion does not.
 
     The outline goes to the inner border of the transition and the feather curve to its outer one: coverage stays a half
-    where it was. Origins and stamps of keys stay; what was set for the matte before is replaced. A shape of whose edge
-    nothing could be read keeps its feather.
+    where it was. Origins and stamps of keys stay; what was set for the matte before is replaced: feather that stands
+    for the motion, too, leaves no motion blur. A shape of whose edge nothing could be read keeps both, and keys on
+    which it has closed to a point stay.
     """
     if blur and found.shutter is not None:
         shape = replace(shape, motion_blur=_motion_blur(shape.motion_blur, found.shutter))
@@ -55,7 +56,7 @@ def matched(shape: RotoShape, found: Softness, params: SoftnessParams, *, blur: 
             for key in shape.keys
             if (shape.id, key.frame) in widths
         ]
-        shape = replace(shape.with_keys(keys), feather=0.0)
+        shape = replace(shape.with_keys(keys), feather=0.0, motion_blur=shape.motion_blur if blur else None)
     return shape
 
 

@@ -19,12 +19,16 @@ from roam_core.matte.rasterise import has_area, shape_patch
 from roam_core.media import MissingFrame
 from roam_core.media.source import ReadImage
 from roam_core.params.softness import SoftnessParams
-from roam_core.roto import BlendMode, Keyframe, RotoShape
+from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape
 from roam_core.roto.feather import frames_along
+from roam_core.roto.sight import is_point
 from roam_core.translatable import sentence
 
 Spot = tuple[str, int]
 """A key: the id of its shape, and its frame."""
+
+TOGETHER = frozenset({BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX})
+"""How a matte joins what lies under it so that both grow into one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +83,7 @@ def middle(points: Array, feather: Array | None) -> Array:
 def measured(
     read: ReadImage,
     asked: Sequence[RotoShape],
-    shapes: Sequence[RotoShape],
+    root: Layer,
     params: SoftnessParams,
     token: CancelToken,
     progress: Progress,
@@ -90,7 +94,7 @@ def measured(
     ----------
     read : gives a frame's picture (h, w, 3), uint8, or floats in [0, 1]; a frame that raises `MissingFrame` is left
         out.
-    asked, shapes : closed shapes in plate space, and all shapes of the project.
+    asked, root : closed shapes in plate space, and all that the project holds, in plate space too.
     """
     frames = sorted({frame for shape in asked for frame in shape.frames})
     edges: dict[Spot, Edge] = {}
@@ -98,31 +102,55 @@ def measured(
         token.check()
         progress(done / len(frames), sentence("Looking at frame {frame}", frame=frame))
         with suppress(MissingFrame):
-            edges |= edges_at(read(frame), asked, shapes, frame, params)
+            edges |= edges_at(read(frame), asked, root, frame, params)
     return softness(edges, params, token)
 
 
 def edges_at(
-    picture: Image, asked: Iterable[RotoShape], shapes: Iterable[RotoShape], frame: int, params: SoftnessParams
+    picture: Image, asked: Iterable[RotoShape], root: Layer, frame: int, params: SoftnessParams
 ) -> dict[Spot, Edge]:
     """What the picture of a frame shows along those shapes that are asked for and have a key there.
 
-    An outline beside or under another of `shapes` is no edge of the object: nothing is read there. A single point has
-    no edge.
+    An outline beside or under another shape of `root` that grows into one with its own is no edge of the object:
+    nothing is read there. A single point has no edge, nor has an outline that has closed to one.
     """
-    keyed = [
-        shape for shape in asked if shape.point_count > 1 and shape.key_at(frame) is not None and has_area(shape, frame)
-    ]
-    if not keyed:
-        return {}
-    crowd = _crowd([shape for shape in shapes if _joins(shape, frame)], frame, picture.shape[:2], params)
-    return {(shape.id, frame): _edge(picture, shape, frame, crowd, params) for shape in keyed}
+    keyed = {shape.id: shape for shape in asked if _has_edge(shape, frame)}
+    crowds: dict[str, Indices] = {}
+    for group in grown_together(root):
+        joined = [shape for shape in group if _joins(shape, frame)]
+        if any(shape.id in keyed for shape in joined):
+            crowds |= dict.fromkeys((s.id for s in joined), _crowd(joined, frame, picture.shape[:2], params))
+    return {(shape.id, frame): _edge(picture, shape, frame, crowds.get(shape.id), params) for shape in keyed.values()}
+
+
+def _has_edge(shape: RotoShape, frame: int) -> bool:
+    key = shape.key_at(frame)
+    return key is not None and shape.point_count > 1 and has_area(shape, frame) and not is_point(key.points)
+
+
+def grown_together(layer: Layer) -> list[list[RotoShape]]:
+    """The shapes in sight by what they may grow into one with; first those that do with what lies beside the layer.
+
+    Those in a layer that takes away, or is inverted, are apart from all others.
+    """
+    own: list[RotoShape] = []
+    apart: list[list[RotoShape]] = []
+    for child in layer.children if layer.visible else ():
+        if isinstance(child, RotoShape):
+            own.append(child)
+            continue
+        first, *rest = grown_together(child)
+        if child.blend in TOGETHER and not child.invert:
+            own += first
+        else:
+            apart.append(first)
+        apart += rest
+    return [own, *apart]
 
 
 def _joins(shape: RotoShape, frame: int) -> bool:
     """True where a shape grows into one with others; the outline of any other is an edge wherever it lies."""
-    together = (BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX)
-    return shape.visible and not shape.invert and shape.blend in together and has_area(shape, frame)
+    return shape.visible and not shape.invert and shape.blend in TOGETHER and has_area(shape, frame)
 
 
 def _crowd(shapes: Sequence[RotoShape], frame: int, size: tuple[int, ...], params: SoftnessParams) -> Indices:
@@ -148,13 +176,13 @@ def _plain(shape: RotoShape, frame: int) -> RotoShape:
     return RotoShape(shape.id, shape.name, (key,))
 
 
-def _edge(picture: Image, shape: RotoShape, frame: int, crowd: Indices, params: SoftnessParams) -> Edge:
+def _edge(picture: Image, shape: RotoShape, frame: int, crowd: Indices | None, params: SoftnessParams) -> Edge:
     outline = shape.at(frame)
     points = middle(outline.points, outline.feather)
     segment, t = _places(points, params)
     places, normals = _normals(points, segment, t)
     seen = _readable(places, picture.shape[:2], params)
-    if _joins(shape, frame):
+    if crowd is not None:
         seen[seen] = crowd[*_pixels(places[seen])] <= 1
     owner = (segment + (t >= 0.5)) % shape.point_count
     table, told = np.zeros((shape.point_count, len(params.widths))), np.zeros(shape.point_count, dtype=np.intp)
@@ -203,8 +231,13 @@ def _pixels(places: Array) -> tuple[Indices, Indices]:
 
 
 def _velocity(shape: RotoShape, frame: int) -> Array:
-    """Pixels a frame by which the points move about `frame`, `(P, 2)`; at the ends, those of the side that is keyed."""
-    first, last = max(frame - 0.5, shape.frames[0]), min(frame + 0.5, shape.frames[-1])
+    """Pixels a frame by which the points move about a key, `(P, 2)`; at the ends, those of the side that is keyed.
+
+    On the way to or from a point the outline closes or opens: that is no motion.
+    """
+    index = shape.frames.index(frame)
+    first = frame - 0.5 if index > 0 and not is_point(shape.keys[index - 1].points) else frame
+    last = frame + 0.5 if any(not is_point(key.points) for key in shape.keys[index + 1 : index + 2]) else frame
     if first >= last:
         return np.zeros((shape.point_count, 2))
     return (shape.at(last).anchors - shape.at(first).anchors) / (last - first)

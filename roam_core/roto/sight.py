@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from itertools import pairwise
 from operator import attrgetter
 
@@ -45,6 +46,25 @@ def is_out_of_sight(shape: RotoShape, frame: float) -> bool:
     first = bisect_right(shape.keys, frame, key=_FRAME)
     around = shape.keys[max(first - 1, 0) : bisect_left(shape.keys, frame, key=_FRAME) + 1]
     return all(map(_is_closed, around))
+
+
+def moving_in_sight(shape: RotoShape, frame: float, opens: float, closes: float) -> tuple[float, float]:
+    """Those moments from `opens` to `closes`, first and last, between which the outline at `frame` neither opens from
+    a point nor closes to one.
+
+    An engine closes a shape from one key to the next: that is none of its motion. All for a frame within such a step.
+    """
+    first = max(bisect_right(shape.keys, opens, key=_FRAME) - 1, 0)
+    behind = shape.keys[first : bisect_right(shape.keys, frame, key=_FRAME)]
+    ahead = shape.keys[bisect_left(shape.keys, frame, key=_FRAME) : bisect_left(shape.keys, closes, key=_FRAME) + 1]
+    since, until = _before_point(behind[::-1]), _before_point(ahead)
+    return opens if since is None else max(since, opens), closes if until is None else min(until, closes)
+
+
+def _before_point(keys: Sequence[Keyframe]) -> int | None:
+    """The frame of the last one of `keys` before a point; None where there is none."""
+    step = next((index for index, key in enumerate(keys) if _is_closed(key)), 0)
+    return keys[step - 1].frame if step else None
 
 
 def in_sight(shape: RotoShape) -> Animatable:

@@ -33,6 +33,6 @@ def _soften(report: Report, read: ReadFrame, project: Project, asked: Sequence[R
     from roam_core.matte.softening import softened, told
     from roam_core.params import SOFTNESS
 
-    found, soft = softened(read, asked, project.shapes, SOFTNESS, report.token, report.progress)
+    found, soft = softened(read, asked, project.plate_root, SOFTNESS, report.token, report.progress)
     report.partial(soft)
     return translated(told(found, asked, soft))

@@ -7,6 +7,7 @@ import json
 import pytest
 
 from roam_core.cli import main, prepare
+from roam_core.kernels import coverage
 from roam_core.params import CONFIGS
 
 
@@ -31,3 +32,15 @@ def test_every_configuration_is_among_the_steps() -> None:
 def test_the_other_steps_do_their_work(name: str) -> None:
     steps = dict(prepare.work())
     steps[name]()
+
+
+def test_mattes_of_hard_and_soft_shapes_that_move_are_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Motion blur of hard shapes has kernels of its own; they were compiled when the first of them was rendered."""
+    made = set[str]()
+    for name in ("coverage", "swept_coverage", "distance", "holds_centres"):
+        kernel = getattr(coverage, name)
+        monkeypatch.setattr(
+            coverage, name, lambda *given, name=name, kernel=kernel: (made.add(name), kernel(*given))[1]
+        )
+    dict(prepare.work())["keys and mattes"]()
+    assert made == {"coverage", "swept_coverage", "distance", "holds_centres"}

@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 
 from roam_core.arrays import Array
-from roam_core.kernels.coverage import coverage, distance, swept_coverage
+from roam_core.kernels.coverage import coverage, distance, holds_centres, swept_coverage
 from tests.reference.coverage import (
     comp_coverage,
     comp_coverage_by_rows,
     ref_coverage,
     ref_distance,
     ref_swept_coverage,
+    winding,
 )
 
 
@@ -169,3 +170,24 @@ def test_distance_is_exact_within_its_reach(seed: int, reach: float) -> None:
 
 def test_distance_out_of_reach_is_the_reach() -> None:
     np.testing.assert_array_equal(distance(rectangle(90, 90, 99, 99), (4, 4), 2.0), np.full((4, 4), 2.0))
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("is_on_centres", [False, True])
+def test_centres_lie_inside_where_the_outline_winds_around_them(seed: int, is_on_centres: bool) -> None:
+    """Outlines that cross themselves and the border of the picture, also with their vertices on pixels' centres."""
+    size = (24, 32)
+    line = np.random.default_rng(seed).uniform(-10.0, 40.0, (9, 2))
+    if is_on_centres:
+        line = np.floor(line) + 0.5
+    y, x = np.meshgrid(np.arange(24) + 0.5, np.arange(32) + 0.5, indexing="ij")
+    if is_on_centres:
+        line -= [1e-9, 0.0]  # which side a point on the edge lies on is nobody's to say
+    expected = winding(line, x, y) != 0
+    assert expected.any()
+    np.testing.assert_array_equal(holds_centres(line, size), expected)
+
+
+@pytest.mark.parametrize("line", [np.zeros((0, 2)), np.ones((2, 2)), np.full((5, 2), 3.0), rectangle(-9, 1, -2, 5)])
+def test_degenerate_outlines_and_those_beside_the_picture_hold_no_centre(line: Array) -> None:
+    assert not holds_centres(line, (6, 6)).any()

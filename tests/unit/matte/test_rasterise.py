@@ -10,7 +10,7 @@ import pytest
 from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.matte import Patch, render_matte, shape_matte, shape_patch
-from roam_core.roto import Interpolation, Keyframe, MotionBlur, RotoShape
+from roam_core.roto import Interpolation, Keyframe, MotionBlur, Origin, RotoShape
 from tests.reference.coverage import comp_coverage_by_rows, ref_coverage
 from tests.unit.matte.conftest import rectangle
 
@@ -112,6 +112,18 @@ def test_the_soft_edge_of_a_shape_outside_the_image_reaches_into_it() -> None:
     np.testing.assert_allclose(matte[10, :4], [1.0 - 1.5 / 4.0, 1.0 - 2.5 / 4.0, 1.0 - 3.5 / 4.0, 0.0], atol=1e-6)
 
 
+@pytest.mark.parametrize("degrees", [10.0, 40.0, 90.0])
+@pytest.mark.parametrize("width", [-4.0, -1.0, 1.0, 4.0])
+def test_the_soft_edge_of_a_sharp_corner_glides_without_a_jump(degrees: float, width: float) -> None:
+    """A pixel at a corner went over by a quarter at once, when the corner had covered half of it."""
+    half, step = 50.0 * np.tan(np.radians(degrees / 2.0)), 0.005
+    ways = [(x, 0.37 * x) for x in np.arange(0.0, 1.5, step)]
+    tips = [np.array([(40.0 + x, 20.0 + y), (x - 10.0, 20.0 + y + half), (x - 10.0, 20.0 + y - half)]) for x, y in ways]
+    shapes = [RotoShape("a", "a", (Keyframe(1, bezier.polygon_points(tip)),), feather=width) for tip in tips]
+    mattes = np.stack([shape_matte(shape, 1, (40, 50)) for shape in shapes])
+    assert 0.0 < np.abs(np.diff(mattes, axis=0)).max() < 3.0 * step
+
+
 # ---- feather curve ---------------------------------------------------------------------------------------------------
 
 
@@ -124,6 +136,15 @@ def test_a_feather_curve_is_an_even_ramp_between_the_outlines() -> None:
     np.testing.assert_allclose(matte, expected, atol=0.06)
     outwards = matte[50, 50:]
     assert (np.diff(outwards) <= 1e-6).all()
+
+
+@pytest.mark.parametrize("gap", [100.0, 300.0, 1500.0])
+def test_a_wide_feather_curve_shows_no_bands(gap: float) -> None:
+    """However wide it was, it fell in 128 steps: beyond as many pixels each of them was a band."""
+    inner, outer = (rectangle(-50.0, -5000.0, right, 5000.0).keys[0].points for right in (0.0, gap))
+    shape = RotoShape("a", "Soft", (Keyframe(1, inner, outer - inner),))
+    row = shape_matte(shape, 1, (1, 1600))[0]
+    np.testing.assert_allclose(row, np.clip(1.0 - (np.arange(1600) + 0.5) / gap, 0.0, 1.0), atol=1e-5)
 
 
 def test_a_feather_curve_inside_its_outline_softens_inwards() -> None:
@@ -221,6 +242,25 @@ def test_a_jump_while_the_shutter_is_closed_leaves_the_ramp_even(phase: float) -
     earlier = Keyframe(0, held, interpolation=Interpolation.HOLD)
     before = shape_matte(replace(moving.with_key(earlier), motion_blur=blur), 1, SIZE)
     assert np.array_equal(before, even) == (phase == 0.0)  # else the jump onto frame 1 is in the open shutter
+
+
+@pytest.mark.parametrize(
+    "blur", [MotionBlur(), MotionBlur(1.0, -0.5, 3), MotionBlur(2.0, -1.0, 4), MotionBlur(-0.5, 0.25)]
+)
+@pytest.mark.parametrize("feather", [0.0, 2.0])
+def test_motion_blur_does_not_show_how_an_engine_closes_a_shape(blur: MotionBlur, feather: float) -> None:
+    """On the frames beside it was out of sight the edge of a shape that holds still fell over an eighth of its size."""
+    square = rectangle(4.0, 4.0, 16.0, 16.0, feather=feather)
+    points = square.keys[0].points
+    shut = 10.0 + 1e-3 * (points - 10.0)
+    keys = [
+        Keyframe(frame, shut if frame in (3, 4) else points, origin=Origin.ENGINE, interpolation=way)
+        for frame, way in enumerate([Interpolation.LINEAR, Interpolation.SMOOTH] * 4)
+    ]
+    blurred = replace(square, keys=tuple(keys), motion_blur=blur)
+    for frame in range(8):
+        expected = np.zeros(SIZE) if frame in (3, 4) else shape_matte(square, 1, SIZE)
+        np.testing.assert_allclose(shape_matte(blurred, frame, SIZE), expected, atol=1e-6)
 
 
 def test_the_shutter_opens_at_its_phase() -> None:

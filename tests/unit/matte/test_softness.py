@@ -17,7 +17,7 @@ from roam_core.matte.softening import matched, softened, told
 from roam_core.matte.softness import Softness, measured
 from roam_core.media import MissingFrame
 from roam_core.params.softness import SOFTNESS
-from roam_core.roto import Keyframe, MotionBlur, RotoShape, Spline
+from roam_core.roto import BlendMode, Keyframe, Layer, MotionBlur, Origin, RotoShape, Spline
 from tests.unit.matte.test_rasterise import circle
 
 SIZE = (120, 140)
@@ -46,9 +46,13 @@ def picture(matte: Array, contrast: float = 90.0, seed: int = 0) -> UInt8:
 
 
 def seen(
-    pictures: Callable[[int], UInt8], asked: Sequence[RotoShape], shapes: Sequence[RotoShape] | None = None
+    pictures: Callable[[int], UInt8], asked: Sequence[RotoShape], shapes: Sequence[Layer | RotoShape] | None = None
 ) -> Softness:
-    return measured(pictures, asked, shapes or asked, SOFTNESS, CancelToken(), lambda *_: None)
+    return measured(pictures, asked, root_of(shapes or asked), SOFTNESS, CancelToken(), lambda *_: None)
+
+
+def root_of(items: Sequence[Layer | RotoShape]) -> Layer:
+    return Layer("root", "Root", tuple(items))
 
 
 def soft(shape: RotoShape, found: Softness, *, blur: bool = True, feather: bool = True) -> RotoShape:
@@ -66,7 +70,7 @@ def test_it_tells_of_the_shapes_and_stops_between_them() -> None:
     def progress(done: float, _: str) -> None:
         fractions.append(done)
 
-    found, made = softened(images.__getitem__, shapes, shapes, SOFTNESS, token, progress)
+    found, made = softened(images.__getitem__, shapes, root_of(shapes), SOFTNESS, token, progress)
     assert made == [soft(shape, found) for shape in shapes]
     assert fractions == sorted(fractions)
     assert fractions[len(frames) :] == [0.5, 0.75]
@@ -78,7 +82,7 @@ def test_it_tells_of_the_shapes_and_stops_between_them() -> None:
 
     fractions.clear()
     with pytest.raises(Cancelled):
-        softened(images.__getitem__, shapes, shapes, SOFTNESS, token, stopping)
+        softened(images.__getitem__, shapes, root_of(shapes), SOFTNESS, token, stopping)
     assert fractions[-1] == 0.5
 
 
@@ -222,3 +226,61 @@ def test_a_single_point_has_no_edge_and_stays_as_it_is() -> None:
     found = seen(lambda _: picture(shape_matte(soft_disc(6.0), 1, SIZE)), [point, disc()])
     assert set(found.total) == {("disc", 1)}
     assert soft(point, found) == point
+
+
+def closed_on(shape: RotoShape, frames: Sequence[int]) -> RotoShape:
+    """The shape, closed to a point in its middle by an engine on some frames."""
+    points = shape.keys[0].points
+    shut = points.mean(axis=(0, 1)) + 1e-3 * (points - points.mean(axis=(0, 1)))
+    return shape.with_keys(Keyframe(frame, shut, origin=Origin.ENGINE) for frame in frames)
+
+
+def test_what_is_out_of_sight_stays_so() -> None:
+    """A point got an edge, and its outline, pushed inwards, came out on the other side: a spot of three pixels."""
+    shape = closed_on(disc(frames=(1, 2)), (3, 4))
+    image, ground = picture(shape_matte(soft_disc(6.0), 1, SIZE)), picture(np.zeros(SIZE))
+    after = soft(shape, seen(lambda frame: image if frame < 3 else ground, [shape]))
+    assert after.keys[0].feather is not None
+    assert after.keys[2:] == shape.keys[2:]
+    assert [shape_matte(after, frame, SIZE).max() for frame in (1, 2, 3, 4)] == [1.0, 1.0, 0.0, 0.0]
+
+
+def test_closing_to_a_point_is_no_motion() -> None:
+    shape = replace(closed_on(disc(frames=(2, 3)), (1, 4)), motion_blur=MotionBlur())
+    found = seen(lambda _: picture(shape_matte(soft_disc(6.0), 1, SIZE)), [shape])
+    assert found.shutter is None
+    assert soft(shape, found).motion_blur == shape.motion_blur
+
+
+@pytest.mark.parametrize("visible", [False, True])
+@pytest.mark.parametrize("blend", [BlendMode.ADD, BlendMode.SUBTRACT])
+@pytest.mark.parametrize("invert", [False, True])
+def test_what_a_layer_hides_or_takes_away_makes_no_seam(visible: bool, blend: BlendMode, invert: bool) -> None:
+    image, other = picture(shape_matte(soft_disc(6.0), 1, SIZE)), disc("other")
+    for visible_child in (True, False):
+        inner = Layer("inner", "inner", (replace(other, visible=visible_child),), invert=invert)
+        layer = Layer("layer", "layer", (inner,), visible=visible, blend=blend)
+        is_seam = visible and visible_child and blend is BlendMode.ADD and not invert
+        found = seen(lambda _: image, [disc()], [layer, disc()])
+        assert bool(found.seen["disc", 1].any()) is not is_seam
+
+
+def test_seams_within_a_layer_that_takes_away_are_not_read() -> None:
+    image, pieces = picture(shape_matte(soft_disc(6.0), 1, SIZE)), [disc("one"), disc("other")]
+    layer = Layer("layer", "layer", tuple(pieces), blend=BlendMode.SUBTRACT)
+    found = seen(lambda _: image, pieces, [disc("below", 50.0), layer])
+    assert not any(found.seen[piece.id, 1].any() for piece in pieces)
+
+
+def test_feather_for_all_softness_leaves_no_motion_blur() -> None:
+    """With both, an edge that moves was softened twice."""
+    shape = disc(step=9.0, frames=range(1, 4))
+    blurred = replace(shape, motion_blur=MotionBlur(0.9, -0.45, 32))
+    wide = replace(blurred, keys=disc(step=9.0, frames=range(5)).keys)
+    true = shape_matte(wide, 2, SIZE)
+    found = seen(lambda frame: picture(shape_matte(wide, frame, SIZE), seed=frame), [blurred])
+    after = soft(blurred, found, blur=False)
+    twice = replace(after, motion_blur=blurred.motion_blur)
+    once_off, twice_off = (np.abs(shape_matte(each, 2, SIZE) - true).sum() for each in (after, twice))
+    assert once_off < 0.6 * twice_off
+    assert after == soft(shape, found, blur=False)

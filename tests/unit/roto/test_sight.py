@@ -10,7 +10,16 @@ import pytest
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.animated import Animated, ValueKey, value_at
-from roam_core.roto.sight import POINT, SHUT, in_sight, is_out_of_sight, is_point, is_shut, opened
+from roam_core.roto.sight import (
+    POINT,
+    SHUT,
+    in_sight,
+    is_out_of_sight,
+    is_point,
+    is_shut,
+    moving_in_sight,
+    opened,
+)
 
 DRAWN = polygon_points([(0.0, 0.0), (40.0, 0.0), (40.0, 10.0), (0.0, 10.0)])
 
@@ -68,3 +77,22 @@ def test_sight_is_none_exactly_where_a_shape_with_gaps_between_keys_is_out_of_it
     seen = in_sight(shape)
     for frame in range(-2, 12):
         assert value_at(seen, frame) == (0.0 if is_out_of_sight(shape, frame) else 1.0)
+
+
+def test_motion_ends_where_an_outline_closes_and_begins_where_it_has_opened() -> None:
+    point = 1e-4 * DRAWN
+    outlines = {0: DRAWN, 1: DRAWN, 2: DRAWN, 3: point, 4: point, 6: DRAWN, 7: DRAWN}
+    shape = RotoShape("a", "a", tuple(Keyframe(f, points, origin=Origin.ENGINE) for f, points in outlines.items()))
+    expected = {
+        0: (-1.5, 1.5),
+        1: (-0.5, 2),
+        1.75: (0.25, 2),
+        2: (0.5, 2),
+        2.5: (1.0, 4.0),  # on the way: it is seen closing
+        5: (3.5, 6.5),
+        6: (6, 7.5),
+        7: (6, 8.5),
+    }
+    assert {at: moving_in_sight(shape, at, at - 1.5, at + 1.5) for at in expected} == expected
+    drawn = RotoShape("a", "a", tuple(Keyframe(f, points) for f, points in outlines.items()))
+    assert moving_in_sight(drawn, 2, 1.5, 2.5) == (1.5, 2.5)
