@@ -113,7 +113,7 @@ class MarksOf:
         together, known = stamps.together(shape), self._known.get(shape.id)
         if known is None or not _are_same(known.together, together):
             stale = stamps.stale_frames(shape)
-            is_told = known is not None and known.shape is shape and known.stale == stale
+            is_told = known is not None and _have_same_keys(known.shape, shape) and known.stale == stale
             marks = known.marks if known is not None and is_told else key_marks(shape, stale)
             known = self._known[shape.id] = _Known(shape, together, stale, marks)
         return known.marks
@@ -124,5 +124,10 @@ class MarksOf:
         return self._stamps[1]
 
 
-def _are_same(a: Sequence[RotoShape], b: Sequence[RotoShape]) -> bool:
+def _have_same_keys(a: RotoShape, b: RotoShape) -> bool:
+    """Whether all that marks tell of is the same: a shape that was hidden or renamed has no other ones."""
+    return a is b or (a.lifetime == b.lifetime and _are_same(a.keys, b.keys))
+
+
+def _are_same(a: Sequence[object], b: Sequence[object]) -> bool:
     return a is b or (len(a) == len(b) and all(x is y for x, y in zip(a, b, strict=True)))

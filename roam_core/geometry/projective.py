@@ -72,6 +72,14 @@ def apply(matrix: Array, positions: ArrayLike) -> Array:
     return np.asarray(carried / np.maximum(depth(matrix, given), HORIZON)[..., None])
 
 
+def apply_in_turn(matrices: Array, positions: Array) -> Array:
+    """`positions (T, P, ..., 2)` carried by `matrices (T, 3, 3)`, each by its own: bit by bit what `apply` gives."""
+    maps = matrices.reshape(len(matrices), *[1] * (positions.ndim - 3), 3, 3)
+    carried = positions @ maps[..., :2, :2].swapaxes(-1, -2) + maps[..., None, :2, 2]
+    depths = (positions @ maps[..., 2, :2, None])[..., 0] + maps[..., None, 2, 2]
+    return np.asarray(carried / np.maximum(depths, HORIZON)[..., None])
+
+
 def of_square(corners: ArrayLike) -> Array:
     """The map `(3, 3)` that carries the unit square to four corners `(4, 2)`.
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from roam_core.roto.animated import Interpolation
-from roam_core.roto.placement import Placement, matrix_at
+from roam_core.roto.placement import Placement, matrices_at
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import Keyframe, Origin, RotoShape, unplaced
 
@@ -55,17 +55,20 @@ def _moving(placement: Placement) -> range:
 
 def _between_keys(shape: RotoShape, moving: range) -> Iterator[int]:
     """The frames of those spans between keys of the shape's own of which no part is left as it is."""
-    for start, stop in pairwise(shape.keys):
+    leans = [bool(matrix[2, :2].any()) for matrix in matrices_at(shape.placement, shape.frames)]
+    for (start, leans_there), (stop, leans_here) in pairwise(zip(shape.keys, leans, strict=True)):
         if start.interpolation is Interpolation.HOLD:
             continue
         still = stop.frame <= moving.start or moving.stop - 1 <= start.frame or not moving
         is_cut = not still and start.interpolation is Interpolation.SMOOTH
-        if is_cut or _in_perspective(shape.placement, start.frame, stop.frame):
+        if is_cut or leans_there or leans_here:  # an end at which layers put more than an affine map on the shape
             yield from range(start.frame, stop.frame + 1)
 
 
 def _before_steps(shape: RotoShape) -> Iterator[int]:
     """The frames before keys of the shape's own at which it steps from what was held to another outline."""
+    if not any(key.interpolation is Interpolation.HOLD for key in shape.keys):
+        return
     own = unplaced(shape)
     for start, stop in pairwise(own.keys):
         if start.interpolation is Interpolation.HOLD and not _is_alike(start, stop):
@@ -78,19 +81,15 @@ def _is_alike(one: Keyframe, other: Keyframe) -> bool:
     return np.allclose(one.points, other.points, atol=ALIKE) and np.allclose(one.feather, other.feather, atol=ALIKE)
 
 
-def _in_perspective(placement: Placement, start: int, stop: int) -> bool:
-    """Whether at either end of a span layers put more than an affine map on the shape."""
-    return any(matrix_at(placement, frame)[2, :2].any() for frame in (start, stop))
-
-
 def _key(shape: RotoShape, frame: int, goes_on: bool) -> Keyframe:
     """The key on a frame; `goes_on` where the next frame has its key, too.
 
     What the layers add to a span that is held is held from there on, as far as they stand still.
     """
-    own, outline = shape.key_at(frame), shape.at(frame)
-    if own is not None:
-        return replace(own, interpolation=Interpolation.LINEAR) if goes_on else own
+    if (own := shape.key_at(frame)) is not None:
+        is_linear = own.interpolation is Interpolation.LINEAR
+        return replace(own, interpolation=Interpolation.LINEAR) if goes_on and not is_linear else own
+    outline = shape.at(frame)
     key = Keyframe(frame, outline.points, feather=outline.feather, origin=Origin.ARTIST)
     before = next((key for key in reversed(shape.keys) if key.frame < frame), None)
     is_held = before is not None and before.interpolation is Interpolation.HOLD and not goes_on

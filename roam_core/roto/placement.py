@@ -9,6 +9,7 @@ from __future__ import annotations
 import bisect
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -133,6 +134,14 @@ def matrix_at(placement: Placement, frame: float) -> Array:
     for transform in placement:
         result = result @ transform.at(frame)
     return result
+
+
+@lru_cache(maxsize=256)
+def matrices_at(placement: Placement, frames: tuple[int, ...]) -> Array:
+    """`matrix_at` of each of the frames, `(K, 3, 3)`: the shapes of a layer are keyed on the same ones, as a rule."""
+    matrices = np.array([matrix_at(placement, frame) for frame in frames])
+    matrices.setflags(write=False)
+    return matrices
 
 
 def carried(points: Array, feather: Array | None, matrix: Array) -> tuple[Array, Array | None]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from roam_core.arguments import finite, frame_number, shown
 from roam_core.roto.animated import Animatable, checked, value_keys
-from roam_core.roto.shape import MotionBlur
+from roam_core.roto.motion_blur import MotionBlur
 
 
 def plain(name: str, value: Any, owner: str) -> Any:

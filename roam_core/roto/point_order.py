@@ -60,16 +60,29 @@ def in_order_of(shape: RotoShape, other: RotoShape, frame: float) -> RotoShape:
     What tells is where both have their points on `frame`. The shape as it is where that is in the same order, or where
     no other first point or direction makes the one the other.
     """
+    found = _order_there(shape, other, frame)
+    if found is None:
+        return shape
+    is_turned, index = found
+    turned = reversed_direction(shape) if is_turned else shape
+    return with_first_point(turned, index) if shape.closed else turned
+
+
+def _order_there(shape: RotoShape, other: RotoShape, frame: float) -> tuple[bool, int] | None:
+    """Whether the shape must be reversed, and then with which point it must begin, to have the order of `other`.
+
+    None where it has that already, or where nothing makes the one the other. Only the points on `frame` are put in
+    order here: a shape may have thousands of keys.
+    """
     wanted, points = _anchors(other, frame), _anchors(shape, frame)
     if shape.closed != other.closed or points.shape != wanted.shape or _are_same(points, wanted):
-        return shape
-    for turned in (shape, reversed_direction(shape)):
-        points = _anchors(turned, frame)
-        begins = np.flatnonzero(np.abs(points - wanted[0]).max(axis=1) < SAME) if shape.closed else [0]
+        return None
+    for is_turned, ordered in ((False, points), (True, points[reversed_order(shape)])):
+        begins = np.flatnonzero(np.abs(ordered - wanted[0]).max(axis=1) < SAME) if shape.closed else [0]
         for index in begins:
-            if _are_same(np.roll(points, -index, axis=0), wanted):
-                return with_first_point(turned, int(index)) if shape.closed else turned
-    return shape
+            if _are_same(np.roll(ordered, -index, axis=0), wanted):
+                return is_turned, int(index)
+    return None
 
 
 def is_renumbered(before: RotoShape, after: RotoShape) -> bool:
@@ -80,7 +93,7 @@ def is_renumbered(before: RotoShape, after: RotoShape) -> bool:
         return False
     kept = {id(key) for key in after.keys}
     return any(
-        in_order_of(before, after, key.frame) is not before
+        _order_there(before, after, key.frame) is not None
         for key in before.keys
         if id(key) not in kept and after.key_at(key.frame) is not None
     )
@@ -96,17 +109,20 @@ def _are_same(one: Array, other: Array) -> bool:
 
 
 def _reordered(shape: RotoShape, order: Indices, parts: list[int]) -> RotoShape:
-    place = np.argsort(order)
+    place, part_of_each = np.argsort(order), np.ix_(order, np.array(parts))
 
     def ordered(array: Array) -> Array:
-        return np.ascontiguousarray(array[order][:, parts])
+        result: Array = array[part_of_each]
+        result.setflags(write=False)
+        return result
 
     def reordered(key: Keyframe) -> Keyframe:
+        turned = key.with_points(ordered(key.points), None if key.feather is None else ordered(key.feather))
         trusted = key.vertex_confidence
+        if trusted is None and not key.set_points:
+            return turned
         return replace(
-            key,
-            points=ordered(key.points),
-            feather=None if key.feather is None else ordered(key.feather),
+            turned,
             vertex_confidence=None if trusted is None else trusted[order],
             set_points=tuple(sorted(int(place[index]) for index in key.set_points)),
         )

@@ -231,18 +231,17 @@ class Project:
         placement = self.placement_in(layer_id)
         if not placement:
             return replace(shape, placement=()) if shape.placement else shape
-        known: dict[int, tuple[Keyframe, Keyframe]] = {}
+        kept: dict[int, Keyframe] = {}
         if self.has(shape.id):
             held = self.find(shape.id)
             assert isinstance(held, RotoShape)
-            seen = placed(held, placement)
-            known = {key.frame: (key, own) for key, own in zip(seen.keys, held.keys, strict=True)}
-        taken = unplaced(replace(shape, placement=placement))
-        keys = tuple(
-            known[key.frame][1] if key.frame in known and known[key.frame][0] == key else own
-            for key, own in zip(shape.keys, taken.keys, strict=True)
-        )
-        return replace(taken, keys=keys)
+            known = dict(zip(held.frames, zip(placed(held, placement).keys, held.keys, strict=True), strict=True))
+            pairs = ((key, *known[key.frame]) for key in shape.keys if key.frame in known)
+            kept = {key.frame: own for key, seen, own in pairs if key is seen or key == seen}
+        taken = dict(kept)
+        if fresh := [key for key in shape.keys if key.frame not in kept]:
+            taken |= {key.frame: key for key in unplaced(replace(shape, keys=tuple(fresh), placement=placement)).keys}
+        return replace(shape, keys=tuple(taken[key.frame] for key in shape.keys), placement=())
 
     def has(self, item_id: str) -> bool:
         """True when a layer or shape has this id."""

@@ -6,7 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 from roam_core.errors import RoamError
-from roam_core.roto.shape import MotionBlur, RotoShape
+from roam_core.roto.motion_blur import MotionBlur
+from roam_core.roto.shape import RotoShape
 from roam_core.translatable import sentence
 
 

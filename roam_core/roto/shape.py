@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import bisect
-import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from functools import cached_property, lru_cache
@@ -17,10 +16,11 @@ from numpy.typing import ArrayLike
 
 from roam_core.arguments import frame_number
 from roam_core.arrays import Array
-from roam_core.geometry import bezier, bspline
+from roam_core.geometry import bezier, bspline, projective
 from roam_core.roto.animated import Animatable, Interpolation, checked, share_at, value_at
 from roam_core.roto.lifetimes import given_lifetime
-from roam_core.roto.placement import Placement, carried, matrix_at
+from roam_core.roto.motion_blur import MotionBlur
+from roam_core.roto.placement import Placement, carried, matrices_at, matrix_at
 from roam_core.translatable import sentence
 
 NO_COLOUR = (0.90, 0.60, 0.0)
@@ -171,28 +171,6 @@ class Keyframe:
 
 
 _frame_of = attrgetter("frame")
-
-
-@dataclass(frozen=True)
-class MotionBlur:
-    """Motion blur from the vertices' motion: `shutter` in frames, `phase` of its opening in frames, `samples`."""
-
-    shutter: float = 0.5
-    phase: float = -0.25
-    samples: int = 16
-    extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
-
-    @property
-    def is_seen(self) -> bool:
-        """Whether the shutter is open for a time, and that is sampled."""
-        return self.shutter != 0.0 and self.samples >= 2
-
-    def seen_from(self, frames: range) -> range:
-        """The whole frames between which a shape moves while the shutter is open on `frames`."""
-        if not self.is_seen:
-            return frames
-        opens, closes = sorted((self.phase, self.phase + self.shutter))
-        return range(frames.start + min(math.floor(opens), 0), frames.stop + max(math.ceil(closes), 0))
 
 
 @dataclass(frozen=True)
@@ -393,39 +371,59 @@ def placed(shape: RotoShape, placement: Placement) -> RotoShape:
     """
     if not placement:
         return shape
-    known = _seen.get(id(shape))
+    alike = _seen.setdefault(shape.id, {})
+    known = alike.get(id(shape))
     if known is not None and known[0]() is shape and known[1] == placement and (seen := known[2]()) is not None:
         return seen
-    keys = tuple(_carried_key(key, placement, False) for key in shape.keys)
+    there = _carried_before(alike, placement)
+    fresh = iter(_carried_keys([key for key in shape.keys if id(key) not in there], placement, False))
+    keys = tuple(there.get(id(key)) or next(fresh) for key in shape.keys)
     carried_out = replace(shape, keys=keys, placement=placement)
     own = id(shape)
-    _seen[own] = ref(shape, lambda _: _seen.pop(own, None)), placement, ref(carried_out)
+    alike[own] = ref(shape, lambda _: alike.pop(own, None)), placement, ref(carried_out)
     return carried_out
+
+
+def _carried_before(alike: Mapping[int, _Seen], placement: Placement) -> dict[int, Keyframe]:
+    """The keys, by the identities of those that they come from, of the last value of a shape that was placed so.
+
+    An edit puts a few others among thousands of keys: of all that are the very same the places are known. Both values
+    are alive while this is asked: the last is the one that the edit began with, or another one made from it.
+    """
+    for held, at, seen in reversed(list(alike.values())):
+        before, carried_out = held(), seen()
+        if before is not None and carried_out is not None and at == placement:
+            return {id(key): there for key, there in zip(before.keys, carried_out.keys, strict=True)}
+    return {}
 
 
 def unplaced(shape: RotoShape) -> RotoShape:
     """A placed shape taken back into its layer; the inverse of `placed` but for rounding."""
     if not shape.placement:
         return shape
-    keys = tuple(_carried_key(key, shape.placement, True) for key in shape.keys)
-    return replace(shape, keys=keys, placement=())
+    return replace(shape, keys=tuple(_carried_keys(shape.keys, shape.placement, True)), placement=())
 
 
-class Same:
-    """A shape as a key of a cache: an immutable one is known by its identity."""
+_Seen = tuple[ref[RotoShape], Placement, ref[RotoShape]]
+"""A shape, where it was placed, and what that gave."""
 
-    def __init__(self, shape: RotoShape) -> None:
-        self.shape = shape
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Same) and other.shape is self.shape
-
-    def __hash__(self) -> int:
-        return id(self.shape)
+_seen: dict[str, dict[int, _Seen]] = {}
+"""Of shapes that are alive, by their ids and identities, what `placed` gave last; it goes with the shape."""
 
 
-_seen: dict[int, tuple[ref[RotoShape], Placement, ref[RotoShape]]] = {}
-"""Of shapes that are alive, by their identity, what `placed` gave last; it goes with the shape."""
+def _carried_keys(keys: Sequence[Keyframe], placement: Placement, back: bool) -> list[Keyframe]:
+    """Each of the keys carried as `_carried_key` does, bit by bit; those of a whole shape all at once."""
+    if len(keys) <= 2:  # those around a moment, for which each picture of it asks again
+        return [_carried_key(key, placement, back) for key in keys]
+    matrices = matrices_at(placement, tuple(key.frame for key in keys))
+    ways: Array = np.asarray(np.linalg.inv(matrices)) if back else matrices
+    points = projective.apply_in_turn(ways, np.stack([key.points for key in keys]))
+    points.setflags(write=False)
+    softened = (
+        None if key.feather is None else projective.apply(way, key.points + key.feather) - there
+        for key, way, there in zip(keys, ways, points, strict=True)
+    )
+    return [key.with_points(*each) for key, *each in zip(keys, points, softened, strict=True)]
 
 
 @lru_cache(maxsize=8192)

@@ -13,10 +13,11 @@ import numpy as np
 from roam_core.roto.animated import Animatable, Animated, ValueKey
 from roam_core.roto.bounds import require_bounds
 from roam_core.roto.migrate import VERSION
+from roam_core.roto.motion_blur import MotionBlur
 from roam_core.roto.packing import packed_keys, packed_numbers
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
-from roam_core.roto.shape import BlendMode, MotionBlur, RotoShape
+from roam_core.roto.shape import BlendMode, RotoShape
 
 
 class _Encoder(json.JSONEncoder):

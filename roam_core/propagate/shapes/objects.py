@@ -16,7 +16,6 @@ from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier, polyline
 from roam_core.params import OBJECTS, scale_for
 from roam_core.roto import BlendMode, RotoShape
-from roam_core.roto.shape import Same
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
@@ -68,17 +67,30 @@ class Drawn:
     @classmethod
     def of(cls, shape: RotoShape, frame: int) -> Drawn:
         """A shape by the keys that no run changes."""
-        return _drawn(Same(shape), frame)
+        return _drawn(_Same(shape), frame)
+
+
+class _Same:
+    """A shape as a key of a cache: an immutable one is known by its identity."""
+
+    def __init__(self, shape: RotoShape) -> None:
+        self.shape = shape
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.shape is self.shape
+
+    def __hash__(self) -> int:
+        return id(self.shape)
 
 
 @lru_cache(maxsize=1024)
-def _drawn(same: Same, frame: int) -> Drawn:
+def _drawn(same: _Same, frame: int) -> Drawn:
     shape = _by_hand(same)
     return Drawn(shape.at(frame).points, shape.blend is BlendMode.SUBTRACT, shape.link)
 
 
 @lru_cache(maxsize=1024)
-def _by_hand(same: Same) -> RotoShape:
+def _by_hand(same: _Same) -> RotoShape:
     """A shape without the keys that a run may change."""
     return replace(same.shape, keys=same.shape.drawn_keys)
 
@@ -158,7 +170,7 @@ def _apart(shapes: Sequence[RotoShape], gap: float) -> Bools:
     free = np.array([not shape.link for shape in shapes], dtype=bool)
     alike = (subtracts[:, None] == subtracts) & free[:, None] & free
     met = _beyond([Drawn.of(shape, shape.drawn_keys[0].frame).box for shape in shapes], gap)
-    ever = _beyond([_roamed(Same(shape)) for shape in shapes], gap)
+    ever = _beyond([_roamed(_Same(shape)) for shape in shapes], gap)
     return np.asarray(alike & (ever | (met & (first[:, None] == first))))
 
 
@@ -192,7 +204,7 @@ def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
     if a.link or b.link:
         return a.link == b.link
     if (a.blend is BlendMode.SUBTRACT) != (b.blend is BlendMode.SUBTRACT):
-        return _near_boxes(_swept(Same(a)), _swept(Same(b)), gap)
+        return _near_boxes(_swept(_Same(a)), _swept(_Same(b)), gap)
     ours, theirs = _met(a, b)
     if not (_near_boxes(ours.hull, theirs.hull, gap) and _near_boxes(ours.box, theirs.box, gap)):
         return False
@@ -243,7 +255,7 @@ def _near_boxes(a: Box, b: Box, gap: float) -> bool:
 
 
 @lru_cache(maxsize=1024)
-def _swept(same: Same) -> Box:
+def _swept(same: _Same) -> Box:
     """The box around a shape on all keys that no run changes."""
     return _box(np.vstack([bezier.flatten(key.points) for key in same.shape.drawn_keys]))
 
@@ -382,7 +394,7 @@ def _shared(a: Drawn, b: Drawn) -> float:
 
 
 @lru_cache(maxsize=1024)
-def _roamed(same: Same) -> Box:
+def _roamed(same: _Same) -> Box:
     """A box that a shape leaves on no frame, by the keys that no run changes; without bounds where a layer moves it."""
     if same.shape.placement:
         return -np.inf, -np.inf, np.inf, np.inf

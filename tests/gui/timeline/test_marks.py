@@ -116,6 +116,24 @@ def test_an_edit_of_one_shape_leaves_the_marks_of_its_object_that_stay_what_they
     assert told == [3, 3], "what the artist did to an object is told once for all its shapes"
 
 
+def test_a_shape_that_was_hidden_or_renamed_has_the_same_marks(
+    document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To hide hundreds of shapes with thousands of keys made the marks of all of them anew."""
+    document.open(edit.add_shape(Project(CLIP), tracked()), None)
+    marks, made, make = MarksOf(document), list[str](), marks_room.key_marks
+    monkeypatch.setattr(marks_room, "key_marks", lambda shape, stale: made.append(shape.name) or make(shape, stale))
+    first = marks(document.project.shape("s"))
+    for values in ({"visible": False}, {"name": "Other", "colour": (1.0, 0.0, 0.0)}):
+        document.apply("Change", edit.set_properties(document.project, "s", **values))
+        assert np.array_equal(marks(document.project.shape("s")).keyed, first.keyed)
+    assert len(made) == 1
+    document.apply("Life", edit.set_properties(document.project, "s", lifetime=(1, 6)))
+    told = marks(document.project.shape("s"))
+    assert len(made) == 2
+    assert set(told.confidence[:, 0]) <= set(range(1, 6))
+
+
 def test_what_was_filled_is_fresh_until_a_key_on_either_side_changes() -> None:
     shape = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(15, SQUARE + 1)))
     inputs = fill_stamp([shape], (5, 15), CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP))

@@ -15,7 +15,18 @@ from roam_core.interchange.mattes.exporter import parts_of
 from roam_core.interchange.protocol import ExportOptions, KeyChoice, exported_keys
 from roam_core.interchange.registry import EXPORTERS, read_shapes
 from roam_core.matte import render_matte
-from roam_core.roto import Keyframe, Layer, LayerTransform, Origin, Project, RotoShape, Spline, control_points, edit
+from roam_core.roto import (
+    Keyframe,
+    Layer,
+    LayerTransform,
+    Origin,
+    Project,
+    RotoShape,
+    Spline,
+    baking,
+    control_points,
+    edit,
+)
 from tests.unit.interchange.conftest import CLIP
 
 TILT = np.array([[1.05, 0.02, 30.0], [-0.03, 0.98, -12.0], [1e-5, 2e-5, 1.0]])
@@ -106,3 +117,18 @@ def test_the_artists_keys_alone_go_between_each_other_as_if_no_engine_had_made_a
         EXPORTERS[name].export(project, path, ExportOptions(keys=choice, frame=1006, lossy=True))
         texts.append({file.name: file.read_bytes() for file in path.parent.rglob("*") if file.is_file()})
     assert texts[0] == texts[1]
+
+
+def test_where_each_frame_has_its_key_nothing_is_carried_back_or_blended(monkeypatch: pytest.MonkeyPatch) -> None:
+    """To copy shapes of a moving layer did both for each of their keys: ten seconds, where each frame has one."""
+    tilts = {frame: np.array([[1.0, 0.0, frame], [0.0, 1.0, 0.0], [1e-5 * frame, 0.0, 1.0]]) for frame in range(1, 9)}
+    square = bezier.polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0)])
+    held = RotoShape("s", "S", tuple(Keyframe(frame, square + frame) for frame in range(1, 9)))
+    layer = Layer("l", "L", (held,), transform=LayerTransform.of(tilts))
+    placed = Project(root=Layer("root", "Root", (layer,))).shape("s")
+    blended, at = list[float](), RotoShape.at
+    monkeypatch.setattr(RotoShape, "at", lambda shape, frame: blended.append(frame) or at(shape, frame))
+    monkeypatch.setattr(baking, "unplaced", lambda shape: pytest.fail("nothing is held: there are no steps"))
+    plain = baking.baked(placed)
+    assert [key is own for key, own in zip(plain.keys, placed.keys, strict=True)] == [True] * 8
+    assert not blended

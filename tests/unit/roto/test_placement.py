@@ -244,3 +244,43 @@ def test_between_keys_only_those_around_are_taken_back(monkeypatch: pytest.Monke
     monkeypatch.setattr(module, "_carried_key", lambda key, *rest: counted.append(key.frame) or carried(key, *rest))
     assert [shape.at(frame).points.tolist() for frame in (0, 2, 4.5, 9)] == wanted
     assert counted == [1, 1, 3, 4, 5, 6]
+
+
+def test_of_a_drag_only_the_keys_that_it_changes_are_carried(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each step carried all keys of its shapes out of their layers and back: seconds, where there are thousands."""
+    one = project(LayerTransform.of({1: TILT, 5: moved(8.0, 0.0)}))
+    shape = one.shape("shape-1")
+    one = one.with_shape(shape.with_keys([Keyframe(frame, SQUARE + frame) for frame in range(4, 40)]))
+    held, seen = one.find("shape-1"), one.shape("shape-1")
+    counted, carried = list[int](), module._carried_key
+    monkeypatch.setattr(module, "_carried_key", lambda key, *rest: counted.append(key.frame) or carried(key, *rest))
+    steps = [one.with_shape(edit.set_key(seen, 7, SQUARE + 50.0 + step)) for step in range(3)]
+    shown = [step.shape("shape-1") for step in steps]
+    assert set(counted) == {7}
+    for step, now in zip(steps, shown, strict=True):
+        left = step.find("shape-1")
+        assert isinstance(held, RotoShape)
+        assert isinstance(left, RotoShape)
+        for after, before in ((now, seen), (left, held)):
+            assert [key.frame for key, own in zip(after.keys, before.keys, strict=True) if key is not own] == [7]
+    monkeypatch.undo()
+    (fresh,) = file.loads(file.dumps(steps[-1], Path()), Path()).shapes  # with nothing known of what it was before
+    assert [key.points.tolist() for key in fresh.keys] == [key.points.tolist() for key in shown[-1].keys]
+
+
+@pytest.mark.parametrize("soft", [False, True])
+def test_the_keys_of_a_whole_shape_are_carried_bit_by_bit_as_one_by_one(soft: bool) -> None:
+    random = np.random.default_rng(3)
+    turns = {frame: moved(*random.uniform(-300, 300, 2)) + (frame % 3 > 0) * TILT / 9 for frame in range(1, 30, 4)}
+    placement = LayerTransform.of(turns), LayerTransform.of({1: TILT, 20: moved(8.0, 0.0)}), SLIDE
+    for count in (1, 2, 3, 4, 7, 30, 101):
+        keys = tuple(
+            Keyframe(frame, *random.uniform(-4000.0, 4000.0, (1 + soft, count, 3, 2))) for frame in range(-2, 35)
+        )
+        shape = RotoShape("shape-1", "One", keys)
+        there = module.placed(shape, placement)
+        back = module.unplaced(there)
+        for now, before, way in ((there, shape, False), (back, there, True)):
+            alone = [module._carried_key(key, placement, way) for key in before.keys]
+            assert [key.points.tobytes() for key in now.keys] == [key.points.tobytes() for key in alone]
+            assert list(now.keys) == alone

@@ -11,7 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry.bezier import evaluate
 from roam_core.interchange import write_shapes
 from roam_core.matte import render_matte
-from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, Spline, edit
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, Spline, edit, point_order
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.control_points import with_spline
 from roam_core.roto.pasting import copied_key, paste_key, targets
@@ -126,6 +126,20 @@ def test_the_order_of_another_state_is_found_again(closed: bool) -> None:
     assert in_order_of(moved, reversed_direction(shape), 9) == reversed_direction(moved)
     assert not is_renumbered(shape, moved)
     assert not is_renumbered(shape, replace(shape, closed=not closed))
+
+
+def test_whether_points_have_other_numbers_is_told_without_putting_all_keys_in_order(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It was asked after each edit of each selected point, and for each changed key: seconds, of hundreds of keys."""
+    shape = blob()
+    turned = with_first_point(reversed_direction(shape), 2)
+    moved = replace(shape, keys=tuple(replace(key, points=key.points + 3.0) for key in shape.keys))
+    put_in_order: list[object] = []
+    monkeypatch.setattr(point_order, "_reordered", lambda *_args, **_parts: put_in_order.append(_args))
+    assert is_renumbered(shape, turned)
+    assert not is_renumbered(shape, moved)
+    assert not put_in_order
 
 
 def test_a_copied_key_comes_back_in_the_order_that_its_shape_has_now() -> None:

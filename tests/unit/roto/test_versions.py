@@ -28,6 +28,7 @@ from roam_core.roto import (
     RotoShape,
     animated,
     file,
+    motion_blur,
     placement,
     project,
     shape,
@@ -62,7 +63,7 @@ def objects_in(value: Any) -> Iterator[Any]:
             yield from objects_in(item)
 
 
-MODELS = defined_in(shape, project, placement, animated)
+MODELS = defined_in(shape, motion_blur, project, placement, animated)
 FIELDS = [
     (kind, field)
     for kind in sorted(MODELS, key=lambda kind: kind.__name__)
