@@ -10,12 +10,14 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any, Literal, TypeVar, get_args, get_origin, get_type_hints
 
 from roam_core.errors import RoamError
+from roam_core.params.limits import broken
 
 P = TypeVar("P")
 MOST_TIMES = 100.0
 """How many times what the configuration says a number may be; that small a part of it, too, unless it may be zero."""
 MAY_BE_ZERO = re.compile(
-    r"weight|share|lambda_|adaptation|doubted|better|believed|momentum|strength|\b(mu|held|diffusion|key_aged|star|joint|tie)$"
+    r"weight|share|lambda_|adaptation|doubted|better|believed|momentum|strength|"
+    r"\b(mu|l2_rest|held|diffusion|key_aged|joint|tie)$"
 )
 """What is multiplied and nothing is divided by: it can be left out."""
 CLOSE = 0.6
@@ -154,4 +156,7 @@ def _number(path: str, text: str, now: float) -> float:
     if not least <= found <= most:
         kind = "whole number" if isinstance(now, int) else "number"
         raise RoamError(f"{path}={text} makes no sense; give a {kind} from {least:g} to {most:g} (it is {now:g}).")
+    told = broken(path, found)
+    if told is not None:
+        raise RoamError(f"{path}={text} makes no sense; give {told} (it is {now:g}).")
     return found

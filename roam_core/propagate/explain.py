@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -15,7 +15,7 @@ from roam_core.propagate.between.frames_shown import keys_shown
 from roam_core.propagate.engines.protocol import Account, Step
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.memory import ReadPicture, solve_again
+from roam_core.propagate.memory import Beginning, ReadPicture, is_left_on, solve_again
 from roam_core.propagate.parts.edges import Edges, edges, edges_on_key
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.gaps import Gap
@@ -35,7 +35,8 @@ class Explanation:
     config : the configuration that made the key; "" for the artist's.
     account : why its outline lies where it lies; without terms for an artist's key.
     apart : how far, in pixels, the key's control points lie from those that the run to this frame finds; 0 unless the
-        key was filled from both sides, its shapes were tracked in other company, or on a machine that rounds otherwise.
+        key was filled from both sides, its shapes were tracked in other company, frames that it came over lost their
+        keys since or it came back to them, or it was made on a machine that rounds otherwise.
     edges : where its outline is free, a seam or hidden; None where the shape is not there.
     on_key : the frame of the artist's key that it goes back to, and the same samples there; None without one.
     """
@@ -51,12 +52,17 @@ class Explanation:
 
 @dataclass(frozen=True)
 class _Run:
-    """The run that a key came from: its configuration, direction, where it began, and the shapes that it solved."""
+    """The run that a key came from: its configuration, direction, where it began, and the shapes that it solved.
+
+    `alone` as in its stamp; `filled`: it was one of the two passes over a gap.
+    """
 
     config: str
     forward: bool
     begun: int
     members: tuple[int, ...]
+    alone: bool
+    filled: bool
 
 
 def explain(
@@ -142,7 +148,7 @@ def _run_of(shown: Callable[[tuple[int, int], str], Collection[int]], stamps: St
     assert made.begun is not None
     if made.gap is None:
         members = stamps.solved_with(k, made.begun, made.forward, made.alone)
-        return _Run(made.config, made.forward, made.begun, members)
+        return _Run(made.config, made.forward, made.begun, members, made.alone, filled=False)
     first, last = made.gap
     keyed = [frame for frame in made.gap if frame in shape.artist_frames]
     # One whose picture went since it was filled is told of by its name.
@@ -150,15 +156,45 @@ def _run_of(shown: Callable[[tuple[int, int], str], Collection[int]], stamps: St
     begun = min(ends, key=lambda frame: (abs(frame - key.frame), frame))
     together = stamps.filled_with(k, (first, last), made.alone)
     members = tuple(j for j in together if begun in stamps.shapes[j].artist_frames)
-    return _Run(made.config, begun == first, begun, members)
+    return _Run(made.config, begun == first, begun, members, made.alone, filled=True)
 
 
 def _explained(
     read: ReadPicture, stamps: Stamps, asked: Sequence[int], frame: int, run: _Run, token: CancelToken | None
 ) -> dict[int, Explanation]:
-    """The keys of the shapes asked for, all of one run."""
+    """The keys of the shapes asked for, all of one run.
+
+    A run may have left frames out. Where the one through all of them finds other points, the one through those that
+    hold keys of it is looked at too, and the nearer one explains.
+    """
+    passed = list(range(run.begun, frame, 1 if run.forward else -1)) or [run.begun]
+    through_all = _explained_through(passed, read, stamps, asked, frame, run, token)
+    keyed = passed if run.filled else [each for each in passed if each == run.begun or _is_keyed(stamps, each, run)]
+    if keyed == passed or _apart(through_all) == 0.0:
+        return through_all
+    return min(through_all, _explained_through(keyed, read, stamps, asked, frame, run, token), key=_apart)
+
+
+def _is_keyed(stamps: Stamps, frame: int, run: _Run) -> bool:
+    return is_left_on(stamps, Beginning(run.begun, run.members), frame, run.config, run.forward, run.alone)
+
+
+def _apart(found: Mapping[int, Explanation]) -> float:
+    return max((each.apart for each in found.values()), default=0.0)
+
+
+def _explained_through(
+    passed: Sequence[int],
+    read: ReadPicture,
+    stamps: Stamps,
+    asked: Sequence[int],
+    frame: int,
+    run: _Run,
+    token: CancelToken | None,
+) -> dict[int, Explanation]:
+    """The keys as a run that goes through these frames, and no others, to `frame` explains them."""
     tracker, together = GroupTracker(run.config), [stamps.shapes[k] for k in run.members]
-    solve_again(tracker, read, together, range(run.begun, frame, 1 if run.forward else -1), token, forward=run.forward)
+    solve_again(tracker, read, together, passed, token, forward=run.forward)
     standing = tracker.standing
     step = standing.view.step(standing.engine, read(frame), stacked(together, frame), token)
     keys = [shape.key_at(frame) for shape in together]

@@ -188,15 +188,20 @@ class GroupTracker:
 
         Of what the artist set in part the rest is derived first: the stamps of the others' keys cover it.
         """
-        shapes, before = list(self.standing.shapes), self.standing.frame
+        shapes, before, forward = list(self.standing.shapes), self.standing.frame, self._leads_forward_to(frame)
         for in_part in (True, False) if any(set_in_part) else (False,):
-            stamped = self._stamp(frame, forward=frame > before, shapes=shapes)
+            stamped = self._stamp(frame, forward=forward, shapes=shapes)
             for k, shape in enumerate(shapes):
                 if set_in_part[k] is in_part and not given[k] and shape.exists_at(frame):
-                    drawn = _feathered(shape, frame, frame > before) or shape.at(before)
+                    drawn = _feathered(shape, frame, forward) or shape.at(before)
                     soft = turned(drawn.feather, drawn.points, solved[k].points)
                     shapes[k] = set_engine_keys(shape, [engine_key(frame, solved[k], soft, stamped)])
         return tuple(shapes)
+
+    def _leads_forward_to(self, frame: int) -> bool:
+        """The direction of a step to a frame: to where the group stands already, that in which it came there."""
+        standing = self.standing
+        return frame > (standing.frame if frame != standing.frame else standing.known_from)
 
     def _correct(
         self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, engine: Engine, given: Sequence[bool]

@@ -118,7 +118,7 @@ def take_up(
         passed: Sequence[int] = range(beginning.frame, frame + step, step)
         if sparse:
             config = tracker.params.config
-            left = {each for each in passed if _is_left_on(stamps, beginning, each, config, forward, alone)}
+            left = {each for each in passed if is_left_on(stamps, beginning, each, config, forward, alone)}
             passed = [each for each in passed if each in left or each in (beginning.frame, frame)]
         solve_again(tracker, read, shapes, passed, token, forward=forward)
         known = tracker.standing
@@ -157,7 +157,7 @@ def _left_by(stamps: Stamps, k: int, frame: int, config: str, forward: bool, alo
     return Stamp.read(key.inputs).begun if _is_of(key, config, forward, alone) else None
 
 
-def _is_left_on(stamps: Stamps, beginning: Beginning, frame: int, config: str, forward: bool, alone: bool) -> bool:
+def is_left_on(stamps: Stamps, beginning: Beginning, frame: int, config: str, forward: bool, alone: bool) -> bool:
     """Whether the artist, or the run from its `beginning`, keyed any of its shapes on a frame on its way."""
     return any(
         frame in stamps.shapes[k].artist_frames or _left_by(stamps, k, frame, config, forward, alone) == beginning.frame

@@ -11,7 +11,7 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
-from roam_core.propagate import FrameResult, track
+from roam_core.propagate import FrameResult, Tracker, track
 from roam_core.propagate.between.span import fill_span
 from roam_core.propagate.engines.protocol import REGION
 from roam_core.propagate.explain import Explanation, explain
@@ -48,6 +48,33 @@ def test_the_pieces_sum_to_the_energies_that_tracking_reported(blob_shot: Shot, 
         assert len(set(told.account.landmarks.ids)) == len(told.account.landmarks.ids)
     else:
         assert told.account.landmarks is None
+
+
+@pytest.mark.parametrize("config", ["baseline", "lean", "medium", "full"])
+def test_a_run_that_left_frames_out_is_explained_through_those_that_it_went(blob_shot: Shot, config: str) -> None:
+    (result,) = solved(blob_shot, [blob_shot.shape()], config, range(1001, 1006, 2)).results
+    (told,) = explained(blob_shot, [result.shape], 1005)
+    assert told.apart == 0.0
+    reported = {NAMES.get(name, name): value for name, value in result.energies.items()}
+    assert told.account.sums == pytest.approx({k: v for k, v in reported.items() if k != "total"}, abs=1e-6)
+
+
+def test_keys_that_were_deleted_since_do_not_hide_that_a_run_went_over_their_frames(blob_shot: Shot) -> None:
+    (result,) = solved(blob_shot, [blob_shot.shape()], "lean").results
+    thinned = replace(result.shape, keys=tuple(key for key in result.shape.keys if key.frame in (1001, LAST)))
+    (told,) = explained(blob_shot, [thinned])
+    assert told.apart == 0.0
+
+
+@pytest.mark.parametrize("config", ["lean", "best"])
+def test_a_frame_that_was_stepped_to_twice_is_explained(blob_shot: Shot, config: str) -> None:
+    tracker = Tracker(config)
+    tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
+    for frame in (1002, 1003, 1003):
+        tracker.step(blob_shot.read(frame), frame)
+    (told,) = explained(blob_shot, [tracker.shape], 1003)
+    assert (told.config, told.key.frame) == (config, 1003)
+    assert told.account.terms
 
 
 def test_the_cues_speak_for_the_object_inside_and_against_it_outside(blob_shot: Shot) -> None:

@@ -182,6 +182,15 @@ def test_a_correction_is_led_on_from(config: str, blob_shot: Shot) -> None:
     assert tracker.shape.at(1003).points.tobytes() == fresh.shape.at(1003).points.tobytes()
 
 
+def test_a_second_step_to_a_frame_has_the_direction_of_the_first(config: str, blob_shot: Shot) -> None:
+    for begun, frames in ((1001, (1002, 1003)), (1003, (1002, 1001))):
+        tracker = Tracker(config)
+        tracker.start(blob_shot.read(begun), blob_shot.shape(begun), begun)
+        results = [tracker.step(blob_shot.read(frame), frame) for frame in (*frames, frames[-1])]
+        directions = [result.key.inputs.partition(":")[0] for result in results if result.key is not None]
+        assert directions == ["forward" if frames[-1] > begun else "backward"] * 3
+
+
 def test_what_a_correction_moved_is_the_artists_whoever_made_its_key(config: str, blob_shot: Shot) -> None:
     tracker = Tracker(config)
     tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
