@@ -40,6 +40,8 @@ class Pen:
         kind = KINDS.get(event.type())
         if kind is None:
             return None
+        if kind is QEvent.Type.MouseMove and not event.buttons():
+            self._is_down = False  # whether or not it was told that it was lifted
         if kind is QEvent.Type.MouseButtonPress:
             self._is_down = True
             if event.button() is Qt.MouseButton.LeftButton and self._is_second_tap(event):

@@ -91,7 +91,6 @@ class CanvasView(PointedWidget):
         self.magnifier = Magnifier(self, self.in_hand, self._scene, self._present.paths)
         self._proposal_side = Side.BOTH
         self._is_pressed, self._key_presses = False, 0
-        self._pointer: QPointF | None = None
         self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
         self._patience.timeout.connect(self._show_frame)
         self._listen()
@@ -110,6 +109,7 @@ class CanvasView(PointedWidget):
         view.preview_changed.connect(self._follow_preview)
         self.in_hand.changed.connect(self._take_tool)
         self.in_hand.looked.connect(self._show_tool)
+        self.feel_after(document.changed, view.frame_changed, view.selection_changed, self.in_hand.changed)
         self.in_hand.used.connect(self._follow_hand)
         view.solo.changed.connect(self._pull)
         self.viewing.changed.connect(self._announce)

@@ -59,6 +59,16 @@ class Hand:
         self._held = LEFT
         self._send(QEvent.Type.MouseButtonDblClick, at, LEFT, modifiers)
 
+    def press_beside(self, at: Spot, button: Qt.MouseButton) -> None:
+        """Another button goes down, and the one that is held stays down."""
+        held, self._held = self._held, self._held | button
+        self._send(QEvent.Type.MouseButtonPress, at, button, NONE)
+        self._held = held
+
+    def lose_release(self) -> None:
+        """The button comes up, and the canvas is not told: a dialog lay over the window."""
+        self._held = NO_BUTTON
+
     def drag(self, start: Spot, end: Spot, modifiers: Qt.KeyboardModifier = NONE) -> None:
         """Press, move in two steps, release."""
         self.press(start, modifiers)
@@ -128,6 +138,10 @@ class PenHand:
     def release(self, at: Spot) -> None:
         button, self._held = self._held, NO_BUTTON
         self._send(QEvent.Type.TabletRelease, at, 0.0, button)
+
+    def lose_release(self) -> None:
+        """The pen is lifted, and the canvas is not told."""
+        self._held = NO_BUTTON
 
     def tap(self, at: Spot, pressure: float = 1.0) -> None:
         self.press(at, pressure)

@@ -167,3 +167,10 @@ def test_a_line_that_comes_back_beside_itself_is_hit_on_both_sides() -> None:
             found = hit_outline(project, 1, chosen(shape.id), spot, (1.0 / zoom, 1.0 / zoom))
             assert found is not None
             assert found.distance < 2.0
+
+
+def test_a_selected_point_just_out_of_reach_keeps_no_other_from_being_hit() -> None:
+    project, shape = edit.new_shape(Project(), polygon_points([(0.0, 10.0), (2.0 * REACH, 10.0), (0.0, 90.0)]), 1)
+    found = hit(project, 1, chosen(shape.id, points={(shape.id, 0)}), (REACH + 0.1, 10.0), ONE)
+    assert isinstance(found, PointHit)
+    assert found.index == 1
