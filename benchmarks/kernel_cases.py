@@ -17,7 +17,7 @@ from roam_core.kernels.alignment import align, prices
 from roam_core.kernels.anchoring import anchored
 from roam_core.kernels.background_match import best_matches
 from roam_core.kernels.colour_bins import bin_counts, looked_up
-from roam_core.kernels.coverage import coverage, distance, swept_coverage
+from roam_core.kernels.coverage import coverage, distance, holds_centres, swept_coverage
 from roam_core.kernels.crossing import crossing_edges
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.kernels.diffusion import diffuse
@@ -329,6 +329,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "em_steps": _em,
     "energies": _energies,
     "grown": _growing,
+    "holds_centres": lambda: _call(holds_centres, _outline(), SIZE),
     "linear_span_errors": lambda: _call(linear_span_errors, _moving(), True, 0, 50.0),
     "log_ratio": _log_ratio,
     "nearest_colours": _colours,
