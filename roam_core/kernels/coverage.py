@@ -165,6 +165,16 @@ def _corners(line):  # type: ignore[no-untyped-def]
     return (left, top), (right, bottom)
 
 
+@njit(nogil=True, cache=True, inline="always")
+def _edge(line, k):  # type: ignore[no-untyped-def]
+    """The edge from vertex `k` on: 1 where y grows along it, else -1, and its ends, that of the lesser y first."""
+    x0, y0 = line[k, 0], line[k, 1]
+    x1, y1 = line[(k + 1) % len(line), 0], line[(k + 1) % len(line), 1]
+    if y0 > y1:
+        return -1, x1, y1, x0, y0
+    return 1, x0, y0, x1, y1
+
+
 @njit(nogil=True, cache=True)
 def _sum_areas(line, sums):  # type: ignore[no-untyped-def]
     """Add every edge's signed area to `sums (h, w + 1)`: the row-wise running total is the mean winding number.
@@ -174,17 +184,9 @@ def _sum_areas(line, sums):  # type: ignore[no-untyped-def]
     it, so each column gets the share of the pixel and the next column the rest of the height.
     """
     height, width = sums.shape[0], sums.shape[1] - 1
-    count = line.shape[0]
-    for k in range(count):
-        x0, y0 = line[k, 0], line[k, 1]
-        x1, y1 = line[(k + 1) % count, 0], line[(k + 1) % count, 1]
-        if y0 == y1:
-            continue
-        sign = 1.0
-        if y0 > y1:
-            sign = -1.0
-            x0, y0, x1, y1 = x1, y1, x0, y0
-        if y1 <= 0.0 or y0 >= height:
+    for k in range(len(line)):
+        sign, x0, y0, x1, y1 = _edge(line, k)
+        if y0 == y1 or y1 <= 0.0 or y0 >= height:
             continue
         slope = (x1 - x0) / (y1 - y0)
         low, high = min(x0, x1), max(x0, x1)
@@ -222,16 +224,10 @@ def _sum_areas(line, sums):  # type: ignore[no-untyped-def]
 def _sum_crossings(line, turns):  # type: ignore[no-untyped-def]
     """Add every edge's sign to `turns (h, w + 1)` where it crosses a row of pixels' centres: at the first after it."""
     height, width = turns.shape[0], turns.shape[1] - 1
-    count = line.shape[0]
-    for k in range(count):
-        x0, y0 = line[k, 0], line[k, 1]
-        x1, y1 = line[(k + 1) % count, 0], line[(k + 1) % count, 1]
+    for k in range(len(line)):
+        sign, x0, y0, x1, y1 = _edge(line, k)
         if y0 == y1:
             continue
-        sign = 1
-        if y0 > y1:
-            sign = -1
-            x0, y0, x1, y1 = x1, y1, x0, y0
         # Rows whose centre lies in [y0, y1): a vertex on a centre counts for one of its two edges.
         first = int(np.ceil(min(max(y0 - 0.5, 0.0), float(height))))
         last = int(np.ceil(min(max(y1 - 0.5, 0.0), float(height))))

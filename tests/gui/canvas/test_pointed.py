@@ -9,20 +9,11 @@ from pytestqt.qtbot import QtBot
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
-from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
 from tests.gui.hand import MIDDLE, Hand, PenHand
+from tests.gui.tools.conftest import square
 
-SQUARE = [(40.0, 40.0), (120.0, 40.0), (120.0, 100.0), (40.0, 100.0)]
-
-
-@pytest.fixture
-def square(canvas: CanvasView, document: Document, view_state: ViewState) -> str:
-    """The id of a selected square; nothing is on the undo stack."""
-    project, shape = edit.new_shape(document.project, polygon_points(SQUARE), 1)
-    document.open(project, None)
-    view_state.select(frozenset({shape.id}))
-    return shape.id
+__all__ = ["square"]
 
 
 def corner(document: Document, shape_id: str) -> tuple[float, float]:
