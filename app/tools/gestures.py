@@ -193,9 +193,16 @@ class Turn(Edit):
     """Drags one handle. Ctrl breaks the tangent, Shift makes both handles equal; either may be pressed on the way."""
 
     def __init__(
-        self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab, text: str, part: Part
+        self,
+        document: Document,
+        view_state: ViewState,
+        pressed: Pointer,
+        grab: Grab,
+        text: str,
+        part: Part,
+        on_click: Callable[[], None] | None = None,
     ) -> None:
-        super().__init__(document, view_state, pressed, grab, text)
+        super().__init__(document, view_state, pressed, grab, text, on_click)
         self._part = part
         (shape_id,) = grab.start
         self.held = shape_id, *part
@@ -279,6 +286,23 @@ class Lasso(Marquee):
     def _inside(self) -> Points:
         shapes = editable_shapes(self.view_state.solo.seen(self.document.project), self.view_state.frame)
         return points_in_lasso(shapes, self.view_state.frame, [*self._line, self.last.position])
+
+
+def press_point(view_state: ViewState, pressed: Pointer, point: tuple[str, int]) -> Callable[[], None]:
+    """Select a point that is pressed, unless it is one of several that a drag may want to keep together.
+
+    What is returned ends the press if it was a click: the point is then selected alone, with Shift beside the others
+    or, where it was one of them, no more. With Ctrl it is selected no more.
+    """
+    shapes, points = view_state.selection.shapes, view_state.selection.points
+    adds, takes = (pressed.holds(each) for each in (Modifier.ShiftModifier, Modifier.ControlModifier))
+    if point not in points:
+        view_state.select(shapes, points | {point} if adds else frozenset({point}))
+    if takes or (adds and point in points):
+        after = points - {point}
+    else:
+        after = points | {point} if adds else frozenset({point})
+    return lambda: view_state.select(shapes, after)
 
 
 def _tangent(pointer: Pointer) -> Tangent:

@@ -87,10 +87,14 @@ class MatteLayer(QObject):
     def close(self) -> None:
         """Wait for the matte under work, and forget what waits."""
         self._waiting = None
+        self._join()
+
+    def _join(self) -> None:
         if self._thread:
             self._thread.join()
 
     def _start(self, request: MatteRequest) -> None:
+        self._join()  # what has told of its result may not have ended yet
         self._running = request
         self._thread = threading.Thread(target=self._work, args=(request,), name="matte")
         self._thread.start()

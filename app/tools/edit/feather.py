@@ -22,7 +22,7 @@ from ...paint.feather import feather_handles, paint_feather_points
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..gesture_tool import GestureTool
-from ..gestures import Edit, Gesture, Marquee
+from ..gestures import Edit, Gesture, Marquee, press_point
 from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
 from ..reshape import Grab, as_seen, break_tangent, pixel_aspect, selected_indices
 from ..tool import Modifier, Pointer
@@ -163,20 +163,13 @@ class FeatherTool(GestureTool):
         return best or hit_outline(project, view.frame, view.selection, pointer.position, pointer.pixel)
 
     def _pull_points(self, pointer: Pointer, found: PointHit) -> Gesture:
-        """Select the point, unless it is one of several; pull all that are selected."""
+        """Pull all points that are selected with this one."""
         view, point = self.view_state, (found.shape_id, found.index)
-        if point not in view.selection.points:
-            adds = pointer.holds(Modifier.ShiftModifier)
-            view.select(view.selection.shapes, view.selection.points | {point} if adds else frozenset({point}))
+        click = press_point(view, pointer, point)
         shapes = _chosen(self.document.project, view)
         weights = {s.id: _weights(s, dict.fromkeys(selected_indices(s, view.selection), 1.0)) for s in shapes}
         grab = self._grab({shape_id: each for shape_id, each in weights.items() if each.any()})
-
-        def click() -> None:
-            view.select(view.selection.shapes, frozenset({point}))
-
-        on_click = None if pointer.holds(Modifier.ShiftModifier) else click
-        return Pull(self.document, view, pointer, grab, point, on_click)
+        return Pull(self.document, view, pointer, grab, point, click)
 
     def _pull_segment(self, pointer: Pointer, found: OutlineHit) -> Gesture:
         shape = self.document.project.shape(found.shape_id)

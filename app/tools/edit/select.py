@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
@@ -14,7 +16,7 @@ from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
-from ..gestures import INSERT, Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
+from ..gestures import INSERT, Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn, press_point
 from ..hit_test import OutlineHit, PointHit, hit, hit_outline, locked_under, outlines_under
 from ..reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
 from ..settling import with_same_outline
@@ -127,22 +129,13 @@ class SelectTool(GestureTool):
         return hit_outline(seen, view.frame, view.selection, pointer.position, pointer.pixel)
 
     def _press_anchor(self, pointer: Pointer, found: PointHit) -> Gesture:
-        """Select the point, unless it is one of several that a drag may want to keep together.
-
-        With Ctrl the drag draws the handles out of it: a corner has none to take hold of.
-        """
+        """Drag what is selected with the point; with Ctrl draw its handles out: a corner has none to take hold of."""
         view, point = self.view_state, (found.shape_id, found.index)
-        shapes, points = view.selection.shapes, view.selection.points
-        adds = pointer.holds(Modifier.ShiftModifier)
-        if point not in points:
-            view.select(shapes, points | {point} if adds else frozenset({point}))
-            after_click = view.selection
-        else:
-            after_click = Selection(shapes, points - {point} if adds else frozenset({point}))
+        click = press_point(view, pointer, point)
         if pointer.holds(Modifier.ControlModifier) and self._has_handles(found.shape_id):
-            grab = grab_point(self.document.project, view, found.shape_id, found.index)
-            return PullOut(self.document, view, pointer, grab, tr("Pull out handles"), (found.index, OUT))
-        return self._move(pointer, view.selection, after_click, point)
+            grab = grab_point(self.document.project, view, *point)
+            return PullOut(self.document, view, pointer, grab, tr("Pull out handles"), (found.index, OUT), click)
+        return self._move(pointer, view.selection, click, point)
 
     def _say_what_is_locked(self, pointer: Pointer) -> None:
         """A press that takes nothing may have meant a shape that is locked."""
@@ -155,20 +148,25 @@ class SelectTool(GestureTool):
         return self.document.project.shape(shape_id).spline is Spline.BEZIER
 
     def _press_outline(self, pointer: Pointer, found: OutlineHit) -> Gesture:
-        """Select the shape; one that is selected can be dragged as a whole, with the others that are."""
+        """Select the shape; one that is selected can be dragged as a whole, with the others that are.
+
+        With Ctrl a click takes it out of what is selected.
+        """
         view, shape_id = self.view_state, found.shape_id
         self._pressed = shape_id
         shapes = view.selection.shapes
-        adds = pointer.holds(Modifier.ShiftModifier)
+        adds, takes = (pointer.holds(each) for each in (Modifier.ShiftModifier, Modifier.ControlModifier))
         if shape_id not in shapes:
+            if takes:
+                return Gesture(self.document, view, pointer)
             added = Selection(shapes | {shape_id}, view.selection.points) if adds else Selection(frozenset({shape_id}))
             view.select(added.shapes, added.points)
             return Gesture(self.document, view, pointer)
         is_alone = view.selection == Selection(frozenset({shape_id}))
         clicked = self._next_below(pointer, shape_id) if is_alone else shape_id
         others = frozenset(point for point in view.selection.points if point[0] != shape_id)
-        after_click = Selection(shapes - {shape_id}, others) if adds else Selection(frozenset({clicked}))
-        return self._move(pointer, Selection(shapes), after_click)
+        after_click = Selection(shapes - {shape_id}, others) if adds or takes else Selection(frozenset({clicked}))
+        return self._move(pointer, Selection(shapes), lambda: view.select(after_click.shapes, after_click.points))
 
     def _next_below(self, pointer: Pointer, shape_id: str) -> str:
         """The shape below this one whose outline lies under the pointer, after the lowest the uppermost."""
@@ -177,7 +175,7 @@ class SelectTool(GestureTool):
         return here[(here.index(shape_id) + 1) % len(here)]
 
     def _move(
-        self, pointer: Pointer, moving: Selection, after_click: Selection, held: tuple[str, int] | None = None
+        self, pointer: Pointer, moving: Selection, click: Callable[[], None], held: tuple[str, int] | None = None
     ) -> Gesture:
         view = self.view_state
         grab = grab_selection(self.document.project, view, moving)
@@ -187,10 +185,6 @@ class SelectTool(GestureTool):
         else:
             count = len(grab.start)
             text = tr("Move shape") if count == 1 else tr("Move {count} shapes", count=count)
-
-        def click() -> None:
-            view.select(after_click.shapes, after_click.points)
-
         return Move(self.document, view, pointer, grab, text, click, held)
 
     def _turn(self, pointer: Pointer, found: PointHit) -> Gesture:

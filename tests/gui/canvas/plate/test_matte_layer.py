@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -46,6 +47,21 @@ def test_only_the_newest_of_the_waiting_requests_is_rendered(qtbot: QtBot) -> No
     assert renderer.frames == [1, 4]
     assert threading.get_ident() not in renderer.threads
     layer.close()
+
+
+def test_no_thread_outlives_the_layer(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    def render(project: Project, frame: int, size: tuple[int, int]) -> Float32:
+        if frame == 1:
+            raise ValueError("no matte")
+        return np.zeros(size, dtype=np.float32)
+
+    monkeypatch.setattr(threading, "excepthook", lambda _: time.sleep(0.2))  # after it has told of its end
+    layer = MatteLayer(render)
+    layer.request(Project(), 1, SIZE)
+    layer.request(Project(), 2, SIZE)
+    qtbot.waitUntil(lambda: layer.pixels is not None, timeout=WAIT)
+    layer.close()
+    assert not [thread for thread in threading.enumerate() if thread.name == "matte"]
 
 
 def test_the_same_matte_is_rendered_once(qtbot: QtBot) -> None:

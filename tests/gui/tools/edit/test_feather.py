@@ -61,6 +61,16 @@ def test_several_points_each_go_outwards(feathering: Hand, only: OnlyShape, view
     np.testing.assert_allclose(np.sign(away), [[-1, -1], [1, -1], [1, 1], [-1, 1]])
 
 
+def test_shift_and_ctrl_click_take_a_point_out_of_what_is_selected(
+    feathering: Hand, view_state: ViewState, square: str
+) -> None:
+    for corner in ((40, 40), (120, 40), (120, 100)):
+        feathering.click(corner, SHIFT)
+    feathering.click((40, 40), SHIFT)
+    feathering.click((120, 100), CTRL)
+    assert view_state.selection.points == {(square, 1)}
+
+
 def test_an_outline_pulls_both_of_its_ends(feathering: Hand, only: OnlyShape) -> None:
     feathering.drag((80, 40), (80, 25))
     offsets = only().at(1).feather

@@ -44,6 +44,17 @@ def test_shift_click_adds_a_shape_and_takes_it_away(hand: Hand, document: Docume
     assert view_state.selection.shapes == {square}
 
 
+def test_ctrl_click_takes_a_shape_out_of_what_is_selected(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    triangle = add_triangle(document)
+    view_state.select(frozenset({square, triangle}))
+    hand.click((170.0, 20.0), CTRL)
+    assert view_state.selection.shapes == {square}
+    hand.click((170.0, 20.0), CTRL)  # it is none of these
+    assert view_state.selection.shapes == {square}
+
+
 @pytest.mark.parametrize(("held", "layers"), [(NONE, frozenset()), (SHIFT, frozenset({"layer-1"}))])
 def test_click_on_empty_background_lets_an_empty_layer_go(
     hand: Hand,
@@ -74,6 +85,15 @@ def test_shift_click_adds_a_point_and_takes_it_away(hand: Hand, view_state: View
     hand.click((120.0, 100.0), SHIFT)
     assert view_state.selection.points == {(square, 1), (square, 2)}
     hand.click((120.0, 40.0), SHIFT)
+    assert view_state.selection.points == {(square, 2)}
+
+
+def test_ctrl_click_takes_a_point_out_of_what_is_selected(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.click((120.0, 40.0))
+    hand.click((120.0, 100.0), SHIFT)
+    hand.click((40.0, 100.0), CTRL)  # one that was not selected: it is not now
+    assert view_state.selection.points == {(square, 1), (square, 2)}
+    hand.click((120.0, 40.0), CTRL)
     assert view_state.selection.points == {(square, 2)}
 
 
