@@ -905,6 +905,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>CVAT blendet in Dateien keine Tracks aus: Das unsichtbare {name} ist dort zu sehen.</translation>
     </message>
     <message>
+        <source>CVAT&apos;s masks were left out; export the task as COCO, whose masks ROAM reads.</source>
+        <translation>Masken aus CVAT entfallen; die Aufgabe als COCO exportieren, dessen Masken ROAM liest.</translation>
+    </message>
+    <message>
         <source>CVAT&apos;s {kind} was left out: ROAM reads outlines only.</source>
         <translation>{kind} aus CVAT entfällt: ROAM liest nur Umrisse.</translation>
     </message>

@@ -131,7 +131,7 @@ class _Reader(ShapeReader):
         for element in track:
             kind = local_name(element)
             if kind not in OUTLINES:
-                self.note(sentence("CVAT's {kind} was left out: ROAM reads outlines only.", kind=brief(kind)))
+                self._note_left_out(kind)
                 continue
             name = self._name(element, name)
             if element.get("keyframe", "1") == "1" and (moment := self._moment(element, kind, label)) is not None:
@@ -176,7 +176,7 @@ class _Reader(ShapeReader):
         for element in image:
             kind, label = local_name(element), element.get("label") or "Object"
             if kind not in OUTLINES:
-                self.note(sentence("CVAT's {kind} was left out: ROAM reads outlines only.", kind=brief(kind)))
+                self._note_left_out(kind)
                 continue
             found = self._outline(element, kind, label)
             if found is None:
@@ -194,6 +194,12 @@ class _Reader(ShapeReader):
                     compound=self._compound(element),
                 )
                 self._made.append((self._whole(element, "z_order"), label, shape))
+
+    def _note_left_out(self, kind: str) -> None:
+        if kind == "mask":
+            self.note(sentence("CVAT's masks were left out; export the task as COCO, whose masks ROAM reads."))
+        else:
+            self.note(sentence("CVAT's {kind} was left out: ROAM reads outlines only.", kind=brief(kind)))
 
     def _moment(self, element: Element, kind: str, label: str) -> _Moment | None:
         points = self._outline(element, kind, label)

@@ -324,6 +324,16 @@ def test_images_of_cvat_become_shapes_of_a_frame(tmp_path: Path) -> None:
     assert "'points' was left out" in made.notes[0]
 
 
+def test_masks_of_cvat_are_left_out_with_a_way_to_bring_them_in(tmp_path: Path) -> None:
+    """Its tools make masks, and it writes them as runs of pixels, which are read of COCO."""
+    path = tmp_path / "a.xml"
+    path.write_text(
+        '<annotations><image id="0" name="a.png" width="9" height="9">'
+        '<mask label="man" rle="0, 4" left="2" top="2" width="2" height="2" z_order="0"/></image></annotations>'
+    )
+    assert "CVAT's masks were left out; export the task as COCO, whose masks ROAM reads." in read_shapes(path, CLIP).notes
+
+
 def test_a_cvat_file_without_outlines_is_told_and_one_with_some_is_not(tmp_path: Path) -> None:
     (tmp_path / "a.xml").write_text("<annotations><meta><task><size/></task></meta></annotations>")
     note = "There are no outlines in the file."
