@@ -8,9 +8,12 @@ import platformdirs
 
 from roam_core.errors import RoamError
 from roam_core.system_errors import reason_of
-from roam_core.temporary import is_writable, private_folder
+from roam_core.temporary import earlier_private_folder, is_writable, private_folder
 
 from .translation import tr, translated
+
+TEMPORARY_STATE = "roam-state"
+"""The name of the temporary folder that stands in for the artist's own."""
 
 
 def state_folder() -> Path:
@@ -19,7 +22,14 @@ def state_folder() -> Path:
     Where it cannot be written to, a private temporary one, so that work is kept safe all the same (`state_trouble`).
     Raises `RoamError` when there is none of these.
     """
-    return _writable(platformdirs.user_state_path("roam", appauthor=False), "roam-state")
+    return _writable(platformdirs.user_state_path("roam", appauthor=False), TEMPORARY_STATE)
+
+
+def other_state_folders() -> tuple[Path, ...]:
+    """Where sessions before this one may have kept their state: the artist's own folder, or the temporary one."""
+    places = (platformdirs.user_state_path("roam", appauthor=False), earlier_private_folder(TEMPORARY_STATE))
+    used = state_folder()
+    return tuple(place for place in places if place is not None and place != used)
 
 
 def state_trouble() -> str:

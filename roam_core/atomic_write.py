@@ -24,9 +24,9 @@ STALE_SECONDS = 3600.0
 """A temporary file that was not touched for so long, and whose process is gone, was left by a killed process."""
 
 _TEMPORARY = re.compile(r"\.roam-(?P<process>[0-9]+)-[0-9a-f]{16}\.tmp")
-_UNSUPPORTED = frozenset(
-    {errno.EINVAL, errno.ENOTSUP, errno.ENOSYS, errno.EBADF, errno.EACCES, errno.EPERM, errno.EISDIR}
-)
+_NO_FLUSHING = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS})
+"""How file systems say that they flush nothing: some shares, and some that run outside of the kernel."""
+_NO_FOLDERS = _NO_FLUSHING | {errno.EBADF, errno.EACCES, errno.EPERM, errno.EISDIR}
 """How file systems say that a folder cannot be flushed."""
 _NO_PERMISSIONS = frozenset({errno.EPERM, errno.EACCES, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS})
 """How file systems say that they keep no permissions, or let none be set: shares, memory cards, disks of Windows."""
@@ -65,6 +65,7 @@ def write_atomically(
         with `replaces` off, when something is there.
     RoamError
         when it cannot be written; also for a read-only file, and for what is no regular file. The old file stays.
+        Where the new one stands already, and the disk fails as it is to keep its name, the sentence says so.
     """
     if not replaces and os.path.lexists(path):
         raise _taken(path)
@@ -83,8 +84,6 @@ def write_atomically(
             temporary.replace(target)
         else:
             _put_as_new(temporary, target)
-        if flushes:
-            flush_folder(target.parent)
     except OSError as error:
         _remove(temporary)
         raise RoamError(
@@ -98,6 +97,8 @@ def write_atomically(
     except BaseException:
         _remove(temporary)
         raise
+    if flushes:
+        _keep_name(path, target.parent)
 
 
 def make_folder(folder: Path) -> None:
@@ -157,6 +158,21 @@ def sweep(folder: Path) -> None:
                 _remove(Path(entry.path))
 
 
+def flush_file(handle: int) -> None:
+    """Flush an open file to the disk; on a file system that has no such thing, as some shares, it does what it does.
+
+    Raises
+    ------
+    OSError
+        when the disk fails.
+    """
+    try:
+        os.fsync(handle)
+    except OSError as error:
+        if error.errno not in _NO_FLUSHING:
+            raise
+
+
 def flush_folder(folder: Path) -> None:
     """Flush the names in a folder to the disk, where the system can.
 
@@ -172,7 +188,7 @@ def flush_folder(folder: Path) -> None:
         handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
         os.fsync(handle)
     except OSError as error:
-        if error.errno not in _UNSUPPORTED:
+        if error.errno not in _NO_FOLDERS:
             raise
     finally:
         if handle >= 0:
@@ -227,7 +243,22 @@ def _write(temporary: Path, pieces: Iterable[bytes], flushes: bool) -> None:
             file.write(piece)
         file.flush()
         if flushes:
-            os.fsync(file.fileno())
+            flush_file(file.fileno())
+
+
+def _keep_name(path: Path, folder: Path) -> None:
+    """Flush the name of a file that was put in its place."""
+    try:
+        flush_folder(folder)
+    except OSError as error:
+        raise RoamError(
+            sentence(
+                "{path} is written, but the disk may not keep it: {reason} ({folder}); save elsewhere, too.",
+                path=path,
+                reason=reason_of(error),
+                folder=folder,
+            )
+        ) from None
 
 
 def _set_permissions(temporary: Path, mode: int) -> None:

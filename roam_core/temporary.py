@@ -20,13 +20,30 @@ def private_folder(name: str) -> Path:
     What lies there is trusted (compiled code among it): a folder of the name that is a link, belongs to somebody else,
     or is open to others is not used. Raises `OSError` where there is no temporary folder at all.
     """
-    owner = os.getuid() if hasattr(os, "getuid") else 0
-    folder = Path(tempfile.gettempdir()) / f"{name}-{owner}"
+    folder = Path(tempfile.gettempdir()) / f"{name}-{_user()}"
     if not os.path.lexists(folder):
         folder.mkdir(mode=0o700, exist_ok=True)
+    return folder if _is_closed(folder) else Path(tempfile.mkdtemp(prefix=f"{name}-"))
+
+
+def earlier_private_folder(name: str) -> Path | None:
+    """The folder that `private_folder` gave before, to be read; None where there is none that can be trusted."""
+    try:
+        folder = Path(tempfile.gettempdir()) / f"{name}-{_user()}"
+        return folder if _is_closed(folder) else None
+    except OSError:
+        return None
+
+
+def _user() -> int:
+    return os.getuid() if hasattr(os, "getuid") else 0
+
+
+def _is_closed(folder: Path) -> bool:
+    """Whether this is a folder of this user that nobody else can write to, and no link to one."""
     found = folder.lstat()
-    is_closed = os.name == "nt" or (found.st_uid == owner and not found.st_mode & 0o077)
-    return folder if stat.S_ISDIR(found.st_mode) and is_closed else Path(tempfile.mkdtemp(prefix=f"{name}-"))
+    is_ours = os.name == "nt" or (found.st_uid == _user() and not found.st_mode & 0o077)
+    return stat.S_ISDIR(found.st_mode) and is_ours
 
 
 def is_writable(folder: Path) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from roam_core.errors import RoamError
 from roam_core.media.colour_spaces import config_trouble
 from roam_core.media.unseen import unseen
 from roam_core.propagate.shapes.departed import departed_settings
@@ -279,7 +280,12 @@ class Files(QObject):
             # What is written over against a warning is kept in any case.
             # Saved again as it is, it takes no backup away.
             is_there = (project is self._last or not is_modified) and file.is_saved(project, path)
-            sentence = save_onto(project, path, 0 if is_there else max(kept, 1) if anyway else kept)
+            try:
+                sentence = save_onto(project, path, 0 if is_there else max(kept, 1) if anyway else kept)
+            except RoamError:
+                if file.is_saved(project, path):  # it stands there, though the disk may not keep it
+                    self._last, self._written = project, Fingerprint.of(path)
+                raise
             self.claim.renew(path)
             self._last, self._written = project, Fingerprint.of(path)
             report.partial(self._written)
@@ -346,13 +352,7 @@ class Files(QObject):
         job.partial.connect(take)
         job.ended.connect(end)
 
-    def _open(
-        self,
-        text: str,
-        read: Callable[[], Found | Holder],
-        *,
-        origin: Path | None = None,
-    ) -> None:
+    def _open(self, text: str, read: Callable[[], Found | Holder], *, origin: Path | None = None) -> None:
         """Read on the worker and show what comes; `origin` is what `opened` tells afterwards."""
         self._replace_by(reading_work(text, read), origin)
 

@@ -50,6 +50,8 @@ class Recovering(QObject):
         self._journal, self._runner, self._parent = journal, runner, parent
         self._files, self._file_actions, self._view = files, file_actions, view_state
         self.dialog: RecoveryDialog | None = None
+        self.elsewhere: tuple[Path, ...] = ()
+        """Where journals were kept before, while those of this window could not lie where they do now."""
         files.opened.connect(self._offer_for)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -85,10 +87,10 @@ class Recovering(QObject):
         then: Callable[[list[Recovery]], object],
         choose: Callable[[list[Recovery]], list[Recovery]] = list,
     ) -> None:
-        root, own = self._journal.root, self._journal.folder
+        root, own, elsewhere = self._journal.root, self._journal.folder, self.elsewhere
 
         def work(report: Report) -> str:
-            report.partial(choose(recovery.recoveries(root, own)))
+            report.partial(choose(recovery.recoveries(root, own, elsewhere)))
             return ""
 
         self._runner.start("recoveries", work).partial.connect(then)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import shutil
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -100,14 +100,16 @@ class Recovery:
         return moment(self.when, "HH:mm:ss")
 
 
-def recoveries(root: Path, own: Path | None = None) -> list[Recovery]:
-    """All work that journals hold, the newest first.
+def recoveries(root: Path, own: Path | None = None, elsewhere: Sequence[Path] = ()) -> list[Recovery]:
+    """All work that journals hold, the newest first: in the folder `root`, and in others where they were kept before.
 
     Sessions of windows that are open are left out, but for that of this window, in the folder `own`: of it what came
     to its end, such as changes that the artist chose not to save.
     """
     ended = [] if own is None else [journal for journal in journals(own) if _has_ended(journal)]
-    closed = [journal for folder in _closed_sessions(root) for journal in journals(folder)]
+    closed = [
+        journal for place in (root, *elsewhere) for folder in _closed_sessions(place) for journal in journals(folder)
+    ]
     found = [_settled_by_file(each) for each in map(_looked_at, [*closed, *ended]) if each]
     return sorted(found, key=lambda each: each.when, reverse=True)
 

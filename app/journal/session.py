@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 from collections import deque
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile
+from PySide6.QtCore import QLockFile, QSysInfo
+
+if sys.platform != "win32":
+    import fcntl
 
 SUFFIX, LOCK = ".journal", "session.lock"
+LOCK_BYTES = 1 << 12
+"""More than Qt writes into a lock: numbers and names of the process, the machine and its start, a line each."""
 KEPT_SAVED = 10
 """Journals of a session kept whose work was saved: an artist who saves every minute begins hundreds, each with a copy
 of the project."""
@@ -35,6 +41,7 @@ class Session:
         if self.folder is None or not self.folder.is_dir():
             self.folder, self._dropped = _new_folder(self._root), 0
             self._saved.clear()
+        if not (self.folder / LOCK).exists():  # on a full disk there was no room for it
             self.hold()
         number = 1 + len(journals(self.folder)) + self._dropped
         while (path := self.folder / f"{number:04d}{SUFFIX}").exists():  # one before it was deleted
@@ -75,7 +82,27 @@ def is_held(folder: Path) -> bool:
     lock.setStaleLockTime(0)
     free = lock.tryLock(0)
     lock.unlock()
-    return not free
+    return not (free or _is_left_behind(folder / LOCK))
+
+
+def _is_left_behind(lock: Path) -> bool:
+    """Whether nobody has a lock open that cannot be taken.
+
+    Qt goes by the number of the process that made it, which another one may have by now: in a container or a sandbox
+    (Flatpak) every window has the same. And on a disk that is full or cannot be written to it takes no lock away.
+    While a window is open the system keeps its lock (`flock`), which ends with the process; of another machine, whose
+    disk this may be, nobody here knows.
+    """
+    if sys.platform == "win32":  # there a file that somebody has open is not taken away
+        return False
+    try:
+        with lock.open("rb") as file:
+            words = file.read(LOCK_BYTES).split(b"\n")
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    here = (QSysInfo.machineHostName().encode(), QSysInfo.bootUniqueId().data())
+    return any(word and word in words for word in here)
 
 
 def _new_folder(root: Path) -> Path:

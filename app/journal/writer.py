@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
-from roam_core.atomic_write import write_atomically
+from roam_core.atomic_write import flush_file, write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint
@@ -315,14 +315,15 @@ class _Open:
         self._last = state.project
         self._after += 1
         if self._after == 1 and self._beginning.follows is not None:
-            self._beginning.follows.with_suffix(RECOVERED).touch()
+            with suppress(OSError):  # a folder that cannot be written to: it is offered once more
+                self._beginning.follows.with_suffix(RECOVERED).touch()
         self._consider_base()
 
     def write(self, entry: Entry) -> int:
         """Append an entry and flush it to the disk; where that fails, the file ends where it ended before."""
         try:
             written = append(self._stream, entry)
-            os.fsync(self._stream.fileno())
+            flush_file(self._stream.fileno())
             self._require_name()
         except OSError:
             self._take_back()
@@ -355,7 +356,8 @@ class _Open:
                 return
             self._bases.append(self.path.with_name(str(made.header["name"])))
             for old in self._bases[:-BASES]:
-                old.unlink(missing_ok=True)
+                with suppress(OSError):
+                    old.unlink(missing_ok=True)
             self._bases = self._bases[-BASES:]
 
     def note_saving(self, path: Path) -> None:
@@ -373,7 +375,8 @@ class _Open:
 
     def close(self) -> None:
         self.settle()
-        self._stream.close()
+        with suppress(OSError):  # a share may fail now; all of it was flushed
+            self._stream.close()
 
     def _consider_base(self) -> None:
         """Have the whole project written beside the deltas: first a copy of the artist's file, later anew."""

@@ -22,6 +22,8 @@ PATIENCE = 3000
 """Milliseconds after which the artist is told that the engine is being prepared."""
 FIRST_SIZE = 1500, 940
 """Width and height of the window at the very first start."""
+JOURNALS = "journal"
+"""Of the state folder: where the journals lie."""
 BAD_USAGE = 2
 NO_DISPLAY = N_(
     "There is no display to open a window on; use the command line (roam --help), "
@@ -86,7 +88,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from roam_core.media import decoding
 
     from .. import style, translation
-    from ..folders import cache_folder, state_folder, state_trouble
+    from ..folders import cache_folder, other_state_folders, state_folder, state_trouble
     from ..jobs import warm_up
     from ..model.personal import Personal
     from ..widgets.floating import resize_on_screen
@@ -106,7 +108,8 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     style.apply(application)
     translation.speak(personal.preferences.language)
     crashes = native_crashes(state_folder() / "crashes")
-    window = MainWindow(state_folder() / "journal", personal)
+    window = MainWindow(state_folder() / JOURNALS, personal)
+    window.recovering.elsewhere = tuple(folder / JOURNALS for folder in other_state_folders())
     window.defects.install()
     native_log = NativeLog(state_folder() / "crashes")
     leave_on_signals(window.leave_unasked, window)

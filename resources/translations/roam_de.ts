@@ -9196,6 +9196,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} gibt es schon; es wird nicht überschrieben.</translation>
     </message>
     <message>
+        <source>{path} is written, but the disk may not keep it: {reason} ({folder}); save elsewhere, too.</source>
+        <translation>{path} ist geschrieben, aber der Datenträger behält es vielleicht nicht: {reason} ({folder}); auch anderswo speichern.</translation>
+    </message>
+    <message>
         <source>{path} joins the mask {following} with itself.</source>
         <translation>{path} verbindet die Maske {following} mit sich selbst.</translation>
     </message>

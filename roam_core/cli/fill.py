@@ -166,6 +166,7 @@ def fill_project(
             done.append(gap)
             shares = seconds_by_frame([gap], time.perf_counter() - began)
             seconds.update({frame: seconds.get(frame, 0.0) + share for frame, share in shares.items()})
+        plate.require_read()
     return FilledProject(project, done, seconds)
 
 

@@ -149,6 +149,7 @@ def follow(
             if tells:
                 for frame in left:
                     print_missing(frame)
+    plate.require_read()
     return least
 
 

@@ -14,13 +14,14 @@ from tqdm import tqdm
 from roam_core.arrays import Image
 from roam_core.cli.environment import cache_bytes
 from roam_core.errors import RoamError
-from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
+from roam_core.media import DamagedFrame, FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour_spaces import config_trouble, known_space
 from roam_core.media.finding import is_there
 from roam_core.media.partial import PartialFrames, PartialPicture
 from roam_core.media.unseen import unseen
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import numbers_now, other_content, other_size, relinked
+from roam_core.system_errors import is_file
 
 AHEAD = 4
 """Frames decoded ahead of the solver."""
@@ -72,6 +73,33 @@ class Plate:
             self._bridged.add(frame)
         if is_news:
             tqdm.write(f"roam: {error} It is bridged like a missing frame.", file=sys.stderr)
+
+    def require_read(self) -> None:
+        """Refuse, at the end of a run, that pictures were away while it went on: moved, or on a share that was out.
+
+        Of a picture that is damaged and stays so the run is as good as it can be. One that can be read by now, or is
+        not there, was passed over for nothing; who took the run for done would leave its frame out for good.
+        """
+        with self._lock:
+            bridged = [frame for frame in self.source.frames if frame in self._bridged]
+        if away := [frame for frame in bridged if self._is_sound(frame)]:
+            where = f"frame {away[0]}" if len(away) == 1 else f"{len(away)} frames from {away[0]} to {away[-1]}"
+            raise RoamError(
+                f"The plate {self.source.path} was away for a while, and {where} had to be passed over; run it again "
+                "when it is back."
+            )
+
+    def _is_sound(self, frame: int) -> bool:
+        """Whether a picture can be read now, or nothing can be known of it, for it is not there."""
+        if not is_file(self.source.file_of(frame)):
+            return True
+        try:
+            self.source.read(frame)
+        except DamagedFrame:
+            return False
+        except MissingFrame:
+            return True
+        return True
 
     def close(self) -> None:
         """End the threads that read ahead."""

@@ -65,7 +65,7 @@ class PlateTask:
         Raises
         ------
         RoamError
-            when the plate cannot be opened, or the target is in the way of another file.
+            when the plate cannot be opened, or was away for a while, or the target is in the way of another file.
         """
         with opened(str(self.project.require_clip().path), self.project.clip) as plate:
             require_target(self.target)
@@ -74,6 +74,7 @@ class PlateTask:
             with claimed(self.target):
                 with cancelling() as token, progress_bar() as progress:
                     found = look(plate.read_or_bridge, token, progress)
+                plate.require_read()
                 self._write(shapes(found))
             return found
 

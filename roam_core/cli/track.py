@@ -216,6 +216,7 @@ def track_project(
             finished(result)
         if pictures is not None:
             pictures.finish(project)
+        plate.require_read()
     return project
 
 

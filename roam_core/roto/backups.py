@@ -10,7 +10,7 @@ import shutil
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from roam_core.atomic_write import flush_folder, temporary_beside
+from roam_core.atomic_write import flush_file, flush_folder, temporary_beside
 from roam_core.errors import RoamError
 from roam_core.system_errors import reason_of
 from roam_core.translatable import sentence
@@ -117,4 +117,4 @@ def _keep(target: Path, temporary: Path) -> None:
         with contextlib.suppress(OSError):  # a disk without links may have no permissions or times to set either
             shutil.copystat(target, temporary)
         with temporary.open("rb+") as file:
-            os.fsync(file.fileno())
+            flush_file(file.fileno())

@@ -105,6 +105,24 @@ def test_every_crash_is_offered_with_what_would_come_back(
     assert [each.original for each in recovery.offered(recovery.recoveries(root))] == [None]
 
 
+def test_what_was_kept_elsewhere_is_offered_too(
+    qtbot: QtBot, window: MainWindow, root: Path, mine: Path, tmp_path: Path
+) -> None:
+    """While the home could not be written to a crash left its journal in the temporary folder, and nobody looked."""
+    crash(root, None, 1)
+    lost = crash(tmp_path / "temporary", mine, 2)
+    window.recovering.elsewhere = (tmp_path / "temporary",)
+    window.recovering.offer()
+    dialog = asked(qtbot, window)
+    assert [row[0] for row in rows(dialog)] == ["mine.roam", "untitled"]
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        qtbot.mouseClick(dialog.recover, Qt.MouseButton.LeftButton)
+    assert window.document.project == lost
+    assert window.journal.flush()
+    (left,) = recovery.offered(recovery.recoveries(root, elsewhere=window.recovering.elsewhere))
+    assert left.original is None
+
+
 def test_work_on_a_plate_that_is_numbered_anew_asks_whether_it_goes_along(
     qtbot: QtBot, window: MainWindow, root: Path, mine: Path
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import subprocess
@@ -26,6 +27,7 @@ from roam_core.roto import Project, backups, edit, file, project_lock
 from tests.gui.engines import GlidingEngine, put_in
 from tests.gui.waiting import WAIT
 from tests.gui.windows import opened_window
+from tests.unit.roto.faults import refusing
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
@@ -177,6 +179,23 @@ def test_saving_again_takes_no_older_version_away(qtbot: QtBot, window: MainWind
     for _ in range(3):
         saved(qtbot, window, mine)
     assert [file.load(mine.with_name(f"mine.roam.{number}")) for number in (1, 2)] == [states[1], states[0]]
+
+
+def test_what_a_disk_may_not_keep_is_not_saved_and_no_other_program_s(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The next save asked whether to write over what "another program" had changed: it was the window itself."""
+    states = saved_states(qtbot, window, mine, 2)
+    states.append(draw(window))
+    with monkeypatch.context() as failing:
+        failing.setattr(atomic_write, "flush_folder", refusing(errno.EIO))
+        with qtbot.waitSignal(window.files.not_saved, timeout=WAIT) as told:
+            window.files.save(mine)
+    assert "mine.roam is written, but the disk may not keep it: Input/output error" in told.args[1]
+    assert window.document.is_modified
+    saved(qtbot, window, mine)
+    assert not window.document.is_modified
+    assert [file.load(backups.backup_path(mine, number)) for number in (1, 2)] == states[1::-1]
 
 
 def test_saves_that_fail_take_no_older_version_away(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import random
 import re
@@ -30,6 +31,7 @@ from roam_core.roto import Clip, Keyframe, Origin, Project, backups, edit, file,
 from roam_core.roto.following import followed, with_moving_layer
 from tests.gui.journal.test_delta import random_edit
 from tests.gui.waiting import WAIT
+from tests.unit.roto.faults import refusing
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -260,6 +262,34 @@ def test_an_open_session_is_no_crash(document: Document, journal: Journal, root:
     draw(document)
     assert journal.flush()
     assert recovery.recoveries(root) == []
+
+
+def test_a_crash_is_offered_though_that_cannot_be_remembered(
+    qtbot: QtBot, document: Document, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Taken from a folder that cannot be written to, it is kept all the same, and nothing is told that went wrong."""
+    crash(tmp_path / "before")
+    monkeypatch.setattr(Path, "touch", refusing(errno.EROFS))
+    (found,) = recovery.offered(recovery.recoveries(root, elsewhere=[tmp_path / "before", tmp_path / "nowhere"]))
+    journal = Journal(document, root)
+    told: list[str] = []
+    journal.refused.connect(told.append)
+    document.recover(recovery.load(found)[0], None, found.fingerprint, found.journal)
+    assert journal.flush()
+    qtbot.wait(0)
+    assert told == []
+    assert [recovery.load(each)[0] for each in crashed(journal, root)] == [document.project]
+    journal.close()
+
+
+@pytest.mark.parametrize("number", [errno.EINVAL, errno.ENOTSUP])
+def test_a_disk_that_flushes_nothing_holds_the_journal_all_the_same(
+    document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    monkeypatch.setattr(os, "fsync", refusing(number))
+    draw(document)
+    (found,) = crashed(journal, root)
+    assert recovery.load(found) == (document.project, "")
 
 
 def test_work_that_nobody_could_be_asked_about_is_offered(document: Document, root: Path) -> None:
@@ -598,6 +628,37 @@ def test_a_disk_that_is_full_still_after_a_save_is_told_again(
             draw(document)
     with qtbot.waitSignal(journal.restored, timeout=WAIT):
         draw(document)
+
+
+class Share:
+    """A file on a share that tells as it is closed that the disk failed."""
+
+    def __init__(self, stream: IO[bytes]) -> None:
+        self._stream = stream
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self._stream, name)
+
+    def close(self) -> None:
+        self._stream.close()
+        raise OSError(errno.EIO, os.strerror(errno.EIO))
+
+
+def test_a_share_that_fails_as_a_journal_is_closed_ends_no_other(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    """Every edit after that save was refused until the window was closed."""
+    draw(document)
+    assert journal.flush()
+    held = journal._writer._open
+    assert held is not None
+    held._stream = Share(held._stream)  # type: ignore[assignment]
+    file.save(document.project, tmp_path / "a.roam")
+    document.mark_saved(document.project, tmp_path / "a.roam")
+    draw(document)
+    assert journal.flush()
+    (found,) = recovery.offered(crashed(journal, root))
+    assert recovery.load(found) == (document.project, "")
 
 
 @pytest.mark.parametrize("is_saved", [False, True])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -60,6 +61,7 @@ def test_state_goes_to_a_private_folder_where_the_artists_own_cannot_be_written_
     monkeypatch.setattr("platformdirs.user_state_path", lambda *_, **__: tmp_path / "own")
     assert folders.state_folder() == tmp_path / "own"
     assert folders.state_trouble() == ""
+    assert folders.other_state_folders() == ()
     (tmp_path / "file").touch()
     monkeypatch.setattr("platformdirs.user_state_path", lambda *_, **__: tmp_path / "file" / "roam")
     monkeypatch.setattr("platformdirs.user_cache_path", lambda *_, **__: tmp_path / "file" / "roam")
@@ -69,6 +71,12 @@ def test_state_goes_to_a_private_folder_where_the_artists_own_cannot_be_written_
     assert state == folders.state_folder(), "what is autosaved there is found again"
     assert folders.cache_folder() not in (state, tmp_path / "file" / "roam")
     assert f"are kept in {state} for now" in folders.state_trouble()
+    assert folders.other_state_folders() == (tmp_path / "file" / "roam",)
+    monkeypatch.setattr("platformdirs.user_state_path", lambda *_, **__: tmp_path / "own")
+    assert folders.other_state_folders() == (state,), "what was kept there is offered when the artist's own is back"
+    state.chmod(0o777)
+    assert folders.other_state_folders() == () or os.name == "nt", "others may have put anything there"
+    monkeypatch.setattr("platformdirs.user_state_path", lambda *_, **__: tmp_path / "file" / "roam")
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "file"))
     with pytest.raises(RoamError, match=r"Neither .* nor a temporary folder can be written to"):
         folders.state_folder()

@@ -290,7 +290,7 @@ def test_a_full_disk_while_mattes_are_written(roam: Roam, plate: Plate, monkeypa
     really = os.fsync
 
     def full(handle: int) -> None:
-        if next(flushed) == 5:
+        if next(flushed) == 6:  # a file, not its folder
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         really(handle)
 
@@ -355,6 +355,31 @@ def test_a_gap_that_cannot_be_filled_does_not_lose_the_others(roam: Roam, plate:
     assert done.err.endswith("Filled 1 gap(s).\n")
     assert file.load(keyed).shapes[0].frames == (1001, 1004, 1005, 1006)
     assert [path.name for path in sorted(out.iterdir())] == [f"plate.{frame}.png" for frame in (1001, 1004, 1005, 1006)]
+
+
+@pytest.mark.parametrize("back_on", [1005, None])
+def test_a_run_whose_plate_was_away_for_a_while_does_not_pass_for_done(
+    roam: Roam, plate: Plate, monkeypatch: pytest.MonkeyPatch, back_on: int | None
+) -> None:
+    """A server that was out cost every frame meanwhile, and the run ended as if it had tracked them."""
+    away, path = plate.folder.with_name("away"), plate.folder.parent / "p.roam"
+    acts = {1003: lambda: plate.folder.rename(away), back_on: lambda: away.rename(plate.folder)}
+
+    def watched(*arguments: Any, **options: Any) -> Iterator[FrameResult]:
+        for result in track(*arguments, **options):
+            yield result
+            acts.get(result.frame, Path)()
+
+    monkeypatch.setattr("roam_core.propagate.track", watched)
+    monkeypatch.setattr("roam_core.cli.plate.AHEAD", 0)
+    done = roam("track", plate.folder, "--init", plate.mask, *CONFIG, "--save", path)
+    last, found = (1006, (1001, 1002, 1003)) if back_on is None else (1005, (1001, 1002, 1003, 1006))
+    assert done.status == 1
+    assert done.err.splitlines()[-1] == (
+        f"roam: The plate {plate.folder} was away for a while, and {last - 1003} frames from 1004 to {last} had to be "
+        "passed over; run it again when it is back. What was finished is kept."
+    )
+    assert file.load(path).shapes[0].frames == found
 
 
 def test_the_last_frame_may_be_cut_short(roam: Roam, plate: Plate) -> None:

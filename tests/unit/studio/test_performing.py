@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from roam_core.cli import main, performing
 from roam_core.cli.main import INTERRUPTED
 from roam_core.cli.performing import perform
 from roam_core.cli.stopping import cancelled_by
+from roam_core.propagate import FrameResult, track
 from roam_core.roto import file
 from roam_core.studio.finding import jobs_from
 from roam_core.studio.pictures import doubtful
@@ -67,6 +69,30 @@ def test_what_is_done_is_kept_until_something_changes(show: Path, tmp_path: Path
     frame.write_bytes((frame.parent / "plate.1003.png").read_bytes())
     assert [outcome["status"] for outcome in carried_out(show, out)] == ["done"] * 3
     assert not list(out.rglob("*.roam.1"))  # what was made is no one else's work
+
+
+def test_a_step_whose_plate_was_away_for_a_while_is_not_taken_for_done(
+    show: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What it read is what it was, so that the frames it had passed over were never tracked."""
+    plate = show.parent / "show" / "sh010" / "plate"
+    away = plate.with_name("away")
+    acts = {1003: lambda: plate.rename(away), 1005: lambda: away.rename(plate)}
+
+    def watched(*arguments: Any, **options: Any) -> Iterator[FrameResult]:
+        for result in track(*arguments, **options):
+            yield result
+            acts.get(result.frame, Path)()
+
+    with monkeypatch.context() as out:
+        out.setattr("roam_core.propagate.track", watched)
+        out.setattr("roam_core.cli.plate.AHEAD", 0)
+        first = carried_out(show, tmp_path / "out")[0]
+    assert first["status"] == "failed"
+    assert "was away for a while" in first["said"]
+    assert [outcome["status"] for outcome in carried_out(show, tmp_path / "out")] == ["done"] * 3
+    (shape,) = load_project(tmp_path / "out" / "sh010" / "sh010.roam").shapes
+    assert shape.frames == tuple(range(1001, 1007))
 
 
 @pytest.mark.parametrize("options", [{}, {"by": -1000}])
