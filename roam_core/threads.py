@@ -8,9 +8,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
+from functools import cache, wraps
 from threading import local
-from typing import TypeVar
+from typing import ParamSpec, TypeVar
 
 import cv2
 import numpy as np
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
+Given = ParamSpec("Given")
 
 WORTH_A_THREAD = 2000
 """Pixels below which handing work to another thread takes longer than it saves."""
@@ -29,6 +30,20 @@ _here = local()
 def _is_alone() -> bool:
     """True where nothing is to be shared: the engine has one thread, or both of its threads have work already."""
     return cv2.getNumThreads() < 2 or getattr(_here, "is_shared", False)
+
+
+def as_on_any_thread(work: Callable[Given, Result]) -> Callable[Given, Result]:
+    """`work` with numbers too small for their type as zeros, also where the caller's thread has NumPy raise for them.
+
+    What NumPy raises is set for each thread by itself (`numpy.seterr`): what others share of the work never does.
+    """
+
+    @wraps(work)
+    def working(*arguments: Given.args, **options: Given.kwargs) -> Result:
+        with np.errstate(under="ignore"):
+            return work(*arguments, **options)
+
+    return working
 
 
 def each(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:

@@ -18,12 +18,12 @@ from roam_core.cli.bar import bar
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
-from roam_core.cli.matte_files import matte_targets, write_mattes
+from roam_core.cli.matte_files import matte_targets, without_matte, write_mattes
 from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
-from roam_core.cli.plate import Plate, loaded, opened
+from roam_core.cli.plate import Plate, loaded, opened, tell
 from roam_core.cli.spans import gaps_to_fill, is_filled, part_files, taken, within
 from roam_core.cli.spreading import filled_apart
 from roam_core.cli.stopping import cancelling
@@ -86,6 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=arguments.project,
         )
+        tell(without_matte(plate, frames, arguments.matte))
         with claimed(target):
             if arguments.matte is not None:
                 require_writable(arguments.matte, create=True)

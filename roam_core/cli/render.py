@@ -11,6 +11,7 @@ from typing import Never
 from tqdm import tqdm
 
 from roam_core.cli.lines import print_json
+from roam_core.cli.matte_files import left_out
 from roam_core.cli.matte_options import add_matte_arguments, matte_style, require_no_picture
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.paths import path_word
@@ -29,9 +30,6 @@ from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
 from roam_core.roto import Project
 from roam_core.roto.relinking import numbers_now, other_content_now
-
-MOST_NAMED = 12
-"""Frames that a message names."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -128,17 +126,6 @@ def black_because(project: Project, path: Path, style: MatteStyle) -> str:
     return (
         "Shapes that subtract or intersect show nothing by themselves: the mattes are black. As files or channels "
         "--per shape shows each."
-    )
-
-
-def left_out(frames: list[int]) -> str:
-    """A sentence on the frames that get no matte, "" for none."""
-    if not frames:
-        return ""
-    more = f" and {len(frames) - MOST_NAMED} more" if len(frames) > MOST_NAMED else ""
-    named = ", ".join(map(str, frames[:MOST_NAMED]))
-    return (
-        f"The plate has no picture of frame(s) {named}{more}: no matte is written there; an export to mattes has them."
     )
 
 

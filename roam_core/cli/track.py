@@ -20,7 +20,7 @@ from roam_core.cli.configuring import configured
 from roam_core.cli.joining import Joining
 from roam_core.cli.keeping import Write, kept
 from roam_core.cli.lines import print_json
-from roam_core.cli.matte_files import matte_targets, write_mattes
+from roam_core.cli.matte_files import matte_targets, without_matte, write_mattes
 from roam_core.cli.overwriting import add_overwrite, claimed, project_writer
 from roam_core.cli.paths import path_word
 from roam_core.cli.picking import EVERYTHING, NothingToSolve, Picking, trackable
@@ -121,7 +121,8 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=rewritten,
         )
-        for sentence in (kept_nowhere(arguments), *joining.told()):
+        missing = without_matte(plate, sorted(frames), arguments.matte)
+        for sentence in (kept_nowhere(arguments), missing, *joining.told()):
             tell(sentence)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)

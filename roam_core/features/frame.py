@@ -19,7 +19,7 @@ from roam_core.translatable import sentence
 DECODED_TOGETHER = 32
 """Pixels: parts of a picture are decoded in boxes of whole multiples."""
 BRIGHTEST = 4.0
-"""Mean from which floats are no picture in [0, 1], but one in [0, 255]."""
+"""Mean from which floats may be no picture in [0, 1], but one of integers."""
 AS_THEY_ARE = np.arange(256, dtype=np.uint8)
 """The table of values that nothing changes."""
 
@@ -334,12 +334,21 @@ def as_uint8(image: NDArray[Any]) -> UInt8:
     levels = np.multiply(image, np.float32(255.0), dtype=np.float32)
     with np.errstate(invalid="ignore"):
         mean = float(levels.mean()) / 255.0
-    if BRIGHTEST < mean < np.inf:
-        raise ValueError(f"an image of floats lies in [0, 1], the mean of this one is {mean:.0f}; divide it by 255")
+    if BRIGHTEST < mean < np.inf and not _is_light(levels):
+        white = 255 if float(levels.max()) <= 255.0 * 255.0 else 65535
+        raise ValueError(f"an image of floats lies in [0, 1], the mean of this one is {mean:.0f}; divide it by {white}")
     if not np.isfinite(mean):
         levels = np.nan_to_num(levels, nan=0.0, posinf=255.0, neginf=0.0)
     levels += np.float32(0.5)
     return np.asarray(np.clip(levels, 0.0, 255.0, out=levels), dtype=np.uint8)
+
+
+def _is_light(levels: Float32) -> bool:
+    """Whether the values of a bright picture, white at 255, are light that is far above white in a few places only.
+
+    Of a picture that holds integers none but black are below one.
+    """
+    return float(np.median(levels[levels > 0.0])) < 255.0
 
 
 def _luma(image: UInt8) -> UInt8:

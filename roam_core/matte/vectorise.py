@@ -18,6 +18,7 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
 from roam_core.geometry.simple import simplified
+from roam_core.matte.label_colours import labels_of_colours
 from roam_core.media.decoding import read_channels
 from roam_core.params import UNTYING, enlargement_for
 from roam_core.roto import BlendMode, Keyframe, RotoShape
@@ -52,7 +53,8 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float | None
     ----------
     mask : (h, w) or (h, w, c); bool, integer or float; white inside. A grey antialiased edge is met at half intensity.
         White is 1 in floating point, but 255 or 65535 where the largest value is that of such a picture. Integers that
-        are labels (up to 16, or the ids of 32 bits) give shapes of each label.
+        are labels (up to 16, or the ids of 32 bits) give shapes of each label; so do the colours in which data sets
+        such as PASCAL VOC and DAVIS paint labels.
     frame : the frame of the shapes' one artist key.
     tolerance : pixels by which the spline may stray from the mask's outline; None: one, as the engine sees a picture
         of that size (`params.enlargement_for`).
@@ -203,8 +205,11 @@ def is_in_colour(mask: NDArray[Any]) -> bool:
 
 
 def _telling(mask: NDArray[Any]) -> NDArray[Any]:
-    """The channel (h, w) of a mask that tells what is inside: alpha, or at each pixel the brightest colour."""
+    """The channel (h, w) of a mask that tells what is inside: alpha, labels, or at each pixel the brightest colour."""
     telling = _colours(mask)
+    labels = labels_of_colours(telling)
+    if labels is not None:
+        return labels
     return telling.max(axis=2) if telling.ndim == 3 else telling
 
 

@@ -28,6 +28,7 @@ from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys, set_key
 from roam_core.roto.feather import turned
 from roam_core.roto.imported import is_import
+from roam_core.threads import as_on_any_thread
 from roam_core.translatable import sentence
 
 
@@ -81,6 +82,7 @@ class GroupTracker:
             raise RuntimeError("the tracker was not started; call start(image, shape, frame) first")
         return self._standing
 
+    @as_on_any_thread
     def start(
         self, image: NDArray[Any] | PreparedFrame, shapes: Sequence[RotoShape], frame: int, *, forward: bool = True
     ) -> None:
@@ -127,6 +129,7 @@ class GroupTracker:
             for shape, landmarks in zip(standing.shapes, self._landmarks(), strict=True)
         )
 
+    @as_on_any_thread
     def step(
         self, image: NDArray[Any] | PreparedFrame, frame: int, token: CancelToken | None = None
     ) -> tuple[TrackResult, ...]:

@@ -41,7 +41,7 @@ from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, feather
 from roam_core.roto.bounds import require_near
 from roam_core.roto.edit import set_engine_keys
 from roam_core.roto.given import shapes_of
-from roam_core.threads import each
+from roam_core.threads import as_on_any_thread, each
 from roam_core.translatable import sentence
 
 
@@ -230,6 +230,7 @@ class Filling:
     token: CancelToken | None = None
     alone: bool = False
 
+    @as_on_any_thread
     def filled(self, shapes: Sequence[RotoShape], gap: Gap, asked: Sequence[int]) -> dict[int, list[Keyframe]]:
         """The ENGINE keys in one gap of the shapes that are asked for, solved object by object."""
         shown = keys_shown(self.read, [shapes[k] for k in asked], gap, self.params)

@@ -193,6 +193,15 @@ def test_locked_shapes_stay_as_they_are(roam: Roam, keyed: Path) -> None:
     assert file.load(keyed).shapes[1].frames == (1001, 1006)
 
 
+def test_that_a_gap_in_the_plate_gets_no_matte_is_told(roam: Roam, plate: Plate, keyed: Path) -> None:
+    """As by `roam render`: a folder of mattes lacked a frame without a word."""
+    (plate.folder / "plate.1002.png").unlink()
+    out = plate.folder.parent / "mattes"
+    done = roam("fill", keyed, *CONFIG, "--matte", out)
+    assert "roam: The plate has no picture of frame(s) 1002: no matte is written there" in done.err
+    assert not (out / "plate.1002.png").exists()
+
+
 def test_what_cannot_be_filled_is_refused_in_one_sentence(roam: Roam, plate: Plate, keyed: Path) -> None:
     project = file.load(keyed)
     whole = keyed.read_bytes()

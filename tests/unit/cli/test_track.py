@@ -165,6 +165,8 @@ def test_a_gap_in_the_plate_is_reported_and_bridged(roam: Roam, plate: Plate) ->
     assert [key.frame for key in file.load(path).shapes[0].keys] == [1001, 1002, 1004, 1005, 1006]
     assert not (out / "plate.1003.png").exists()
     assert (out / "plate.1004.png").exists()
+    assert done.err.startswith("roam: The plate has no picture of frame(s) 1003: no matte is written there")
+    assert roam("track", plate.folder, "--init", plate.mask, "--json").err == ""
 
 
 def test_a_pattern_names_the_clip_too(roam: Roam, plate: Plate) -> None:

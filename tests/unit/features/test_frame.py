@@ -40,6 +40,25 @@ def test_floats_out_of_range_are_cut() -> None:
     np.testing.assert_array_equal(as_uint8(image), [[[0, 128, 255], [0, 255, 0]]])
 
 
+def test_light_far_above_white_is_cut_and_does_not_pass_for_integers() -> None:
+    """A lamp in a plate of half floats ended the run on its frame: "divide it by 255"."""
+    dim = np.random.default_rng(1).uniform(0.0, 0.9, (40, 50, 3)).astype(np.float32)
+    lit = dim.copy()
+    lit[5:9, 5:9] = 60000.0
+    expected = as_uint8(dim)
+    expected[5:9, 5:9] = 255
+    np.testing.assert_array_equal(as_uint8(lit), expected)
+
+
+@pytest.mark.parametrize(("white", "type_"), [(255, np.uint8), (65535, np.uint16)])
+def test_integers_as_floats_are_refused_also_where_most_is_black(white: int, type_: type) -> None:
+    """Of 16 bits it was said that they are to be divided by 255."""
+    sprite = np.zeros((40, 50, 3))
+    sprite[10:20, 10:25] = np.random.default_rng(2).uniform(0.4, 1.0, (10, 15, 3)) * white
+    with pytest.raises(ValueError, match=f"divide it by {white}$"):
+        as_uint8(sprite.astype(type_).astype(np.float32))
+
+
 def test_a_grey_image_is_one_of_equal_channels() -> None:
     grey = picture()[..., 0]
     frame = PreparedFrame(grey)

@@ -18,6 +18,7 @@ from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import CONFIGS, params_for, scale_for
 from roam_core.propagate import Termination, Tracker, track
+from roam_core.propagate.between.span import fill_span
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from roam_core.roto.feather import turned
 from roam_core.roto.imported import IMPORT
@@ -61,6 +62,21 @@ def test_two_threads_give_the_bits_of_one(config: str, blob_shot: Shot) -> None:
     for ours, theirs in zip(runs[0].keys, runs[1].keys, strict=True):
         np.testing.assert_array_equal(ours.points, theirs.points)
         assert ours.confidence == theirs.confidence
+
+
+def test_a_caller_who_has_numpy_raise_gets_the_same(config: str, blob_shot: Shot) -> None:
+    """`full` and `medium` ended in a FloatingPointError where `np.seterr(all="raise")` was set."""
+    expected, before = tracked(blob_shot, config), cv2.getNumThreads()
+    filled = edit.set_key(blob_shot.shape(), 1004, blob_shot.truth(1004))
+    try:
+        cv2.setNumThreads(1)  # on other threads numpy raises nothing
+        with np.errstate(all="raise"):
+            found = tracked(blob_shot, config)
+            fill_span(blob_shot.read, [filled], blob_shot.first, 1004, config)
+    finally:
+        cv2.setNumThreads(before)
+    for ours, theirs in zip(found.keys, expected.keys, strict=True):
+        np.testing.assert_array_equal(ours.points, theirs.points)
 
 
 def test_a_result_says_what_became_of_its_frame(config: str, blob_shot: Shot) -> None:
