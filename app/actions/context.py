@@ -26,7 +26,7 @@ class Place(StrEnum):
 _OF_SHAPES = (
     "key.set", "key.delete", SEPARATOR,
     "track.forward", "track.backward", "track.fill", "track.delete_engine_keys", SEPARATOR,
-    "edit.copy", "edit.cut", "edit.paste_properties", "shape.duplicate", "shape.delete", SEPARATOR,
+    "edit.copy", "edit.cut", "edit.paste_properties", "shape.duplicate", "shape.rename", "shape.delete", SEPARATOR,
     "points.toggle_closed", "shape.reverse", "shape.to_bezier", "shape.to_bspline", SEPARATOR,
     "shape.group", "layer.ungroup", "shape.raise", "shape.lower", SEPARATOR,
     "object.one", "object.parts", SEPARATOR,
@@ -56,7 +56,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
     Place.LAYER_ROW: (
         "layer.ungroup", "layer.add", "shape.group", "shape.raise", "shape.lower", SEPARATOR,
         "track.forward", "track.backward", "planar.forward", "planar.backward", SEPARATOR,
-        "edit.copy", "edit.cut", "edit.paste_properties", "shape.duplicate", "shape.delete", SEPARATOR,
+        "edit.copy", "edit.cut", "edit.paste_properties", "shape.duplicate", "shape.rename", "shape.delete", SEPARATOR,
         "shape.hide", "shape.show_all", "shape.solo", SEPARATOR,
         "view.fit_selection", "view.stabilise", "view.shape_panel", "file.export_selected",
     ),

@@ -39,7 +39,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "tool.magnetic", "tool.ellipse", "tool.rectangle", "tool.object", "shape.from_mask", "tool.feather",
         "tool.points", "tool.adjust", SEPARATOR,
         "shape.steady", "shape.match_edge", SEPARATOR,
-        "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
+        "shape.rename", "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all", "shape.solo",
     ),
     N_("Keys"): (

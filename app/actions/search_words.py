@@ -144,6 +144,7 @@ WORDS: Mapping[str, str] = {
     "points.mirror_across": N_("flip flop horizontal"),
     "points.mirror_down": N_("flip vertical"),
     "shape.select_none": N_("deselect unselect clear selection"),
+    "shape.rename": N_("name title label call"),
     "shape.find": N_("search filter list name layer outliner"),
     "shape.select_all": N_("everything splines layers"),
     "layer.ungroup": N_("dissolve unparent folder"),

@@ -153,6 +153,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ),
     ActionSpec("shape.select_none", N_("Select nothing"), _VIEWER, tip=N_("Let go of all shapes, points and layers")),
     ActionSpec("shape.find", N_("Find in the list"), tip=N_("List only the shapes and layers that are called so")),
+    ActionSpec("shape.rename", N_("Rename"), tip=N_("Type another name, in the list")),
     ActionSpec("shape.duplicate", N_("Duplicate"), _VIEWER, "duplicate"),
     ActionSpec("shape.group", N_("Group into a layer"), _VIEWER, "layer-add"),
     ActionSpec(

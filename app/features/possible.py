@@ -58,7 +58,7 @@ def _is(spline: Spline) -> Callable[[Shapes, int], bool]:
 
 _OF_UNLOCKED = {
     "key.set", "key.set_points", "key.delete", "track.forward", "track.backward", "track.fill",
-    "track.delete_engine_keys", "edit.cut", "edit.paste_properties", "shape.delete", "shape.reverse",
+    "track.delete_engine_keys", "edit.cut", "edit.paste_properties", "shape.delete", "shape.rename", "shape.reverse",
     "shape.to_bezier", "shape.to_bspline", "points.smooth", "points.cusp", "points.first", "points.delete",
     "points.transform", "points.toggle_closed", "feather.reset", "feather.all_keys", "planar.forward",
     "planar.backward", "object.one", "object.parts", "object.in_front", "object.behind", "object.as_stacked",

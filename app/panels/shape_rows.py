@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QBrush, QColor, QIcon
-from PySide6.QtWidgets import QTreeWidgetItem
+from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem
 
 from roam_core.roto import Layer, RotoShape
 
@@ -59,3 +59,18 @@ def summary(layer: Layer) -> tuple[object, ...]:
         for child in layer.children
     )
     return (plain, *children)
+
+
+def meant_row(tree: QTreeWidget) -> QTreeWidgetItem | None:
+    """The selected row that keys mean, or None."""
+    current = tree.currentItem()
+    return current if current is not None and current.isSelected() else next(iter(tree.selectedItems()), None)
+
+
+def type_name(tree: QTreeWidget, row: QTreeWidgetItem) -> None:
+    """Open the field for the name of a row, as a double click does; selected stays what is."""
+    tree.setFocus(Qt.FocusReason.ShortcutFocusReason)
+    tree.scrollToItem(row)  # unfolds what it lies in
+    tree.setCurrentItem(row, NAME, QItemSelectionModel.SelectionFlag.NoUpdate)
+    if tree.state() is not QAbstractItemView.State.EditingState:
+        tree.editItem(row, NAME)

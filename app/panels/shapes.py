@@ -25,13 +25,13 @@ from .. import style
 from ..actions.context import IN_LIST, Place
 from ..actions.keymaps import told
 from ..actions.viewer_actions import ActionsById
-from ..features.verbs.shapes import delete, toggle
+from ..features.verbs.shapes import ALL_LOCKED, NOTHING_SELECTED, delete, toggle
 from ..features.verbs.solo import switch_solo
 from ..model.document import Document
 from ..model.reasons import outdated_by
 from ..model.view_state import ViewState
 from ..translation import N_, sentence_of, tr
-from .shape_rows import EYE, ID, IS_LAYER, LOCK, NAME, SOLO, dress_row, dress_solo, summary
+from .shape_rows import EYE, ID, IS_LAYER, LOCK, NAME, SOLO, dress_row, dress_solo, meant_row, summary, type_name
 from .shape_search import Found, SearchField, found_in
 
 SWITCHES = SOLO, EYE, LOCK
@@ -77,6 +77,17 @@ class ShapesPanel(QWidget):
         document.replaced.connect(self._pull)
         view_state.keymap_changed.connect(self._pull)
         self._pull()
+
+    def rename(self) -> None:
+        """Let the name of what is selected be typed in its row; of several rows it is the one that keys mean."""
+        if self.tree.selected_beside:
+            self.search.clear()
+        if (row := meant_row(self.tree)) is None:
+            self._view.say(tr(NOTHING_SELECTED))
+        elif not row.flags() & Qt.ItemFlag.ItemIsEditable:
+            self._view.say(tr(ALL_LOCKED))
+        else:
+            type_name(self.tree, row)
 
     def _pull(self, _ids: object = None) -> None:
         is_empty = not self._document.project.root.children

@@ -6006,6 +6006,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Tangente drehen</translation>
     </message>
     <message>
+        <source>Type another name, in the list</source>
+        <translation>Einen anderen Namen eingeben, in der Liste</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -7363,6 +7367,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>moves on smoothly</source>
         <translation>bewegt sich weich weiter</translation>
+    </message>
+    <message>
+        <source>name title label call</source>
+        <translation>name titel bezeichnung benennen</translation>
     </message>
     <message>
         <source>no line of JSON</source>

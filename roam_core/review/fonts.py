@@ -18,6 +18,8 @@ STYLES = (
     "serif", "math", "symbol", "emoji",
 )  # fmt: skip
 """Words in the names of fonts that are not the plain one of their family."""
+PLAIN = ("", "regular", "book", "roman")
+"""What may stand in the name of a file behind that of the family, where it is the plain font."""
 NEVER_A_CHARACTER = "\uffff"
 """What a font draws for this, it draws for every character that it lacks: nothing, or a box."""
 PROBE, MARGIN = 24, 12
@@ -74,6 +76,22 @@ def machine_fonts() -> tuple[str, ...]:
     """The files of the fonts that are installed, plain ones first, by their names."""
     files = {path for folder in _folders() for path in _files(folder)}
     return tuple(str(path) for path in sorted(files, key=_order))
+
+
+def file_named(font: str) -> str:
+    """The installed font that is called so, as `DejaVu Sans` or `NotoSansCJK-Bold.ttc`; `font` where none is.
+
+    OpenImageIO itself knows its own fonts alone, and those one folder deep among the machine's.
+    """
+    stem = font[: -len(suffix)] if (suffix := Path(font).suffix).lower() in SUFFIXES else font
+    files = {_letters_of(Path(path).stem): path for path in reversed(machine_fonts())}
+    wanted = _letters_of(stem)
+    return next((files[wanted + style] for style in PLAIN if wanted and wanted + style in files), font)
+
+
+def _letters_of(name: str) -> str:
+    """A name without what tells its words apart: families have spaces there, files hyphens or nothing."""
+    return "".join(filter(str.isalnum, name.lower()))
 
 
 def _folders() -> list[Path]:

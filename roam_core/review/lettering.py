@@ -12,7 +12,7 @@ import OpenImageIO as oiio  # noqa: N813
 
 from roam_core.arrays import Float32, UInt8
 from roam_core.errors import RoamError
-from roam_core.review.fonts import Run, has, runs
+from roam_core.review.fonts import Run, file_named, has, runs
 from roam_core.translatable import sentence
 
 UNKNOWN = "?"
@@ -141,11 +141,20 @@ def _drawable(run: Run) -> str:
     return "".join(char if has(char, run.font) else UNKNOWN for char in run.text)
 
 
-def require_font(font: str) -> None:
-    """Raise `RoamError` where there is no font of this name or file."""
-    is_there = oiio.ImageBufAlgo.text_size("0", 16, font).defined
+def required_font(font: str) -> str:
+    """The font of this name or file as it is drawn by: itself, or the file of the machine that is called so.
+
+    Raises `RoamError` where there is none.
+    """
+    found = font if _is_readable(font) else file_named(font)
+    if _is_readable(found):
+        return found
+    if not font:
+        raise RoamError(sentence("There is no font for text."))
+    raise RoamError(sentence("There is no font {font!r}; name the file of one.", font=font))
+
+
+def _is_readable(font: str) -> bool:
+    is_there = bool(oiio.ImageBufAlgo.text_size("0", 16, font).defined)
     oiio.geterror()
-    if not is_there:
-        if not font:
-            raise RoamError(sentence("There is no font for text."))
-        raise RoamError(sentence("There is no font {font!r}; name the file of one.", font=font))
+    return is_there

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ from roam_core.interchange.mattes.files import signed_png
 from roam_core.media import MissingFrame
 from roam_core.media.source import ReadImage
 from roam_core.review.fonts import lacking
-from roam_core.review.lettering import ELLIPSIS, UNKNOWN, require_font
+from roam_core.review.lettering import ELLIPSIS, UNKNOWN, required_font
 from roam_core.review.look import Burn, ReviewLook
 from roam_core.review.movie import ENCODERS, is_movie, require_encoder, write_movie
 from roam_core.review.picture import review_picture
@@ -124,7 +124,7 @@ def write_review(
     Cancelled
         when the token was cancelled.
     """
-    require_font(request.look.font)
+    request = replace(request, look=replace(request.look, font=required_font(request.look.font)))
     if not request.frames:
         raise RoamError(sentence("There is no frame to write."))
     shown = _Frames(request, read, token or CancelToken(), progress or (lambda fraction, words: None))

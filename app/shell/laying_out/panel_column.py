@@ -72,6 +72,7 @@ class PanelColumn:
         """What the actions of this part call, by id."""
         return {
             "shape.find": self.find_shape,
+            "shape.rename": self.rename,
             "view.shape_panel": self.show_shape,
         }
 
@@ -81,6 +82,12 @@ class PanelColumn:
         self._show(self.shapes, "window.shapes")
         search.open()
         QTimer.singleShot(0, self.area, lambda: self.area.ensureWidgetVisible(search))
+
+    def rename(self) -> None:
+        """Bring the list of shapes into sight, and let the name of what is selected be typed there."""
+        self._show(self.shapes, "window.shapes")
+        self._parts.shapes.rename()
+        QTimer.singleShot(0, self.area, lambda: self.area.ensureWidgetVisible(self._parts.shapes))
 
     def show_shape(self) -> None:
         """Bring the Shape panel into sight, unfolded."""

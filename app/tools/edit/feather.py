@@ -153,14 +153,16 @@ class FeatherTool(GestureTool):
             self._gesture.paint(painter, viewport)
 
     def _hit(self, pointer: Pointer) -> PointHit | OutlineHit | None:
+        """A part of a feather curve, else a point of a selected outline, which means its feather, else an outline."""
         view = self.view_state
-        best: PointHit | None = None
-        for shape in _chosen(self.document.project, view):
-            found = hit_feather(shape, view.frame, view.selection, pointer)
-            if found and (best is None or found.distance < best.distance):
-                best = found
+        shapes = _chosen(self.document.project, view)
+        parts = [hit_feather(shape, view.frame, view.selection, pointer) for shape in shapes]
+        anchors = [hit_anchor(shape, view.frame, pointer) for shape in shapes]
+        for hits in (parts, anchors):
+            if found := min((hit for hit in hits if hit), key=lambda hit: hit.distance, default=None):
+                return found
         project = view.solo.seen(self.document.project)
-        return best or hit_outline(project, view.frame, view.selection, pointer.position, pointer.pixel)
+        return hit_outline(project, view.frame, view.selection, pointer.position, pointer.pixel)
 
     def _pull_points(self, pointer: Pointer, found: PointHit) -> Gesture:
         """Pull all points that are selected with this one."""
@@ -254,6 +256,14 @@ def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Poi
     index, part = np.unravel_index(int(np.argmin(distances)), distances.shape)
     distance = float(distances[index, part])
     return PointHit(shape.id, int(index), int(part), distance) if distance <= REACH + SAME_SPOT else None
+
+
+def hit_anchor(shape: RotoShape, frame: int, pointer: Pointer) -> PointHit | None:
+    """The point of the outline under the pointer."""
+    distances = np.hypot(*((shape.at(frame).points[:, ANCHOR] - pointer.position) / pointer.pixel).T)
+    index = int(np.argmin(distances))
+    distance = float(distances[index])
+    return PointHit(shape.id, index, ANCHOR, distance) if distance <= REACH else None
 
 
 def _chosen(project: Project, view: ViewState) -> list[RotoShape]:

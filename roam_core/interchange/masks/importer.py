@@ -243,6 +243,8 @@ def _fitted_shapes(
 
 
 def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: tuple[Fitted, ...]) -> None:
+    from roam_core.interchange.masks.sequence import at_least
+
     for shape, part in list(zip(shapes, parts, strict=True))[:TOLD]:
         reader.note(part.report(shape.name, reader.options.frame_offset))
     rest = parts[TOLD:]
@@ -256,10 +258,10 @@ def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: tuple[Fitted, ...
                 count=len(rest),
                 keys=keys,
                 frames=frames,
-                share=100.0 * min(part.within for part in rest),
+                share=at_least(min(part.within for part in rest), 2) * 100.0,
                 tolerance=rest[0].tolerance,
                 greatest=max(part.greatest for part in rest),
-                overlap=min(part.overlap for part in rest),
+                overlap=at_least(min(part.overlap for part in rest), 3),
                 missed=sum(len(part.beyond) for part in rest),
             )
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -84,13 +85,19 @@ class Fitted:
             name=name,
             points=points,
             kept=kept,
-            share=100.0 * self.within,
+            share=at_least(self.within, 2) * 100.0,
             tolerance=self.tolerance,
             mean=self.mean,
             greatest=self.greatest,
-            overlap=self.overlap,
+            overlap=at_least(self.overlap, 3),
             missed=missed,
         )
+
+
+def at_least(value: float, digits: int) -> float:
+    """What is promised of a value in so many digits behind the point: no more than it is, so that 0.997 is no 100 %."""
+    parts = float(10**digits)
+    return math.floor(round(value * parts, 6)) / parts
 
 
 def part_as_keys(track: Track, wanted: Wanted, checked: Callable[[], None], told: Callable[[float], None]) -> Fitted:

@@ -133,6 +133,20 @@ def test_what_cannot_be_held_is_named_by_its_frames() -> None:
     )
 
 
+def test_what_is_promised_is_no_more_than_what_is_held() -> None:
+    """It said "at least 100 % of the outline within 1 px (..., 1.2 px at the farthest)", rounded up from 99.7 %."""
+    points = np.zeros((4, 3, 2))
+    for within, overlap, said in (
+        (0.997, 0.9996, ("99 %", "0.999")),
+        (1.0, 1.0, ("100 %", "1.000")),
+        (0.29, 0.57, ("29 %", "0.570")),
+    ):
+        fitted = Fitted(((1001, points),), (1001,), 1.0, True, within, 1.2, 0.2, (), overlap)
+        report = fitted.report("Shape 1")
+        assert f"at least {said[0]} of the outline within 1 px" in report
+        assert f"IoU at least {said[1]}." in report
+
+
 @pytest.mark.parametrize(("suffix", "kind"), [("exr", "half"), ("exr", "float"), ("png", "uint16"), ("tif", "uint16")])
 def test_mattes_of_more_bits_are_read_to_a_fraction_of_a_pixel(tmp_path: Path, suffix: str, kind: str) -> None:
     folder = tmp_path / "masks"

@@ -11,7 +11,7 @@ import pytest
 from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
 from roam_core.review import fonts
-from roam_core.review.lettering import _letters, require_font, text_width, wrapped, write, write_boxed
+from roam_core.review.lettering import _letters, required_font, text_width, wrapped, write, write_boxed
 from tests.unit.review.tiny_font import write_font
 
 
@@ -120,7 +120,20 @@ def test_a_font_that_draws_boxes_for_what_it_lacks_does_not_have_it(tmp_path: Pa
     assert [fonts.has(char, font) for char in "\u624ba\u90e8 "] == [True, False, False, False]
 
 
-def test_a_font_that_is_not_there_is_told() -> None:
-    require_font("")
+def test_a_font_that_is_not_there_is_told(machine: list[str]) -> None:
+    assert required_font("") == ""
     with pytest.raises(RoamError, match="There is no font 'Nowhere Sans'"):
-        require_font("Nowhere Sans")
+        required_font("Nowhere Sans")
+
+
+def test_a_font_of_the_machine_is_found_by_its_name(machine: list[str], tmp_path: Path) -> None:
+    """Debian's lie two folders deep, where OpenImageIO does not look: none of them could be named."""
+    folder = tmp_path / "truetype" / "tiny"
+    folder.mkdir(parents=True)
+    names = ("TinySans-Bold.ttf", "TinySans-Regular.ttf", "TinySerif.ttf")
+    bold, plain, serif = (str(write_font(folder / name, "0")) for name in names)
+    machine += [plain, serif, bold]
+    asked = ("Tiny Sans", "tinysans", "Tiny Sans Bold", "TinySans-Bold.ttf", "Tiny Serif", serif)
+    assert [required_font(name) for name in asked] == [plain, plain, bold, bold, serif, serif]
+    with pytest.raises(RoamError, match="There is no font 'Tiny'"):
+        required_font("Tiny")

@@ -205,6 +205,18 @@ def test_all_of_a_sheet_is_written_in_the_font_that_was_asked_for(
     assert fonts == dict.fromkeys((str(FIRST + 2), "0.90", "title"), look.font)
 
 
+def test_a_font_is_named_as_its_file_is_or_given_by_that(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = str(write_font(tmp_path / "TinySans-Regular.ttf", "0123456789."))
+    monkeypatch.setattr("roam_core.review.fonts.machine_fonts", lambda: (file,))
+    pages = []
+    for font in ("", "Tiny Sans", file):
+        path = tmp_path / f"page{len(pages)}.png"
+        write_review(ReviewRequest(moving(), ALL[:1], Output.SHEET, path, ReviewLook(font=font)), read)
+        pages.append(cv2.imread(str(path)))
+    assert (pages[1] == pages[2]).all()
+    assert (pages[0] != pages[1]).any()
+
+
 def test_a_note_takes_up_room_under_its_picture(tmp_path: Path) -> None:
     layout = SheetLayout(columns=1, rows=1, width=320)
     heights = []

@@ -52,6 +52,23 @@ def test_a_feather_point_is_taken_up_again(feathering: Hand, only: OnlyShape) ->
     np.testing.assert_allclose(only().at(1).feather[1, ANCHOR], [16, -16], atol=1e-6)
 
 
+def test_a_point_that_was_pulled_out_is_taken_at_the_outline_too(
+    feathering: Hand, only: OnlyShape, document: Document, view_state: ViewState
+) -> None:
+    """A click there let go of all points, and what was then meant for one (Shift+E) met the whole shape."""
+    for corner, out in (((120, 40), (140, 20)), ((40, 100), (20, 120))):
+        feathering.drag(corner, out)
+    feathering.click((120, 40))
+    assert view_state.selection.points == {(only().id, 1)}
+    feathering.click((40, 100), SHIFT)
+    assert view_state.selection.points == {(only().id, 1), (only().id, 3)}
+    feathering.click((120, 40))
+    feathering.drag((120, 40), (125, 35))
+    np.testing.assert_allclose(only().at(1).feather[:, ANCHOR], [[0, 0], [25, -25], [0, 0], [-20, 20]], atol=1e-6)
+    FeatherActions(document, view_state).reset()
+    np.testing.assert_allclose(only().at(1).feather[:, ANCHOR], [[0, 0], [0, 0], [0, 0], [-20, 20]], atol=1e-6)
+
+
 def test_several_points_each_go_outwards(feathering: Hand, only: OnlyShape, view_state: ViewState) -> None:
     feathering.click((40, 40))
     for corner in ((120, 40), (120, 100), (40, 100)):
