@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import takewhile
+from weakref import ref
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -37,6 +38,8 @@ class BoilOf(QObject):
         super().__init__(document)
         self._shapes: dict[str, tuple[RotoShape, Array]] = {}
         """What is known of each shape, and of which value of it."""
+        self._replaced: dict[str, tuple[ref[RotoShape], Array]] = {}
+        """The same of the value before that, which an undo brings back."""
         self._left: list[RotoShape] = []
         self._later = QTimer(self, interval=0)
         self._later.timeout.connect(self._go_on)
@@ -55,8 +58,17 @@ class BoilOf(QObject):
         return [(shape, self(shape)) for shape in shapes if self._is_known(shape)]
 
     def _is_known(self, shape: RotoShape) -> bool:
-        known = self._shapes.get(shape.id)
+        """Whether the boil of this value of a shape is known, as of the one before the last it is after an undo."""
+        known, before = self._shapes.get(shape.id), self._replaced.get(shape.id)
+        if known is not None and known[0] is not shape and before is not None and before[0]() is shape:
+            self._keep(shape, before[1])
+            return True
         return known is not None and known[0] is shape
+
+    def _keep(self, shape: RotoShape, boil: Array) -> None:
+        if (known := self._shapes.get(shape.id)) is not None and known[0] is not shape:
+            self._replaced[shape.id] = ref(known[0]), known[1]
+        self._shapes[shape.id] = shape, boil
 
     def _measured_some(self, shapes: list[RotoShape]) -> list[RotoShape]:
         """Measure as many of the shapes as go at once, at least one; those that are left."""
@@ -76,15 +88,15 @@ class BoilOf(QObject):
 
     def _forget(self) -> None:
         self._shapes.clear()
+        self._replaced.clear()
         self._left = []
         self._later.stop()
 
     def __call__(self, shape: RotoShape) -> Array:
         """What is known of a shape, or measured now."""
-        known = self._shapes.get(shape.id)
-        if known is None or known[0] is not shape:
-            known = self._shapes[shape.id] = shape, _measured(shape, known)
-        return known[1]
+        if not self._is_known(shape):
+            self._keep(shape, _measured(shape, self._shapes.get(shape.id)))
+        return self._shapes[shape.id][1]
 
     def take(self, shapes: Mapping[str, RotoShape], measured: Mapping[str, Array]) -> None:
         """Hold what was measured by the picture, of shapes as they were then, by their ids."""
@@ -92,7 +104,7 @@ class BoilOf(QObject):
             boil, found = self(shape).copy(), measured[shape_id].reshape(-1, 2)
             _, here, there = np.intersect1d(boil[:, 0], found[:, 0], assume_unique=True, return_indices=True)
             boil[here, 1] = found[there, 1]
-            self._shapes[shape_id] = shape, boil
+            self._keep(shape, boil)
         self.changed.emit()
 
 

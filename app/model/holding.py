@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from roam_core.roto import Keyframe, Project, RotoShape
+from roam_core.roto import Project, RotoShape
 from roam_core.roto.project import Layer
 
-ITEM_BYTES, KEY_BYTES, POINTER_BYTES = 1200, 700, 8
+ITEM_BYTES, KEY_BYTES, POINTER_BYTES = 1200, 500, 8
 """What Python needs for a layer or shape, a key, and an entry of a tuple, without the arrays; measured, rounded up."""
 
 
@@ -24,10 +24,9 @@ def _item_bytes(item: Layer | RotoShape, other: Layer | RotoShape | None) -> int
         moved = 0 if item.transform is None or item.transform is known else item.transform.matrices.nbytes
         return ITEM_BYTES + POINTER_BYTES * len(item.children) + moved
     held = {id(key) for key in other.keys} if isinstance(other, RotoShape) else set()
-    keys = sum(_key_bytes(key) for key in item.keys if id(key) not in held)
-    return ITEM_BYTES + POINTER_BYTES * len(item.keys) + keys
-
-
-def _key_bytes(key: Keyframe) -> int:
-    arrays = (key.points, key.feather, key.vertex_confidence)
-    return KEY_BYTES + sum(array.nbytes for array in arrays if array is not None)
+    keys = [key for key in item.keys if id(key) not in held]
+    softened = sum(key.feather is not None for key in keys)
+    trusted = sum(key.vertex_confidence is not None for key in keys)
+    points, first = item.keys[0].points.nbytes, item.keys[0].points[0]  # all keys have as many
+    keyed: int = len(keys) * (KEY_BYTES + points) + softened * points + trusted * (points // first.size)
+    return ITEM_BYTES + POINTER_BYTES * len(item.keys) + keyed

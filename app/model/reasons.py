@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import islice
 
-from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.known_stamps import stamps_of
 from roam_core.roto import Clip, Origin, Project, RotoShape
 
 from ..translation import N_, tr
@@ -92,9 +93,9 @@ def outdated_by(before: Project, after: Project) -> str:
     left = [shape for shape in before.shapes if there.get(shape.id) is shape and _is_tracked(shape)]
     if not left:
         return ""
-    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    held, now = stamps_of(before), stamps_of(after)
     joined = [shape for shape in left if now.together(shape) != held.together(shape)]  # to compare all keys takes long
-    names = [s.name for s in joined if not set(now.stale_frames(s)) <= set(held.stale_frames(s))]
+    names = _first(s.name for s in joined if not set(now.stale_frames(s)) <= set(held.stale_frames(s)))
     if not names:
         return ""
     told = _listed(names)
@@ -119,21 +120,26 @@ def outdated_by_blend(before: Project, after: Project) -> str:
     pairs = list(zip(before.shapes, after.shapes, strict=True))
     if all(old.blend is new.blend for old, new in pairs):
         return ""
-    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    held, now = stamps_of(before), stamps_of(after)
     changed = {old.id for old, new in pairs if old.blend is not new.blend}
     joined = [  # to compare all keys takes long
         (old, new)
         for old, new in pairs
         if not changed.isdisjoint(each.id for each in (*held.together(old), *now.together(new)))
     ]
-    names = [
+    names = _first(
         old.name
         for old, new in joined
         if _is_tracked(old) and not set(now.stale_frames(new)) <= set(held.stale_frames(old))
-    ]
+    )
     if not names:
         return ""
     return tr("Tracked frames of {names} are out of date: shapes join otherwise now.", names=_listed(names))
+
+
+def _first(names: Iterable[str]) -> list[str]:
+    """As many names as are told, and one more that says whether there are others: no more shapes are asked."""
+    return list(islice(names, MOST_NAMES + 1))
 
 
 def _listed(names: Sequence[str]) -> str:

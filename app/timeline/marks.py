@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from weakref import ref
 
 import numpy as np
 
 from roam_core.arrays import Array, Int64
 from roam_core.params import DOUBTFUL
-from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.known_stamps import stamps_of
 from roam_core.roto import Interpolation, Origin, Project, RotoShape
 from roam_core.roto.imported import is_import
 
@@ -104,12 +105,30 @@ class MarksOf:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._known: dict[str, _Known] = {}
-        self._stamps: tuple[Project, Stamps] | None = None
+        self._of_projects: dict[int, tuple[ref[Project], dict[int, KeyMarks]]] = {}
+        """Of each project that lives the marks of its shapes, by identities: undo and redo bring it back."""
         document.replaced.connect(self._known.clear)
 
     def __call__(self, shape: RotoShape, preview: Project | None = None) -> KeyMarks:
         """The marks of a shape of the document's project, or of one that is shown in its place meanwhile."""
-        stamps = self._of(preview or self._document.project)
+        project = preview or self._document.project
+        if not (project.has(shape.id) and project.shape(shape.id) is shape):  # a value that no project keeps alive
+            return self._told(shape, project)
+        marks = self._of(project)
+        if id(shape) not in marks:
+            marks[id(shape)] = self._told(shape, project)
+        return marks[id(shape)]
+
+    def _of(self, project: Project) -> dict[int, KeyMarks]:
+        """What is known of a project."""
+        own, known = id(project), self._of_projects
+        if own not in known or known[own][0]() is not project:
+            known[own] = ref(project, lambda gone: _forget(known, own, gone)), {}
+        return known[own][1]
+
+    def _told(self, shape: RotoShape, project: Project) -> KeyMarks:
+        """The marks, by those of the last value of the shape as far as these hold."""
+        stamps = stamps_of(project)
         together, known = stamps.together(shape), self._known.get(shape.id)
         if known is None or not _are_same(known.together, together):
             stale = stamps.stale_frames(shape)
@@ -118,10 +137,11 @@ class MarksOf:
             known = self._known[shape.id] = _Known(shape, together, stale, marks)
         return known.marks
 
-    def _of(self, project: Project) -> Stamps:
-        if self._stamps is None or self._stamps[0] is not project:
-            self._stamps = project, Stamps.of(project.shapes, project.clip)
-        return self._stamps[1]
+
+def _forget(known: dict[int, tuple[ref[Project], dict[int, KeyMarks]]], own: int, gone: ref[Project]) -> None:
+    """Let go of what is known of a project that is gone, unless another one has its identity already."""
+    if own in known and known[own][0] is gone:
+        del known[own]
 
 
 def _have_same_keys(a: RotoShape, b: RotoShape) -> bool:

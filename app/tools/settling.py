@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.known_stamps import stamps_of
 from roam_core.propagate.shapes.restamping import restamped
 from roam_core.roto import Project, RotoShape, feather
 from roam_core.roto.keying import Keying, is_same
@@ -41,7 +41,7 @@ def with_same_outlines(before: Project, after: Project, shape_ids: Iterable[str]
 
     No tracked frame of them, or of the others of their objects, is stale for that.
     """
-    stamps = Stamps.of(before.shapes, before.clip)
+    stamps = stamps_of(before)
     together = {shape.id for shape_id in shape_ids for shape in stamps.together(before.shape(shape_id))}
     return restamped(
         before, after, [shape.id for shape in before.shapes if shape.id in together], range(-LAST_FRAME, LAST_FRAME + 1)

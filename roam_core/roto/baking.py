@@ -9,9 +9,10 @@ from itertools import pairwise
 import numpy as np
 
 from roam_core.roto.animated import Interpolation
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.placement import Placement, matrices_at
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import Keyframe, Origin, RotoShape, unplaced
+from roam_core.roto.shape import RotoShape, unplaced
 
 ALIKE = 1e-6
 """Pixels of a layer by which two outlines may differ that are one, but for rounding."""

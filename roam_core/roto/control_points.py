@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike
 from roam_core.arrays import Array
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.roto.shape import Keyframe, RotoShape, Spline
+from roam_core.roto.keyframe import Keyframe
+from roam_core.roto.shape import RotoShape, Spline
 
 
 def points_of(control_points: ArrayLike, spline: Spline, closed: bool) -> Array:
@@ -84,8 +85,9 @@ def _stacked(shape: RotoShape) -> Array:
 def _with_points(
     shape: RotoShape, points: Array, on_feather: Callable[[Array], Array] = lambda feather: feather
 ) -> RotoShape:
-    """The shape with these `points (K, Q, 3, 2)` of its keys."""
+    """The shape with these `points (K, Q, 3, 2)` of its keys, which it holds from now on."""
     same = points.shape[1] == shape.point_count
+    points.setflags(write=False)
 
     def given(key: Keyframe, own: Array) -> Keyframe:
         feather = None if key.feather is None else on_feather(key.feather)

@@ -13,7 +13,7 @@ from roam_core.roto.free_names import counted_on, next_id
 from roam_core.roto.layers import Item, all_baked, moved, top_items
 from roam_core.roto.linking import relinked
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import NO_COLOUR, RotoShape
+from roam_core.roto.shape import NO_COLOUR, RotoShape, share_places
 
 
 def duplicated(project: Project, item_ids: Collection[str]) -> tuple[Project, list[str]]:
@@ -26,11 +26,11 @@ def duplicated(project: Project, item_ids: Collection[str]) -> tuple[Project, li
     homes = [project.layers_above(item_id)[-1] for item_id in ids]
     kept = [project.is_locked(home.id) for home in homes]
     items = [
-        taken_out(project, [item_id])[0] if is_kept else _seen(project, item_id)
+        taken_out(project, [item_id])[0] if is_kept else project.find(item_id)
         for item_id, is_kept in zip(ids, kept, strict=True)
     ]
     firsts = [project.root.id if is_kept else home.id for home, is_kept in zip(homes, kept, strict=True)]
-    project, copies = _joined(project, items, firsts)
+    project, copies = _joined(project, items, firsts, [not is_kept for is_kept in kept])
     for copy, home in ((c, h) for c, h, is_kept in zip(copies, homes, kept, strict=True) if is_kept):
         free = list(takewhile(lambda layer: not layer.locked, project.layers_above(home.id)))
         if free and free[-1].id != project.root.id:
@@ -59,16 +59,24 @@ def joined(project: Project, items: Iterable[Item]) -> tuple[Project, list[str]]
     Returns the ids of the copies (not of what lies in them), too.
     """
     items = tuple(items)
-    return _joined(project, items, [project.root.id] * len(items))
+    return _joined(project, items, [project.root.id] * len(items), [False] * len(items))
 
 
-def _joined(project: Project, items: Sequence[Item], homes: Sequence[str]) -> tuple[Project, list[str]]:
+def _joined(
+    project: Project, items: Sequence[Item], homes: Sequence[str], are_held: Sequence[bool]
+) -> tuple[Project, list[str]]:
+    """The project with copies of items on top of layers, `homes`.
+
+    Of an item that its home holds the copy has the very same keys there; other shapes are in plate space.
+    """
     copies = _fresh(project, items)
-    for copy, home in zip(copies, homes, strict=True):
-        if isinstance(copy, RotoShape):
+    for item, copy, home, is_held in zip(items, copies, homes, are_held, strict=True):
+        if isinstance(copy, RotoShape) and not is_held:
             project = add_shape(project, copy, home)
-        else:
-            project = project.map_item(home, partial(_with_on_top, copy))
+            continue
+        for one, other in zip(_shapes_in(item), _shapes_in(copy), strict=True):
+            share_places(one.id, other.id)
+        project = project.map_item(home, partial(_with_on_top, copy))
     return project, [copy.id for copy in copies]
 
 
@@ -79,7 +87,7 @@ def _with_on_top(item: Item, layer: Layer) -> Layer:
 def _fresh(project: Project, items: Iterable[Item]) -> list[Item]:
     """Copies with ids, links and compounds of their own; names that are taken count on."""
     items = list(items)
-    shapes = [shape for item in items for shape in (item.shapes() if isinstance(item, Layer) else (item,))]
+    shapes = [shape for item in items for shape in _shapes_in(item)]
     linked = {shape.id: shape for shape in relinked(project, shapes)}
     there = list(project.root.items())
     ids, names, uncoloured = {item.id for item in there}, {item.name for item in there}, count()
@@ -95,6 +103,10 @@ def _fresh(project: Project, items: Iterable[Item]) -> list[Item]:
         return copy if copy.colour != NO_COLOUR else replace(copy, colour=project.free_colour(next(uncoloured)))
 
     return [fresh(item) for item in items]
+
+
+def _shapes_in(item: Item) -> Iterable[RotoShape]:
+    return item.shapes() if isinstance(item, Layer) else (item,)
 
 
 def _seen(project: Project, item_id: str) -> Item:

@@ -17,10 +17,11 @@ from roam_core.geometry import bezier, bspline, merging
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import control_points as controls
 from roam_core.roto.animated import Interpolation
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.linking import fresh_compounds, fresh_links
 from roam_core.roto.plain_fields import plain
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import NO_COLOUR, Keyframe, Origin, Outline, RotoShape, Spline
+from roam_core.roto.shape import NO_COLOUR, Outline, RotoShape, Spline
 from roam_core.translatable import sentence
 
 Part = tuple[int, int]

@@ -17,9 +17,10 @@ from roam_core.geometry import similarity
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto.control_points import points_of
 from roam_core.roto.imported import is_import
+from roam_core.roto.keyframe import Origin
 from roam_core.roto.keying import Change
 from roam_core.roto.placement import carried, matrix_at
-from roam_core.roto.shape import Origin, Outline, RotoShape, unplaced
+from roam_core.roto.shape import Outline, RotoShape, unplaced
 
 Turn = Callable[[Array, int, int, tuple[float, float]], Array]
 """Puts one handle of points `(P, 3, 2)` at a position: `(points, index, part, position) -> points`."""

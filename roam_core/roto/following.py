@@ -16,10 +16,11 @@ from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.roto.baking import baked
 from roam_core.roto.edit import remove_items
 from roam_core.roto.imported import IMPORT, stamped
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.layers import grouped
 from roam_core.roto.placement import LayerTransform, Placement, matrix_at
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import Keyframe, Origin, RotoShape
+from roam_core.roto.shape import RotoShape
 from roam_core.translatable import sentence
 
 LAYER_NAME = "Planar"

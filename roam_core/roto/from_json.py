@@ -9,11 +9,12 @@ from typing import Any
 from roam_core.media.finding import is_there
 from roam_core.roto.animated import Animatable, Animated, Interpolation, Slopes, ValueKey
 from roam_core.roto.bounds import MAX_DEPTH, MAX_SPAN, Count, require
+from roam_core.roto.keyframe import Keyframe
 from roam_core.roto.motion_blur import MotionBlur
 from roam_core.roto.packing import number, rest, text, unpacked_keys, unpacked_numbers, whole
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
-from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, Spline
+from roam_core.roto.shape import BlendMode, RotoShape, Spline
 from roam_core.translatable import N_, sentence
 
 LONGEST_PATH = 1 << 15

@@ -11,8 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.project import Layer
-from roam_core.roto.shape import Keyframe, Origin, RotoShape
+from roam_core.roto.shape import RotoShape
 
 IMPORT = "import"
 """The direction that such a stamp names, where those of a run name theirs; alone, it is to become one."""

@@ -10,8 +10,9 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.roto import edit
 from roam_core.roto.control_points import points_of
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.placement import carried, matrix_at
-from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
+from roam_core.roto.shape import Outline, RotoShape
 
 Change = Callable[[Outline], Outline]
 """A change of an outline, the same for every key that it reaches: a move, a turn, a smoothing.

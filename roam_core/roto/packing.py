@@ -17,7 +17,7 @@ import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.roto.animated import Interpolation
-from roam_core.roto.shape import Keyframe, Origin
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.translatable import N_, sentence
 
 Document = dict[str, Any]

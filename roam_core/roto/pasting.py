@@ -7,10 +7,11 @@ from dataclasses import replace
 
 from roam_core.errors import RoamError
 from roam_core.roto.control_points import settled
+from roam_core.roto.keyframe import Keyframe
 from roam_core.roto.layers import Item
 from roam_core.roto.point_order import in_order_of
 from roam_core.roto.project import Project
-from roam_core.roto.shape import Keyframe, RotoShape
+from roam_core.roto.shape import RotoShape
 from roam_core.translatable import sentence
 
 MATTE_PROPERTIES = ("blend", "opacity", "feather", "invert", "motion_blur")

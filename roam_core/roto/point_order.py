@@ -5,14 +5,17 @@ No curve changes on any frame: points, handles, feather and what is known of eac
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from roam_core.arrays import Array, Indices
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.roto.shape import Keyframe, RotoShape
+from roam_core.roto.keyframe import Keyframe
+from roam_core.roto.shape import RotoShape
 from roam_core.translatable import sentence
 
 SAME = 1e-6
@@ -109,22 +112,28 @@ def _are_same(one: Array, other: Array) -> bool:
 
 
 def _reordered(shape: RotoShape, order: Indices, parts: list[int]) -> RotoShape:
-    place, part_of_each = np.argsort(order), np.ix_(order, np.array(parts))
+    place, keys = np.argsort(order), shape.keys
+    part_of_each = np.ix_(order, np.array(parts))
 
-    def ordered(array: Array) -> Array:
-        result: Array = array[part_of_each]
-        result.setflags(write=False)
-        return result
+    def set_there(key: Keyframe) -> tuple[int, ...]:
+        return tuple(sorted(int(place[index]) for index in key.set_points))
 
-    def reordered(key: Keyframe) -> Keyframe:
-        turned = key.with_points(ordered(key.points), None if key.feather is None else ordered(key.feather))
-        trusted = key.vertex_confidence
-        if trusted is None and not key.set_points:
-            return turned
-        return replace(
-            turned,
-            vertex_confidence=None if trusted is None else trusted[order],
-            set_points=tuple(sorted(int(place[index]) for index in key.set_points)),
-        )
+    points = _each([key.points for key in keys], part_of_each)
+    feathers = _each([key.feather for key in keys], part_of_each)
+    trusted = _each([key.vertex_confidence for key in keys], (order,))
+    reordered = (
+        key.but(points=own, feather=soft, vertex_confidence=trust, set_points=set_there(key))
+        for key, own, soft, trust in zip(keys, points, feathers, trusted, strict=True)
+    )
+    return replace(shape, keys=tuple(reordered))
 
-    return replace(shape, keys=tuple(map(reordered, shape.keys)))
+
+def _each(arrays: Sequence[Array | None], chosen: tuple[Any, ...]) -> list[Any]:
+    """What is `chosen` of each of the arrays, all of one shape, read-only; None in the place of None."""
+    there = [array for array in arrays if array is not None]
+    if not there:
+        return list(arrays)
+    found = np.ascontiguousarray(np.stack(there)[:, *chosen])
+    found.setflags(write=False)
+    rows = iter(found)
+    return [None if array is None else next(rows) for array in arrays]

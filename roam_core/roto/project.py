@@ -14,8 +14,9 @@ from roam_core.media.content import content_of
 from roam_core.media.layers import PLAIN
 from roam_core.roto.animated import Animatable, checked, share_at
 from roam_core.roto.free_names import counted_on, next_id
+from roam_core.roto.keyframe import Keyframe
 from roam_core.roto.placement import LayerTransform, Placement
-from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, placed, unplaced
+from roam_core.roto.shape import BlendMode, RotoShape, placed, stored_before, unplaced
 from roam_core.translatable import sentence
 
 if TYPE_CHECKING:
@@ -226,7 +227,8 @@ class Project:
     def stored(self, shape: RotoShape, layer_id: str) -> RotoShape:
         """A shape in plate space as a layer holds it.
 
-        Keys that the layer's shape of the same id holds already come back bit by bit.
+        Keys that the layer's shape of the same id holds already come back bit by bit, and the points of those that an
+        edit changed in all but their points.
         """
         placement = self.placement_in(layer_id)
         if not placement:
@@ -236,8 +238,7 @@ class Project:
             held = self.find(shape.id)
             assert isinstance(held, RotoShape)
             known = dict(zip(held.frames, zip(placed(held, placement).keys, held.keys, strict=True), strict=True))
-            pairs = ((key, *known[key.frame]) for key in shape.keys if key.frame in known)
-            kept = {key.frame: own for key, seen, own in pairs if key is seen or key == seen}
+            kept = {k.frame: own for k in shape.keys if (own := stored_before(k, *known.get(k.frame, (None, None))))}
         taken = dict(kept)
         if fresh := [key for key in shape.keys if key.frame not in kept]:
             taken |= {key.frame: key for key in unplaced(replace(shape, keys=tuple(fresh), placement=placement)).keys}
@@ -265,8 +266,12 @@ class Project:
 
     def with_shapes(self, shapes: Iterable[RotoShape]) -> Project:
         """The project with each of `shapes`, in plate space, in place of the one of the same id."""
-        stored = {shape.id: self.stored(shape, self.layers_above(shape.id)[-1].id) for shape in shapes}
-        return replace(self, root=_with_items(self.root, stored)) if stored else self
+        return self.with_held(self.stored(shape, self.layers_above(shape.id)[-1].id) for shape in shapes)
+
+    def with_held(self, shapes: Iterable[RotoShape]) -> Project:
+        """The project with each of `shapes`, as their layers hold them, in place of the one of the same id."""
+        held = {shape.id: shape for shape in shapes}
+        return replace(self, root=_with_items(self.root, held)) if held else self
 
     def map_item(self, item_id: str, function: Callable[[Any], Layer | RotoShape]) -> Project:
         """The project with the layer or shape `item_id` replaced by `function(item)`."""

@@ -1,9 +1,9 @@
-"""RotoShape and Keyframe: a closed or open spline through time, as immutable values, and `shape.at(frame)`."""
+"""RotoShape: a closed or open spline through time, as an immutable value, and `shape.at(frame)`."""
 
 from __future__ import annotations
 
 import bisect
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from functools import cached_property, lru_cache
@@ -12,12 +12,11 @@ from typing import Any
 from weakref import ref
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from roam_core.arguments import frame_number
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline, projective
 from roam_core.roto.animated import Animatable, Interpolation, checked, share_at, value_at
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.lifetimes import given_lifetime
 from roam_core.roto.motion_blur import MotionBlur
 from roam_core.roto.placement import Placement, carried, matrices_at, matrix_at
@@ -25,13 +24,6 @@ from roam_core.translatable import sentence
 
 NO_COLOUR = (0.90, 0.60, 0.0)
 """Of a shape to which nobody gave a colour: it takes the next of the palette when it is added to a project."""
-
-
-class Origin(StrEnum):
-    """Who made a keyframe. The engine writes and replaces ENGINE keys only; ARTIST keys are sacred."""
-
-    ARTIST = "artist"
-    ENGINE = "engine"
 
 
 class BlendMode(StrEnum):
@@ -60,15 +52,6 @@ class Spline(StrEnum):
     BSPLINE = "bspline"
 
 
-def frozen_array(values: ArrayLike) -> Array:
-    """A read-only float64 copy (or the array itself where it is read-only already)."""
-    array = np.asarray(values, dtype=np.float64)
-    if array.flags.writeable:
-        array = array.copy()
-        array.setflags(write=False)
-    return array
-
-
 @dataclass(frozen=True, eq=False)
 class Outline:
     """A shape at one moment: `points (P, 3, 2)`, the `feather` offsets of its points or None, and whether it closes."""
@@ -93,81 +76,6 @@ class Outline:
     def flatten(self, tolerance: float = 0.05) -> Array:
         """The outline as a polyline `(K, 2)` within `tolerance` pixels."""
         return bezier.flatten(self.points, self.closed, tolerance)
-
-
-@dataclass(frozen=True, eq=False)
-class Keyframe:
-    """A shape's control points at one frame.
-
-    Attributes
-    ----------
-    frame : the plate's own frame number.
-    points : (P, 3, 2) anchor, in-handle and out-handle of each point, absolute, pixels.
-    feather : (P, 3, 2) or None. The feather curve minus the outline, for anchor, in- and out-handle; pixels.
-    origin : who made the key.
-    interpolation : how the shape moves from this key to the next.
-    confidence : the engine's trust in the frame, in [0, 1]; None on artist keys.
-    vertex_confidence : (P,) or None; the same for each point.
-    inputs : a short hash of what an ENGINE key was computed from (clip, parameters, artist keys); "" on artist keys.
-    set_points : of an artist's key the points that the artist set, by their indices in order: a run may derive the
-        others anew. () where all are the artist's.
-    extra : fields of a newer file that this version does not know; carried through.
-    """
-
-    frame: int
-    points: Array
-    feather: Array | None = None
-    origin: Origin = Origin.ARTIST
-    interpolation: Interpolation = Interpolation.LINEAR
-    confidence: float | None = None
-    vertex_confidence: Array | None = None
-    inputs: str = ""
-    set_points: tuple[int, ...] = ()
-    extra: Mapping[str, Any] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        points = frozen_array(self.points)
-        if points.ndim != 3 or points.shape[1:] != (3, 2):
-            raise ValueError(sentence("a key's points have shape {shape}, not (P, 3, 2)", shape=points.shape))
-        if len(points) == 0:
-            raise ValueError(sentence("a key has no points"))
-        object.__setattr__(self, "frame", frame_number(self.frame))
-        object.__setattr__(self, "set_points", tuple(self.set_points))
-        if not (isinstance(self.origin, Origin) and isinstance(self.interpolation, Interpolation)):
-            object.__setattr__(self, "origin", Origin(self.origin))
-            object.__setattr__(self, "interpolation", Interpolation(self.interpolation))
-        object.__setattr__(self, "points", points)
-        if self.feather is not None:
-            feather = frozen_array(self.feather)
-            if feather.shape != points.shape:
-                sizes = {"shape": feather.shape, "points": points.shape}
-                raise ValueError(sentence("a key's feather has shape {shape}, its points {points}", **sizes))
-            object.__setattr__(self, "feather", feather)
-        if self.vertex_confidence is not None:
-            trusted = frozen_array(self.vertex_confidence)
-            if trusted.shape != points.shape[:1]:
-                sizes = {"shape": trusted.shape, "points": points.shape}
-                raise ValueError(sentence("a key's vertex_confidence has shape {shape}, its points {points}", **sizes))
-            object.__setattr__(self, "vertex_confidence", trusted)
-
-    def with_points(self, points: Array, feather: Array | None) -> Keyframe:
-        """The key with as many other points, and their feather or None: nothing is looked at again, on many keys."""
-        key = object.__new__(type(self))
-        vars(key).update(vars(self), points=frozen_array(points))
-        vars(key)["feather"] = None if feather is None else frozen_array(feather)
-        return key
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Keyframe) and self._value() == other._value()
-
-    def __hash__(self) -> int:
-        return hash((self.frame, self.origin, self.points.tobytes()))
-
-    def _value(self) -> tuple[Any, ...]:
-        arrays = (self.points, self.feather, self.vertex_confidence)
-        packed = tuple(None if a is None else (a.shape, a.tobytes()) for a in arrays)
-        rest = self.frame, self.origin, self.interpolation, self.confidence, self.inputs, self.set_points
-        return (*packed, *rest, dict(self.extra))
 
 
 _frame_of = attrgetter("frame")
@@ -376,16 +284,16 @@ def placed(shape: RotoShape, placement: Placement) -> RotoShape:
     if known is not None and known[0]() is shape and known[1] == placement and (seen := known[2]()) is not None:
         return seen
     there = _carried_before(alike, placement)
-    fresh = iter(_carried_keys([key for key in shape.keys if id(key) not in there], placement, False))
-    keys = tuple(there.get(id(key)) or next(fresh) for key in shape.keys)
-    carried_out = replace(shape, keys=keys, placement=placement)
+    carried_out = replace(shape, keys=tuple(_carried_on(shape.keys, there, placement)), placement=placement)
     own = id(shape)
     alike[own] = ref(shape, lambda _: alike.pop(own, None)), placement, ref(carried_out)
     return carried_out
 
 
-def _carried_before(alike: Mapping[int, _Seen], placement: Placement) -> dict[int, Keyframe]:
-    """The keys, by the identities of those that they come from, of the last value of a shape that was placed so.
+def _carried_before(
+    alike: Mapping[int, _Seen], placement: Placement
+) -> dict[tuple[int, int], tuple[Keyframe, Keyframe]]:
+    """The keys of the last value of a shape that was placed so, each with itself carried: by frames and points.
 
     An edit puts a few others among thousands of keys: of all that are the very same the places are known. Both values
     are alive while this is asked: the last is the one that the edit began with, or another one made from it.
@@ -393,8 +301,36 @@ def _carried_before(alike: Mapping[int, _Seen], placement: Placement) -> dict[in
     for held, at, seen in reversed(list(alike.values())):
         before, carried_out = held(), seen()
         if before is not None and carried_out is not None and at == placement:
-            return {id(key): there for key, there in zip(before.keys, carried_out.keys, strict=True)}
+            pairs = zip(before.keys, carried_out.keys, strict=True)
+            return {(key.frame, id(key.points)): (key, there) for key, there in pairs}
     return {}
+
+
+def _carried_on(
+    keys: Sequence[Keyframe], known: Mapping[tuple[int, int], tuple[Keyframe, Keyframe]], placement: Placement
+) -> Iterator[Keyframe]:
+    """Keys carried, of which those are `known`, as `_carried_before` gives them, that are the very same or have the
+    very same points.
+    """
+    nothing = None, None
+    before = [known.get((key.frame, id(key.points)), nothing) for key in keys]
+    found = [
+        there if key is was else _in_its_place(key, was, there) for key, (was, there) in zip(keys, before, strict=True)
+    ]
+    fresh = iter(_carried_keys([key for key, it in zip(keys, found, strict=True) if it is None], placement, False))
+    return (it or next(fresh) for it in found)
+
+
+def _in_its_place(key: Keyframe, before: Keyframe | None, there: Keyframe | None) -> Keyframe | None:
+    """The key with the points that it has `there`, if it has the very ones of a key of which that is known."""
+    if before is None or there is None or key.points is not before.points or key.feather is not before.feather:
+        return None
+    return key.with_points(there.points, there.feather)
+
+
+def share_places(shape_id: str, copy_id: str) -> None:
+    """Let the keys of a copy be known where those of the shape are, which are the very same."""
+    _seen.setdefault(copy_id, {}).update(_seen.get(shape_id, {}))
 
 
 def unplaced(shape: RotoShape) -> RotoShape:
@@ -402,6 +338,11 @@ def unplaced(shape: RotoShape) -> RotoShape:
     if not shape.placement:
         return shape
     return replace(shape, keys=tuple(_carried_keys(shape.keys, shape.placement, True)), placement=())
+
+
+def stored_before(key: Keyframe, seen: Keyframe | None, own: Keyframe | None) -> Keyframe | None:
+    """A key in plate space as its layer holds it, where it is `seen` there and is its `own`, or has the same points."""
+    return own if key is seen or key == seen else _in_its_place(key, seen, own)
 
 
 _Seen = tuple[ref[RotoShape], Placement, ref[RotoShape]]

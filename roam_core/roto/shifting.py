@@ -8,11 +8,12 @@ from dataclasses import replace
 from roam_core.errors import RoamError
 from roam_core.roto.animated import Animatable, Animated, frames_of
 from roam_core.roto.imported import is_import
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.layers import top_items
 from roam_core.roto.lifetimes import LAST_FRAME, lifetime_of, open_ends
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import Keyframe, Origin, RotoShape
+from roam_core.roto.shape import RotoShape
 from roam_core.translatable import sentence
 
 SHIFTED = "shifted"

@@ -12,7 +12,8 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto.animated import Animatable, Animated, ValueKey
-from roam_core.roto.shape import Keyframe, Origin, RotoShape
+from roam_core.roto.keyframe import Keyframe, Origin
+from roam_core.roto.shape import RotoShape
 
 SHUT = 0.05
 """Size, of that as drawn, under which an outline has closed: an engine closes it to less

@@ -14,9 +14,10 @@ from roam_core.arrays import Array
 from roam_core.roto import edit
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.control_points import settled
+from roam_core.roto.keyframe import Keyframe, Origin
 from roam_core.roto.keying import reshape
 from roam_core.roto.project import Mark, Project
-from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape, unplaced
+from roam_core.roto.shape import Outline, RotoShape, unplaced
 
 Place = tuple[str, int]
 """Where a key lies: (shape id, frame)."""
@@ -136,9 +137,8 @@ def _each_shape(project: Project, places: Iterable[Place], verb: Callable[[RotoS
 
 def _each_held(project: Project, places: Iterable[Place], verb: Callable[..., RotoShape]) -> Project:
     """As `_each_shape`, of the shapes as they lie in their layers."""
-    for shape_id, own in _by_shape(project, places):
-        project = project.map_item(shape_id, partial(verb, frames=own))
-    return project
+    found = [(project.find(shape_id), own) for shape_id, own in _by_shape(project, places)]
+    return project.with_held(verb(shape, frames=own) for shape, own in found if isinstance(shape, RotoShape))
 
 
 def _by_shape(project: Project, places: Iterable[Place]) -> list[tuple[str, set[int]]]:

@@ -90,9 +90,9 @@ class KeyClipboard:
             self._view.say(refused or kept)
 
 
-def copied_keys() -> list[RotoShape] | None:
-    """The shapes, each with its one copied key, that the clipboard holds; None where it holds no keys."""
-    text = QGuiApplication.clipboard().text()
+def copied_keys(text: str | None = None) -> list[RotoShape] | None:
+    """The shapes, each with its one copied key, that the clipboard holds (its `text`); None where there are none."""
+    text = QGuiApplication.clipboard().text() if text is None else text
     if f'"{MARK}"' not in text:  # hundreds of whole shapes are not read to find that out
         return None
     try:

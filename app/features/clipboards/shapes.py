@@ -77,10 +77,10 @@ class ShapeClipboard:
         That is the layer into which a shape would be drawn, and of a layer that was copied the one around it. Where a
         key was copied last, put that on this frame.
         """
-        if copied_keys() is not None:
+        text = QGuiApplication.clipboard().text()  # of hundreds of shapes 100 MB: taken out once
+        if copied_keys(text) is not None:
             self.keys.paste()
             return
-        text = QGuiApplication.clipboard().text()
         try:
             copied = file.loads(text, Path(), tr("the clipboard")).root
         except RoamError:

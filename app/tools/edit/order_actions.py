@@ -70,12 +70,12 @@ class OrderActions:
     def _reorder(
         self, text: str, shapes: Sequence[RotoShape], verbs: Mapping[str, Callable[[RotoShape], RotoShape]], told: str
     ) -> None:
-        before, refused, changed = self._document.project, "", list[str]()
-        free, after = self._free(shapes), before
-        for shape_id in free:
+        before, refused, changed = self._document.project, "", list[RotoShape]()
+        free = self._free(shapes)
+        for shape in map(before.find, free):
+            assert isinstance(shape, RotoShape)
             try:
-                after = after.map_item(shape_id, verbs[shape_id])
-                changed.append(shape_id)
+                changed.append(verbs[shape.id](shape))
             except RoamError as error:  # the others can
                 refused = refused or sentence_of(error)
         if not free:
@@ -83,4 +83,5 @@ class OrderActions:
             return
         self._view.say(refused or (tr(LOCKED_STAYS) if len(free) < len(shapes) else told))
         if changed:  # last, so that a run that ends for it has the word
-            self._document.apply(text, with_same_outlines(before, after, changed))
+            after = before.with_held(changed)
+            self._document.apply(text, with_same_outlines(before, after, [shape.id for shape in changed]))

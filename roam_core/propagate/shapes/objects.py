@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property, lru_cache, wraps
@@ -156,8 +156,8 @@ class _Question:
 @lru_cache(maxsize=8)
 def _grouped(question: _Question) -> list[list[int]]:
     shapes, gap = question.shapes, question.gap
-    apart = _apart(shapes, gap)
-    return _joined(len(shapes), lambda i, j: not apart[i, j] and _belong(shapes[i], shapes[j], gap))
+    near_pairs = np.argwhere(np.triu(~_apart(shapes, gap), 1)).tolist()
+    return _joined(len(shapes), near_pairs, lambda i, j: _belong(shapes[i], shapes[j], gap))
 
 
 def _apart(shapes: Sequence[RotoShape], gap: float) -> Bools:
@@ -181,11 +181,14 @@ def _beyond(boxes: Sequence[Box], gap: float) -> Bools:
     return np.asarray((high[None] < low[:, None] - gap).any(axis=2) | (low[None] > high[:, None] + gap).any(axis=2))
 
 
-def _joined(count: int, belong: Callable[[int, int], bool]) -> list[list[int]]:
-    """The numbers below `count`, grouped so that two which belong together are in one group; all in order."""
+def _joined(count: int, pairs: Iterable[Sequence[int]], belong: Callable[[int, int], bool]) -> list[list[int]]:
+    """The numbers below `count`, grouped so that two which belong together are in one group; all in order.
+
+    Only these `pairs` of them can.
+    """
     groups = [[i] for i in range(count)]
     group_of = list(range(count))
-    for i, j in combinations(range(count), 2):
+    for i, j in pairs:
         ours, theirs = group_of[i], group_of[j]
         if ours != theirs and belong(i, j):  # what is joined already need not be asked again
             groups[ours] += groups[theirs]
@@ -340,7 +343,8 @@ def _crowds(things: Sequence[tuple[int, ...]], meet: Callable[[int, int], bool])
     def belong(one: int, other: int) -> bool:
         return any(meet(i, j) for i in things[one] for j in things[other])
 
-    return [[things[number] for number in numbers] for numbers in _joined(len(things), belong)]
+    pairs = combinations(range(len(things)), 2)
+    return [[things[number] for number in numbers] for numbers in _joined(len(things), pairs, belong)]
 
 
 def cuts(shapes: Sequence[RotoShape]) -> list[bool]:

@@ -12,7 +12,7 @@ import bisect
 import hashlib
 import json
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -245,7 +245,7 @@ class Stamps:
         self._known: dict[tuple[object, ...], str] = {}
         self._solved: dict[tuple[tuple[int, ...], int, bool], tuple[int, ...]] = {}
         self._given: dict[tuple[tuple[int, ...], bool], list[int]] = {}
-        self._params: dict[int, tuple[int, RoamParams]] = {}
+        self._params: dict[int, RoamParams] = {}
         self._together: dict[tuple[int, ...], tuple[RotoShape, ...]] = {}
         self._borders_of: dict[int, list[int]] = {}
 
@@ -320,7 +320,8 @@ class Stamps:
 
     def _number(self, params: RoamParams) -> int:
         """A number for parameters, by their identity: to compare all their fields for every key would take long."""
-        return self._params.setdefault(id(params), (len(self._params), params))[0]
+        self._params[id(params)] = params  # while it lives no other has its identity
+        return id(params)
 
     def filled(self, k: int, gap: Gap, params: RoamParams, alone: bool = False, asked_beyond: bool = False) -> str:
         """The stamp that filling a gap gives a shape, whether or not the keys beyond it were asked."""
@@ -358,24 +359,31 @@ class Stamps:
         return self.tracked(k, key.frame, made.begun, params, made.forward, made.alone) != key.inputs
 
     def stale_frames(self, shape: RotoShape) -> list[int]:
-        """The frames of those keys of a shape that are stale, in order.
+        """The frames of those keys of a shape that are stale, in order; of those that are alike one is asked."""
+        return [key.frame for run in self.alike(shape) if self.is_stale(shape, run[0]) for key in run]
 
-        Keys of one stamp hold or fail alike up to the next frame on which the artist did something: one is looked at.
+    def alike(self, shape: RotoShape) -> Iterator[list[Keyframe]]:
+        """The ENGINE keys of a shape in order, those together that hold or fail alike, and would be stamped alike.
+
+        Keys of one stamp are, up to the next frame on which the artist did something.
         """
-        borders, stale = self._borders(shape), list[int]()
-        inputs, low, high, answer = "", math.inf, -math.inf, False
+        borders, run = self._borders(shape), list[Keyframe]()
+        low, high = math.inf, -math.inf
         for key in shape.keys:
             if key.origin is not Origin.ENGINE:
                 continue
-            if not (low < key.frame < high and key.inputs == inputs):
-                place = bisect.bisect_left(borders, key.frame)
-                is_border = place < len(borders) and borders[place] == key.frame
-                low = key.frame - 1 if is_border else borders[place - 1] if place else -math.inf
-                high = key.frame + 1 if is_border else borders[place] if place < len(borders) else math.inf
-                inputs, answer = key.inputs, self.is_stale(shape, key)
-            if answer:
-                stale.append(key.frame)
-        return stale
+            if run and low < key.frame < high and key.inputs == run[0].inputs:
+                run.append(key)
+                continue
+            if run:
+                yield run
+            place = bisect.bisect_left(borders, key.frame)
+            is_border = place < len(borders) and borders[place] == key.frame
+            low = key.frame - 1 if is_border else borders[place - 1] if place else -math.inf
+            high = key.frame + 1 if is_border else borders[place] if place < len(borders) else math.inf
+            run = [key]
+        if run:
+            yield run
 
     def _borders(self, shape: RotoShape) -> list[int]:
         """The frames, in order, on which the artist did something to a shape or to others of its object.

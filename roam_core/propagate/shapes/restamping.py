@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import replace
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
+from roam_core.propagate.shapes.known_stamps import stamps_of
 from roam_core.propagate.shapes.provenance import FILL, Stamp, Stamps, known_params
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
@@ -17,17 +17,14 @@ def restamped(before: Project, after: Project, shape_ids: Iterable[str], frames:
     ENGINE keys that held `before`, and whose knowledge begins and ends on these frames, get the stamp that fits the
     artist's keys as they are now. What reaches beyond the frames, or was stale, keeps its stamp.
     """
-    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    held, now = stamps_of(before), stamps_of(after)
     place = {shape.id: k for k, shape in enumerate(after.shapes)}
     fresh_shapes: list[RotoShape] = []
     for shape_id in shape_ids:
         was, shape = before.shape(shape_id), after.shape(shape_id)
-        kept = {key.frame for key in was.keys if _lies_on(key, frames) and not held.is_stale(was, key)}
-        keys = [key for key in shape.keys if key.origin is Origin.ENGINE and key.frame in kept]
-        fresh = [
-            replace(key, inputs=import_stamp(shape, key.frame) if is_import(key) else _stamp(now, place[shape_id], key))
-            for key in keys
-        ]
+        held_runs = (run for run in held.alike(was) if _lies_on(run[0], frames) and not held.is_stale(was, run[0]))
+        kept = {key.frame for run in held_runs for key in run if key.frame in frames}
+        fresh = [key for run in now.alike(shape) for key in _stamped(now, place[shape_id], shape, run, kept)]
         fresh_shapes.append(shape.with_keys(fresh))
     return after.with_shapes(fresh_shapes)
 
@@ -44,7 +41,7 @@ def renumbered(project: Project, before: Clip) -> Project:
     fresh_shapes: list[RotoShape] = []
     for k, (was, shape) in enumerate(zip(project.shapes, after.shapes, strict=True)):
         fresh = [
-            replace(new, inputs=_stamp(now, k, new))
+            new.but(inputs=_stamp(now, k, new))
             for old, new in zip(was.keys, shape.keys, strict=True)
             if old.origin is Origin.ENGINE and not is_import(old) and not held.is_stale(was, old)
         ]
@@ -52,10 +49,23 @@ def renumbered(project: Project, before: Clip) -> Project:
     return after.with_shapes(fresh_shapes)
 
 
+def _stamped(
+    now: Stamps, k: int, shape: RotoShape, run: Sequence[Keyframe], kept: Collection[int]
+) -> Iterator[Keyframe]:
+    """Of keys of the shape with this index that are stamped alike those on the frames `kept`, with their stamp now.
+
+    Those that have it already are left out.
+    """
+    told = [key for key in run if key.frame in kept]
+    if told:
+        first = told[0]
+        inputs = import_stamp(shape, first.frame) if is_import(first) else _stamp(now, k, first)
+        if inputs != first.inputs:
+            yield from (key.but(inputs=inputs) for key in told)
+
+
 def _lies_on(key: Keyframe, frames: range) -> bool:
-    """Whether an ENGINE key, and the frames on which its run began and ended, lie on these."""
-    if key.origin is not Origin.ENGINE or key.frame not in frames:
-        return False
+    """Whether the frames on which the run of an ENGINE key began and ended lie on these."""
     made = Stamp.read(key.inputs)
     return all(end is None or end in frames for end in (made.begun, made.until))
 

@@ -9,7 +9,7 @@ import pytest
 
 from app.model.document import Document
 from app.model.holding import held_only_by
-from roam_core.roto import Keyframe, Project, edit
+from roam_core.roto import Keyframe, Project, RotoShape, edit
 
 POINTS = np.zeros((500, 3, 2))
 STEP = POINTS.nbytes
@@ -89,3 +89,13 @@ def test_steps_are_not_gone_through_while_they_hold_little(
     document.undo_bytes = 10 * STEP
     move(document, shape_id, 30.0)
     assert gone_through
+
+
+def test_arrays_of_keys_count_that_are_no_keys_of_the_other_project() -> None:
+    soft = Keyframe(2, POINTS, feather=POINTS)
+    keys = (Keyframe(1, POINTS), soft, Keyframe(3, POINTS, vertex_confidence=np.ones(500)))
+    project = edit.add_shape(Project(), RotoShape("s", "s", keys))
+    arrays = [a.nbytes for key in keys for a in (key.points, key.feather, key.vertex_confidence) if a is not None]
+    assert sum(arrays) < held_only_by(project, Project()) < sum(arrays) + 10_000
+    other = project.with_shape(project.shape("s").with_key(Keyframe(2, POINTS)))
+    assert held_only_by(project, other) - held_only_by(other, project) == POINTS.nbytes  # the feather of the one key

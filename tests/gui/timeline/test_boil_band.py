@@ -102,6 +102,24 @@ def test_boil_is_measured_anew_only_around_a_key_that_changed(
     assert measured(changed) is measured(changed)
 
 
+def test_an_undo_brings_the_boil_back_that_was_measured(
+    document: Document, timeline: Timeline, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After each undo and redo of an edit of hundreds of shapes all were measured anew, for seconds."""
+    measured, shape = boil_of_document(document), document.project.shapes[0]
+    before = measured(shape)
+    document.apply("Bend", document.project.with_shape(bent(shape, 60.0)))
+    after = measured(document.project.shapes[0])
+    assert not np.array_equal(before, after)
+    from app.features import boil as room
+
+    monkeypatch.setattr(room, "boil_of", lambda keys, closed: pytest.fail("measured anew"))
+    for step, told in ((document.undo_stack.undo, before), (document.undo_stack.redo, after)):
+        step()
+        assert measured.so_far(document.project.shapes)[0][1] is told
+        assert measured(document.project.shapes[0]) is told
+
+
 def test_of_several_shapes_each_frame_has_the_greatest() -> None:
     measured = [np.array([[1.0, 0.5], [3.0, 2.0]]), np.empty((0, 2)), np.array([[3.0, 1.0], [2.0, 0.1]])]
     assert on_each_frame(np.maximum, measured).tolist() == [[1.0, 0.5], [2.0, 0.1], [3.0, 2.0]]

@@ -153,3 +153,30 @@ def test_what_a_file_put_between_its_keys_is_a_tick_without_confidence() -> None
     assert (marks.artist.tolist(), marks.engine.tolist()) == ([5, 9], [7])
     assert marks.confidence.shape == (0, 2)
     assert marks_of(moved, stamps(moved)).stale.tolist() == [7]
+
+
+def test_an_undo_brings_marks_back_that_were_told_before(document: Document, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each undo and redo of an edit of hundreds of shapes asked for the stamps of all, and made all marks anew."""
+    document.open(edit.add_shape(Project(CLIP), tracked()), None)
+    marks, asked, stale = MarksOf(document), list[str](), Stamps.stale_frames
+    monkeypatch.setattr(Stamps, "stale_frames", lambda self, shape: asked.append(shape.id) or stale(self, shape))
+    before = marks(document.project.shape("s"))
+    moved = edit.set_key(document.project.shape("s"), 5, SQUARE + 3.0)
+    document.apply("Move", document.project.with_shape(moved))
+    after = marks(document.project.shape("s"))
+    assert asked == ["s", "s"]
+    assert before.stale.tolist() != after.stale.tolist()
+    for step, told in ((document.undo_stack.undo, before), (document.undo_stack.redo, after)):
+        step()
+        assert marks(document.project.shape("s")) is told
+    assert asked == ["s", "s"]
+    assert marks(moved, Project(CLIP)).artist.tolist() == [5, 15], "of a value that is in no project, told by itself"
+
+
+def test_marks_of_projects_that_are_gone_go(document: Document) -> None:
+    document.open(edit.add_shape(Project(CLIP), tracked()), None)
+    marks = MarksOf(document)
+    for by in range(3):
+        preview = document.project.with_shape(edit.set_key(document.project.shape("s"), 5, SQUARE + by))
+        marks(preview.shape("s"), preview)
+    assert len(marks._of_projects) <= 2

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Layer, LayerTransform, Project, edit, file, linking
+from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit, file, linking
+from roam_core.roto import shape as shape_module
 from roam_core.roto.copies import duplicated, joined, taken_out
 from roam_core.roto.shape import NO_COLOUR
 
@@ -106,3 +107,20 @@ def test_what_joins_without_a_colour_gets_one_of_its_own(project: Project) -> No
     after, copies = joined(project, [Layer("layer-1", "New", tuple(plain))])
     assert copies == ["layer-3"]
     assert len({shape.colour for shape in after.shapes}) == 6
+
+
+def test_a_copy_in_a_moving_layer_has_the_very_keys(project: Project, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They were taken out of the layer and back, and placed once more: seconds, where there are hundreds of shapes."""
+    shape = project.shape("shape-3")
+    project = project.with_shape(shape.with_keys([Keyframe(frame, SQUARE + frame / 3.0) for frame in (2, 3, 4)]))
+    own, seen = project.find("shape-3"), project.shape("shape-3")
+    carried = list[int]()
+    monkeypatch.setattr(shape_module, "_carried_keys", lambda keys, *_: carried.append(len(keys)) or [])
+    after, (copy,) = duplicated(project, ["shape-3"])
+    held, placed = after.find(copy), after.shape(copy)
+    assert sum(carried) == 0
+    for one, original in ((held, own), (placed, seen)):
+        assert isinstance(one, RotoShape)
+        assert isinstance(original, RotoShape)
+        assert [key is old for key, old in zip(one.keys, original.keys, strict=True)] == [True] * 4
+    assert told(after.root) == "Arm Body(Leg 9 Foot(Toe Toe 1))"

@@ -284,3 +284,26 @@ def test_the_keys_of_a_whole_shape_are_carried_bit_by_bit_as_one_by_one(soft: bo
             alone = [module._carried_key(key, placement, way) for key in before.keys]
             assert [key.points.tobytes() for key in now.keys] == [key.points.tobytes() for key in alone]
             assert list(now.keys) == alone
+
+
+def test_keys_that_an_edit_changed_in_all_but_their_points_lie_where_they_lay(monkeypatch: pytest.MonkeyPatch) -> None:
+    """New stamps on tracked keys took their points out of the layer and back: a little off, and seconds of many."""
+    one = project(LayerTransform.of({1: TILT, 5: moved(1 / 3, 1 / 7)}))
+    shape = one.shape("shape-1")
+    one = one.with_shape(shape.with_keys([Keyframe(f, SQUARE + f, SQUARE / 9, inputs="a") for f in range(4, 40)]))
+    held, seen = one.find("shape-1"), one.shape("shape-1")
+    assert isinstance(held, RotoShape)
+    carried = list[int]()
+    monkeypatch.setattr(module, "_carried_keys", lambda keys, *_: carried.append(len(keys)) or [])
+    after = one.with_shape(seen.with_keys([key.but(inputs="b") for key in seen.keys[2:]]))
+    left, now = after.find("shape-1"), after.shape("shape-1")
+    assert sum(carried) == 0
+    assert isinstance(left, RotoShape)
+    for shown, before in ((now, seen), (left, held)):
+        assert [key.inputs for key in shown.keys] == ["", "", *["b"] * 36]
+        for key, old in zip(shown.keys, before.keys, strict=True):
+            assert key.points is old.points
+            assert key == replace(old, inputs=key.inputs)
+    monkeypatch.undo()
+    (fresh,) = file.loads(file.dumps(after, Path()), Path()).shapes
+    assert fresh.keys == now.keys

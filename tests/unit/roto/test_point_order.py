@@ -151,3 +151,27 @@ def test_a_copied_key_comes_back_in_the_order_that_its_shape_has_now() -> None:
         pasted = paste_key(turned, targets(project, copied, chosen)["shape-1"], [7])
         assert np.array_equal(pasted.at(7).points, turned.at(5).points)
     assert np.array_equal(targets(project, copied, [other])["shape-2"].points, shape.at(5).points)
+
+
+@pytest.mark.parametrize("feathered", [False, True])
+def test_all_keys_at_once_are_reordered_bit_by_bit_as_one_by_one(
+    feathered: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each key was looked at again: seconds, where hundreds of shapes have hundreds of keys."""
+    shape = blob(feathered=feathered)
+    shape = shape.with_key(replace(shape.keys[2], feather=None))
+    order, made = point_order.reversed_order(shape), list[object]()
+    monkeypatch.setattr(Keyframe, "__post_init__", made.append)
+    turned = reversed_direction(shape)
+    assert made == []
+    monkeypatch.undo()
+    for own, key in zip(turned.keys, shape.keys, strict=True):
+        trust = None if key.vertex_confidence is None else key.vertex_confidence[order]
+        assert own == replace(
+            key,
+            points=key.points[order][:, [0, 2, 1]],
+            feather=None if key.feather is None else key.feather[order][:, [0, 2, 1]],
+            vertex_confidence=trust,
+            set_points=tuple(sorted(np.argsort(order)[list(key.set_points)].tolist())),
+        )
+        assert not own.points.flags.writeable

@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
-from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, timing
 
 POINTS = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (0.0, 10.0)])
 
@@ -124,3 +124,21 @@ def test_hundreds_of_questions_go_through_the_tree_once(project: Project, monkey
         assert not project.is_locked("shape-3")
         assert project.has("shape-4")
     assert len(walks) <= 1
+
+
+def test_many_shapes_are_put_into_their_layers_at_once(project: Project, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A drag of all keys of the timeline built the tree anew for each of its shapes."""
+    ids = ["shape-3", "shape-1", "shape-2"]
+    wanted = project
+    for shape_id in ids:
+        wanted = wanted.map_item(shape_id, lambda held: replace(held, name="New"))
+    made, after = list[str](), Layer.__post_init__
+    monkeypatch.setattr(Layer, "__post_init__", lambda layer: made.append(layer.id) or after(layer))
+    given = [replace(project.find(shape_id), name="New") for shape_id in ids]
+    assert project.with_held(given) == wanted
+    assert sorted(made) == ["layer-1", "layer-2", "root"]
+    assert project.with_held([]) is project
+    places = [("shape-1", 1), ("shape-2", 1), ("shape-3", 1)]
+    made.clear()
+    assert [shape.frames for shape in timing.move_keys(project, places, 2).shapes] == [(3,), (3,), (3,), (1,)]
+    assert sorted(made) == ["layer-1", "layer-2", "root"]

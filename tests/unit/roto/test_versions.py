@@ -28,6 +28,7 @@ from roam_core.roto import (
     RotoShape,
     animated,
     file,
+    keyframe,
     motion_blur,
     placement,
     project,
@@ -63,7 +64,7 @@ def objects_in(value: Any) -> Iterator[Any]:
             yield from objects_in(item)
 
 
-MODELS = defined_in(shape, motion_blur, project, placement, animated)
+MODELS = defined_in(keyframe, shape, motion_blur, project, placement, animated)
 FIELDS = [
     (kind, field)
     for kind in sorted(MODELS, key=lambda kind: kind.__name__)

@@ -413,6 +413,49 @@ def test_what_is_gone_and_was_a_part_of_a_tracked_object_is_told(document: Docum
     assert view_state.message == "Tracked frames of Part 1 are out of date: what is gone was a part of its object."
 
 
+def test_of_hundreds_of_shapes_that_an_edit_outdates_a_few_are_asked(
+    document: Document, view_state: ViewState, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three names are told; to find them each copy of a tracked shape was asked for the stamps of all its frames."""
+    clip = Clip(Path("plate"), 1, 9, (900, 900))
+    parts = [RotoShape(f"shape-{k}", f"Part {k}", (Keyframe(1, SQUARE + 40.0 * k),)) for k in range(1, 21)]
+    stamps = Stamps.of(parts, clip)
+    keys = [
+        Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=stamps.tracked(k, 2, 1, CONFIGS[DEFAULT_CONFIG], True))
+        for k in range(20)
+    ]
+    document.open(
+        edit.add_items(Project(clip), [part.with_key(key) for part, key in zip(parts, keys, strict=True)])[0], None
+    )
+    asked, stale = list[str](), Stamps.stale_frames
+    monkeypatch.setattr(Stamps, "stale_frames", lambda self, shape: asked.append(shape.id) or stale(self, shape))
+    view_state.select(frozenset(part.id for part in parts))
+    ShapeVerbs(document, view_state).duplicate()
+    assert view_state.message.startswith("Tracked frames of Part 1, Part 2, Part 3 … are out of date")
+    assert set(asked) == {"shape-1", "shape-2", "shape-3", "shape-4"}
+
+
+def test_what_is_pasted_is_taken_out_of_the_clipboard_once(
+    document: Document, view_state: ViewState, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Hundreds of shapes are 100 MB of text."""
+    (only,) = opened(document, 1)
+    view_state.select(frozenset({only}))
+    clipboard = ShapeClipboard(document, view_state)
+    clipboard.copy()
+    taken, text = list[int](), QGuiApplication.clipboard().text()
+
+    class Counted:
+        def text(self) -> str:
+            taken.append(len(text))
+            return text
+
+    monkeypatch.setattr(QGuiApplication, "clipboard", Counted)
+    clipboard.paste()
+    assert len(document.project.shapes) == 2
+    assert taken == [len(text)]
+
+
 @pytest.mark.parametrize("way", ["key", "drop", "group"])
 def test_parts_of_a_tracked_object_that_are_stacked_otherwise_are_told(
     qtbot: QtBot, document: Document, view_state: ViewState, way: str

@@ -10,10 +10,11 @@ import pytest
 
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes import restamping
 from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, fill_stamp, stamp
 from roam_core.propagate.shapes.restamping import renumbered, restamped
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape
-from roam_core.roto.imported import IMPORT, stamped
+from roam_core.roto.imported import IMPORT, import_stamp, is_import, stamped
 from roam_core.roto.shifting import shifted
 
 CLIP = Clip(Path("/plates/plate"), 1001, 1012, (160, 120))
@@ -115,3 +116,39 @@ def test_where_the_plate_is_numbered_anew_what_was_fresh_is_fresh_and_what_was_s
         assert after.shapes[0].frames == tuple(frame - 1000 for frame in held.frames)
         assert stale(after) == [frame - 1000 for frame in stale(project(held))]
         assert after.clip == clip
+
+
+def one_by_one(before: Project, after: Project, frames: range) -> Project:
+    """What `restamped` gives of all shapes, each key asked by itself."""
+    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    fresh = []
+    for k, (was, shape) in enumerate(zip(before.shapes, after.shapes, strict=True)):
+        kept = {
+            key.frame
+            for key in was.keys
+            if key.origin is Origin.ENGINE
+            and key.frame in frames
+            and restamping._lies_on(key, frames)
+            and not held.is_stale(was, key)
+        }
+        keys = [key for key in shape.keys if key.origin is Origin.ENGINE and key.frame in kept]
+        stamps = [import_stamp(shape, e.frame) if is_import(e) else restamping._stamp(now, k, e) for e in keys]
+        fresh.append(shape.with_keys(replace(e, inputs=new) for e, new in zip(keys, stamps, strict=True)))
+    return after.with_shapes(fresh)
+
+
+@pytest.mark.parametrize("frames", [ALL, range(1002, 1010), range(1003, 1009)])
+def test_keys_that_are_stamped_alike_are_asked_as_one(frames: range, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 300 shapes each of 500 keys was asked, and made anew, by itself."""
+    apart = [key(frame, IMPORT * (frame % 4 > 0)) for frame in range(1001, 1010)]
+    read = stamped(RotoShape("shape-2", "Two", tuple(each.but(points=each.points + 90.0) for each in apart)))
+    assert isinstance(read, RotoShape)
+    one = tracked()
+    one = one.with_keys([replace(one.key_at(1006), inputs="forward:best:0123:from=1003")])  # type: ignore[type-var]
+    before = Project(CLIP, Layer("root", "Root", (one, read)))
+    after = before.with_shapes(moved(shape, frames) for shape in before.shapes)
+    wanted = one_by_one(before, after, frames)
+    asked, is_stale = list[int](), Stamps.is_stale
+    monkeypatch.setattr(Stamps, "is_stale", lambda self, s, k: asked.append(k.frame) or is_stale(self, s, k))
+    assert restamped(before, after, ["shape-1", "shape-2"], frames) == wanted
+    assert len(asked) <= 8, "once for keys of one stamp from one key of the artist's to the next, of fourteen keys"
