@@ -47,6 +47,11 @@ class Grid:
         """Grid positions `(..., 2)` in pixels of the image."""
         return np.asarray(positions / self.factor + self.region.origin)
 
+    def cells_of(self, box: Region) -> tuple[slice, slice]:
+        """The rows and the columns of the cells in a box within the region."""
+        (x0, y0), (x1, y1) = np.round(self.to_grid(np.array([(box.x0, box.y0), (box.x1, box.y1)]))).astype(int).tolist()
+        return slice(y0, y1), slice(x0, x1)
+
     @cached_property
     def map_to_image(self) -> Array:
         """The affine map `(3, 3)` from grid to image positions."""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
-from roam_core.features import PreparedFrame
+from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid, beyond_edge
 from roam_core.geometry import similarity
 
@@ -18,14 +18,20 @@ LEAST_SIDE = 48
 
 
 def dense_flow(
-    before: PreparedFrame, after: PreparedFrame, grid: Grid, is_exact: bool = False
+    before: PreparedFrame, after: PreparedFrame, grid: Grid, is_exact: bool = False, near: Region | None = None
 ) -> tuple[Float32, Float32]:
     """Flow `(rows, columns, 2)` from `before` to `after` and back, in cells of the grid (Kroeger et al., ECCV 2016).
 
-    At the fastest preset; `is_exact` takes about three times as long, and follows outlines closely.
+    At the fastest preset; `is_exact` takes about three times as long, and follows outlines closely. What lies `near`,
+    in a box within the grid's region, is looked at by itself: in a wide window its motion is bound to that around it.
     """
     old, new = (grid.grey_of(frame) for frame in (before, after))
-    return cell_flow(old, new, is_exact), cell_flow(new, old, is_exact)  # each on all threads that OpenCV has
+    flows = cell_flow(old, new, is_exact), cell_flow(new, old, is_exact)  # each on all threads that OpenCV has
+    if near is not None and near != grid.region:
+        cells = grid.cells_of(near)
+        for flow, (one, other) in zip(flows, ((old, new), (new, old)), strict=True):
+            flow[cells] = cell_flow(one[cells], other[cells], is_exact)
+    return flows
 
 
 def cell_flow(before: UInt8, after: UInt8, is_exact: bool = False, finest: int = 1) -> Float32:

@@ -88,7 +88,7 @@ class LastSeen:
         Its size and turn are taken over where they are sure: from `RedetectionParams.whole` of its area and
         `almost` full `resemblance` (`AppearanceTemplate.resemblance`) on.
         """
-        area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
+        area = carried_area(key)
         returning = max(self.returning - 1, 0)
         if resemblance >= self.params.almost and area_of(region) >= self.params.whole * area:
             largest = max(area, self.area, self.largest)
@@ -387,6 +387,11 @@ def _size_of(transform: Array) -> float:
 def area_of(region: Field) -> float:
     """Square pixels inside."""
     return np.count_nonzero(region.inside) / float(np.prod(region.grid.factor))
+
+
+def carried_area(key: KeyMemory) -> float:
+    """Square pixels that the object, carried from the key, takes up where nothing hides it."""
+    return area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
 
 
 def middle_of(region: Field) -> Array:

@@ -10,15 +10,15 @@ from roam_core.arrays import Array, Bools, Float32
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.geometry import bezier
+from roam_core.geometry import bezier, similarity
 from roam_core.motion.fast import fast_displacement, with_fast_flow
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.motion.patches import PatchMotion
 from roam_core.params import FastMotionParams, RegionParams, scale_for
 from roam_core.propagate.frame.covering import visible
-from roam_core.propagate.frame.redetection import Behind
+from roam_core.propagate.frame.redetection import Behind, area_of, carried_area
 from roam_core.propagate.whole import patched
-from roam_core.propagate.whole.interest import corners, grid_around
+from roam_core.propagate.whole.interest import box_of, corners, grid_around
 from roam_core.propagate.whole.rigid import PlanePose, Rigidity
 from roam_core.propagate.whole.state import RegionState
 from roam_core.proposal.cues.background import correction
@@ -75,11 +75,12 @@ def observed(
     scale = scale_for(frame.size)
     spots = np.vstack([corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
     displacement = _displacement(state, frame, spots, params.fast_motion)
-    grid = grid_around(spots, frame.size, params, scale, displacement)
+    near = grid_around(spots, frame.size, params, scale, displacement)
+    grid = grid_around(spots, frame.size, params, scale, displacement, _mostly_hidden(state, params))
     if min(grid.shape) < 4:
         return None
     fine = Grid.over(grid.region, 1.0 / scale)
-    flows = dense_flow(state.frame, frame, fine, is_exact=params.label_propagation_weight > 0)
+    flows = dense_flow(state.frame, frame, fine, params.label_propagation_weight > 0, near.region)
     everywhere = state.region.on(fine) > 0.5
     inside = visible(everywhere, state.covers, fine, params.least_seen)
     if displacement is not None:
@@ -126,6 +127,13 @@ def observed(
         sides, background, state.texture,
     )  # fmt: skip
     return Observation(frame, sources, moved, agreement, rigidity, plane_pose, patch_motion)
+
+
+def _mostly_hidden(state: RegionState, params: RegionParams) -> Array | None:
+    """The corners `(4, 2)` of the box of the object, carried from the key, where most of it is hidden; else None."""
+    if area_of(state.region) >= params.redetection.whole * carried_area(state.key):
+        return None
+    return similarity.apply(state.key.to_now[:2], box_of(state.key.region))
 
 
 def _drawn_to(

@@ -41,6 +41,19 @@ def test_a_shift_is_found_both_ways_and_as_a_similarity_of_the_image(is_exact: b
     assert agreement > 0.9
 
 
+def test_what_lies_near_has_the_flow_of_its_own_window() -> None:
+    image = textured(150, 200)
+    moved = cv2.warpAffine(image, np.array([[1.0, 0, 4.0], [0, 1.0, 2.0]]), (200, 150), borderMode=cv2.BORDER_REFLECT)
+    before, after = PreparedFrame(image), PreparedFrame(moved)
+    wide, near = Grid(Region(10, 10, 190, 140), 130, 180), Region(20, 30, 100, 110)
+    alone = dense_flow(before, after, Grid.over(near, 1.0))
+    plain = dense_flow(before, after, wide)
+    for own, together, other in zip(alone, dense_flow(before, after, wide, near=near), plain, strict=True):
+        np.testing.assert_array_equal(together[20:100, 10:90], own)
+        together[20:100, 10:90] = other[20:100, 10:90]
+        np.testing.assert_array_equal(together, other)
+
+
 def test_an_empty_inside_stands_still() -> None:
     grid = Grid(Region(0, 0, 60, 60), 60, 60)
     transform, agreement = flow_similarity(np.ones((60, 60, 2), np.float32), np.zeros((60, 60), bool), grid)

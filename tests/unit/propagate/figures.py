@@ -316,3 +316,19 @@ def card_that_comes_out(count: int = 13) -> tuple[list[UInt8], list[UInt8]]:
         pictures.append(np.uint8(np.clip(scene, 0.0, 255.0)))
         masks.append(np.uint8(255) * inside)
     return pictures, masks
+
+
+def card_behind_a_pole(count: int = 13) -> tuple[list[UInt8], list[UInt8]]:
+    """Pictures and masks of a card that passes behind a pole, on whose both sides some of it is seen in the middle."""
+    height, width = 480, 640
+    places = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
+    ground, face, bark = texture(31, 60.0, 120.0), texture(32, 110.0, 240.0), texture(33, 60.0, 100.0)
+    pole = (places[..., 0] > 270.0) & (places[..., 0] < 370.0)
+    behind, pictures, masks = np.where(pole[..., None], bark.at(places), ground.at(places)), [], []
+    for k in range(count):
+        on_card = places - (184.0 + 16.0 * k, 240.0)
+        inside = (np.abs(on_card) < (80.0, 80.0)).all(axis=-1) & ~pole
+        scene = np.where(inside[..., None], face.at(on_card), behind)
+        pictures.append(np.uint8(np.clip(scene, 0.0, 255.0)))
+        masks.append(np.uint8(255) * inside)
+    return pictures, masks
