@@ -130,8 +130,11 @@ def observed(
 
 
 def _mostly_hidden(state: RegionState, params: RegionParams) -> Array | None:
-    """The corners `(4, 2)` of the box of the object, carried from the key, where most of it is hidden; else None."""
-    if area_of(state.region) >= params.redetection.whole * carried_area(state.key):
+    """The corners `(4, 2)` of the box of the object, carried from the key, where most of it is hidden; else None.
+
+    So of one that its colours tell where it comes out: a limb has lookalikes.
+    """
+    if not state.is_told_by_colours or area_of(state.region) >= params.redetection.whole * carried_area(state.key):
         return None
     return similarity.apply(state.key.to_now[:2], box_of(state.key.region))
 

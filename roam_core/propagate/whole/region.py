@@ -135,7 +135,7 @@ def _is_doubted(state: RegionState, params: RegionParams) -> bool:
     lookalikes: only where less is to be expected of it. What its colours do not tell from its surroundings has them
     everywhere: only where nothing is left of it.
     """
-    if state.last_seen.returning > 0 and state.appearance.is_distinct and not state.is_posed:
+    if state.last_seen.returning > 0 and state.is_told_by_colours:
         return True
     bound = params.doubted
     if state.trust < bound and not state.appearance.is_distinct:

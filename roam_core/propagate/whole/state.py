@@ -79,6 +79,11 @@ class RegionState:
         return isinstance(self.features, PoseFeatures)
 
     @property
+    def is_told_by_colours(self) -> bool:
+        """Whether the object's colours tell it from its surroundings, and no pose holds it: then it is known again."""
+        return self.appearance.is_distinct and not self.is_posed
+
+    @property
     def agreement_as_one_piece(self) -> float | None:
         """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
         return (
