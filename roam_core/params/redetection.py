@@ -39,7 +39,7 @@ class RedetectionParams:
     ring : width of the surroundings that must look unlike the object, in roots of its area.
     clip : bound on the log-ratio of a cell, nats.
     lost : share of the area that it should have under which an object is lost.
-    whole : share of it from which its size and turn are sure.
+    whole : share of it from which its size and turn are sure; of less, all that the key expects is looked at.
     almost : resemblance from which they are.
     least, distinct : root of its area on the key in pixels, and nats by which it differs there from its
         surroundings, from which it can be known again by its colours.

@@ -53,9 +53,10 @@ NO_CHOICE = {
     "kernels/mask_fit.py": {"AROUND", "FINE"},
     # Another library's defect, that it dies of.
     "motion/flow.py": {"LEAST_SIDE"},
-    # Bookkeeping: a revision, a length without meaning, what an explanation shows.
+    # Bookkeeping: a revision, a length without meaning, what an explanation shows, how many results are kept.
     "propagate/shapes/provenance.py": {"REVISION", "MIN_POINTS"},
     "propagate/shapes/departed.py": {"NAMED"},
+    "propagate/shapes/known_stamps.py": {"AT_ONE_TIME"},
     "propagate/engines/by_regions.py": {"BESIDE"},
 }
 """By module the constants that are no choice, each with its reason above."""

@@ -57,7 +57,7 @@ def step(
     assert params.part is not None
     scale, stepped = scale_for(frame.size), None
     if state.union is not None:
-        stepped = region.step(state.union, frame, replace(params, pose=None), token)
+        stepped = region.step(state.union, frame, _for_the_union(state.union, params), token)
     union = None if stepped is None else stepped.state
     after = replace(state, frame=frame, union=union, steps=state.steps + 1)
     lit = after.light_now.removed(frame)
@@ -318,6 +318,15 @@ class _Solving:
             return None
         at, reach = np.array(places), self.params.tie_reach * self.scale
         return Ties(at, pose.template.chain.skin(at), np.array(targets), np.array(weights), reach)
+
+
+def _for_the_union(union: RegionState, params: RegionParams) -> RegionParams:
+    """What the union is carried with: its parts have the poses.
+
+    Where nothing was seen of it, they tell where it is: it is not looked for beyond where it was last.
+    """
+    params = replace(params, pose=None)
+    return replace(params, redetection=replace(params.redetection, whole=0.0)) if union.is_lost else params
 
 
 def _moved(before: RegionState, after: RegionState) -> Array:

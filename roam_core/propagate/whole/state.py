@@ -69,9 +69,14 @@ class RegionState:
     @property
     def trust(self) -> float:
         """The IoU to be expected of the last frame; 0 where the object was lost on it."""
-        if self.features is None or self.last_seen.since > 0:
+        if self.features is None or self.is_lost:
             return 0.0
         return expected_overlap(self.features, params=self.params.confidence)
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether nothing of the object was seen on the last frame."""
+        return self.last_seen.since > 0
 
     @property
     def is_posed(self) -> bool:
