@@ -410,9 +410,9 @@ class MainWindow(QMainWindow):
             self.file_actions.open_dropped(paths, at_once=alt)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc that nothing else had a use for leaves the full screen."""
-        if event.key() == Qt.Key.Key_Escape and self.full_screen.is_on:
-            self.full_screen.leave()
+        """Esc that nothing else had a use for pauses what plays, else it leaves the full screen."""
+        if event.key() == Qt.Key.Key_Escape and (self.view_state.is_playing or self.full_screen.is_on):
+            (self.playback.pause if self.view_state.is_playing else self.full_screen.leave)()
         else:
             event.ignore()
 

@@ -8528,8 +8528,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{key} von {name} wird nicht gelesen: Die Form bleibt, wo ihre Punkte sind.</translation>
     </message>
     <message>
-        <source>{left} specks and pinholes on {count} masks were left out, each below {speck:.0f} square pixels; the smallest area that is followed can be chosen (--speckle).</source>
-        <translation>{left} Flecken und Löcher auf {count} Masken entfallen, jedes unter {speck:.0f} Quadratpixeln; die kleinste Fläche, der gefolgt wird, ist wählbar (--speckle).</translation>
+        <source>{left} speck(s) and pinhole(s) on {count} mask(s) were left out, each below {speck:.0f} square pixels; the smallest area that is followed can be chosen (--speckle).</source>
+        <translation>{left} Fleck(en) und Löcher auf {count} Maske(n) entfallen, jedes unter {speck:.0f} Quadratpixeln; die kleinste Fläche, der gefolgt wird, ist wählbar (--speckle).</translation>
     </message>
     <message>
         <source>{made} {unwritten}</source>

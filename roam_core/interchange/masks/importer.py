@@ -189,7 +189,7 @@ def _without_specks(tracker: Tracker, reader: ShapeReader, speck: float) -> list
     if left:
         reader.note(
             sentence(
-                "{left} specks and pinholes on {count} masks were left out, each below {speck:.0f} square "
+                "{left} speck(s) and pinhole(s) on {count} mask(s) were left out, each below {speck:.0f} square "
                 "pixels; the smallest area that is followed can be chosen (--speckle).",
                 left=left,
                 count=len(tracker.taken),

@@ -47,6 +47,16 @@ def test_the_picture_alone_and_esc_leaves(qtbot: QtBot, window: MainWindow) -> N
     assert around(window) == everything
 
 
+def test_esc_pauses_what_plays_before_it_leaves(window: MainWindow) -> None:
+    window.actions_by_id["window.full_screen"].trigger()
+    window.playback.play()
+    QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
+    assert not window.view_state.is_playing
+    assert window.isFullScreen()
+    QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
+    assert not window.isFullScreen()
+
+
 def test_a_shape_is_drawn_and_esc_belongs_to_the_tool_first(qtbot: QtBot, window: MainWindow) -> None:
     window.actions_by_id["window.full_screen"].trigger()
     window.view_state.set_tool("polygon")

@@ -222,7 +222,7 @@ def test_specks_are_left_out_and_told_or_kept(tmp_path: Path) -> None:
     folder = write(tmp_path / "masks", masks)
     shapes, notes = shapes_of(folder, 3)
     assert len(shapes) == 1
-    assert notes[0].startswith("3 specks and pinholes on 3 masks were left out, each below 64 square pixels")
+    assert notes[0].startswith("3 speck(s) and pinhole(s) on 3 mask(s) were left out, each below 64 square pixels")
     assert len(shapes_of(folder, 3, speckle=0.0)[0]) == 2
 
 
