@@ -161,10 +161,7 @@ class AppearanceTemplate:
     @cached_property
     def rim(self) -> Array:
         """The places `(K, 2)` on the key between which all others of the object lie."""
-        inside = self.region.inside
-        rows = np.flatnonzero(inside.any(axis=1))
-        ends = [inside[rows].argmax(axis=1), inside.shape[1] - 1 - inside[rows, ::-1].argmax(axis=1)]
-        return self.region.grid.to_image(np.vstack([np.stack([end, rows], axis=1) for end in ends]) + 0.5)
+        return _rim(self.region)
 
     @cached_property
     def extent(self) -> float:
@@ -265,12 +262,26 @@ class AppearanceTemplate:
         The mean log-ratio inside less that of the surroundings, as everywhere here, in relation to the key's own.
         """
         extent = float(np.sqrt(abs(polyline.signed_area(line))))
-        area = Region.around(line, (self.params.ring + 2.0 / self.params.across) * extent, frame.size)
+        return self._resemblance(frame, line, extent, lambda grid: coverage(grid.to_grid(line), grid.shape))
+
+    def resemblance_of(self, frame: PreparedFrame, region: Field) -> float:
+        """The same of what lies in a region, as far as it is in the picture."""
+        if not region.inside.any():
+            return 0.0
+        return self._resemblance(frame, _rim(region), float(np.sqrt(area_of(region))), region.on)
+
+    def _resemblance(
+        self, frame: PreparedFrame, rim: Array, extent: float, covered: Callable[[Grid], Float32]
+    ) -> float:
+        """The same of what lies between the places of `rim (N, 2)`, `extent` the root of its area.
+
+        `covered` tells how much of each cell of a grid it takes.
+        """
+        area = Region.around(rim, (self.params.ring + 2.0 / self.params.across) * extent, frame.size)
         if extent < 1.0 or area.is_empty:
             return 0.0
         grid = Grid.over(area, min(self.params.across / extent, 1.0))
-        inside = coverage(grid.to_grid(line), grid.shape)
-        shares = _shares(inside, self.params.ring * extent * float(grid.factor.mean()))
+        shares = _shares(covered(grid), self.params.ring * extent * float(grid.factor.mean()))
         score = float((self._ratio(frame, grid) * shares).sum())
         return float(np.clip(score / max(self.own_score, 1e-6), 0.0, 1.0))
 
@@ -377,6 +388,14 @@ def is_better(again: float, compared: float, carried: float, params: RegionParam
 def as_on_key(key: PreparedFrame, to_now: Array) -> PreparedFrame:
     """The key's picture as if the object had been where the similarity `to_now (3, 3)` puts it."""
     return PreparedFrame(Grid.over(_whole(key), 1.0).warped(key.image, to_now))
+
+
+def _rim(region: Field) -> Array:
+    """The places `(K, 2)` in the image between which all others of a region lie."""
+    inside = region.inside
+    rows = np.flatnonzero(inside.any(axis=1))
+    ends = [inside[rows].argmax(axis=1), inside.shape[1] - 1 - inside[rows, ::-1].argmax(axis=1)]
+    return region.grid.to_image(np.vstack([np.stack([end, rows], axis=1) for end in ends]) + 0.5)
 
 
 def _size_of(transform: Array) -> float:
