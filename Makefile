@@ -10,9 +10,11 @@ READY := $(VENV)/.ready
 MADE_IN := $(shell cat $(READY) 2>/dev/null)
 FRESH :=
 
-# What is installed in .venv names the folder that it was installed in: where that was moved or renamed it is made anew.
+# What is installed in .venv names the folder that it was installed in, and is for the Python that it was made with: where
+# that was moved or renamed, or this one is another by now or gone (a new release of Debian, Homebrew), it is made anew.
 ifneq "$(MADE_IN)" ""
-ifneq "$(MADE_IN)" "$(CURDIR)"
+WORKS := $(shell $(BIN)/python -c 'import pip' >/dev/null 2>&1 && echo yes)
+ifneq "$(MADE_IN) $(WORKS)" "$(CURDIR) yes"
 FRESH := yes
 .PHONY: $(READY)
 endif

@@ -11,7 +11,6 @@ from __future__ import annotations
 import argparse
 import json
 import multiprocessing
-import resource
 import sys
 import tempfile
 import time
@@ -139,6 +138,8 @@ def _held() -> float:
     """The most memory that the process held, MiB."""
     if PEAK.exists():
         return next(int(line.split()[1]) / 1024.0 for line in PEAK.read_text().splitlines() if "VmHWM" in line)
+    import resource  # Windows has no such module, and what counts the benchmarks runs there
+
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return most / 1024.0 / (1024.0 if sys.platform == "darwin" else 1.0)
 

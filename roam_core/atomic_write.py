@@ -5,6 +5,7 @@ Everything that ROAM writes for an artist goes this way: projects, exports, matt
 
 from __future__ import annotations
 
+import ctypes
 import errno
 import os
 import re
@@ -14,7 +15,9 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
+from ctypes.wintypes import BOOL, DWORD, HANDLE
 from pathlib import Path
+from typing import Any
 
 from roam_core.errors import RoamError
 from roam_core.system_errors import reason_of
@@ -30,6 +33,10 @@ _NO_FOLDERS = _NO_FLUSHING | {errno.EBADF, errno.EACCES, errno.EPERM, errno.EISD
 """How file systems say that a folder cannot be flushed."""
 _NO_PERMISSIONS = frozenset({errno.EPERM, errno.EACCES, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS})
 """How file systems say that they keep no permissions, or let none be set: shares, memory cards, disks of Windows."""
+
+SYNCHRONIZE, ACCESS_DENIED, WAIT_TIMEOUT, MOST_ON_WINDOWS = 0x100000, 5, 0x102, 0xFFFFFFFF
+"""Of Windows: to be allowed to wait for a process; the answers that it is another user's and that it has not ended; the
+last number of one."""
 
 
 class NameTaken(RoamError):
@@ -195,12 +202,12 @@ def flush_folder(folder: Path) -> None:
             os.close(handle)
 
 
-def is_alive(process: int, *, unknown: bool = True) -> bool:
-    """Whether a process of this machine runs; `unknown` on Windows, where asking by a signal would end it."""
+def is_alive(process: int) -> bool:
+    """Whether a process of this machine runs."""
     if process <= 0:
         return False
     if sys.platform == "win32":
-        return unknown
+        return _runs_on_windows(process)
     try:
         os.kill(process, 0)
     except (ProcessLookupError, OverflowError):
@@ -208,6 +215,24 @@ def is_alive(process: int, *, unknown: bool = True) -> bool:
     except OSError:
         return True
     return True
+
+
+def _runs_on_windows(process: int) -> bool:
+    """The same on Windows, where asking by a signal would end it. What nobody may ask about runs."""
+    if process > MOST_ON_WINDOWS:
+        return False
+    library: Any = ctypes  # what Windows alone has of it
+    kernel = library.WinDLL("kernel32", use_last_error=True)
+    kernel.OpenProcess.argtypes, kernel.OpenProcess.restype = (DWORD, BOOL, DWORD), HANDLE
+    kernel.WaitForSingleObject.argtypes, kernel.WaitForSingleObject.restype = (HANDLE, DWORD), DWORD
+    kernel.CloseHandle.argtypes, kernel.CloseHandle.restype = (HANDLE,), BOOL
+    handle = kernel.OpenProcess(SYNCHRONIZE, False, process)
+    if not handle:
+        return bool(library.get_last_error() == ACCESS_DENIED)
+    try:
+        return bool(kernel.WaitForSingleObject(handle, 0) == WAIT_TIMEOUT)  # it ends the wait where it has ended
+    finally:
+        kernel.CloseHandle(handle)
 
 
 def writable_target(path: Path) -> Path:
@@ -305,7 +330,7 @@ def _is_stale(entry: os.DirEntry[str], process: int) -> bool:
     except OSError:
         return False
     old = time.time() - found.st_mtime > STALE_SECONDS
-    return old and stat.S_ISREG(found.st_mode) and not is_alive(process, unknown=False)
+    return old and stat.S_ISREG(found.st_mode) and not is_alive(process)
 
 
 def _remove(temporary: Path) -> None:

@@ -13,7 +13,6 @@ import json
 import multiprocessing
 import os
 import random
-import resource
 import sys
 import tempfile
 import time
@@ -249,6 +248,8 @@ def damaged(whole: bytes, rng: random.Random) -> bytes:
 
 def read_for_ever(name: str, connection: Connection) -> None:
     """Read every file whose path comes; answer with what went wrong, empty where nothing did."""
+    import resource  # Windows has no such module, and collects the tests that damage files
+
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())  # what libraries of pictures say of each file
     resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
     read = READERS[name][3]

@@ -44,7 +44,13 @@ def run(*arguments: object, chosen: str = "") -> str:
     command = [program(chosen), *map(str, arguments)]
     try:
         done = subprocess.run(
-            command, capture_output=True, encoding="utf-8", errors="replace", env=_environment(), check=False
+            command,
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            env=_environment(),
+            creationflags=_windows_flags(),
+            check=False,
         )
     except OSError as error:
         raise Trouble(f"{command[0]} cannot be started: {error}.") from None
@@ -57,7 +63,9 @@ def open_window(path: object, chosen: str = "") -> None:
     """Open ROAM's window on a clip or project, and do not wait for it."""
     new_session: dict[str, Any] = {} if sys.platform == "win32" else {"start_new_session": True}
     try:
-        subprocess.Popen([program(chosen), str(path)], env=_environment(), **new_session)
+        subprocess.Popen(
+            [program(chosen), str(path)], env=_environment(), creationflags=_windows_flags(), **new_session
+        )
     except OSError as error:
         raise Trouble(f"ROAM's window cannot be opened: {error}.") from None
 
@@ -136,6 +144,11 @@ def _ends(clip: str, chosen: str) -> tuple[int, int]:
     if found is None:
         raise Trouble(f"{clip} has no frames.")
     return int(found[1]), int(found[2])
+
+
+def _windows_flags() -> int:
+    """No console window, which Windows opens for ROAM's program, and whose end would end ROAM's window."""
+    return int(getattr(subprocess, "CREATE_NO_WINDOW", 0))
 
 
 def _environment() -> dict[str, str]:

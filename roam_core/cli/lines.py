@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import sys
@@ -58,12 +59,17 @@ def open_missing_streams() -> None:
 def _told() -> Iterator[None]:
     try:
         yield
-    except BrokenPipeError:
-        discard_output()
-        raise
     except OSError as error:
         discard_output()
+        if is_unheard(error):
+            raise BrokenPipeError from None
         raise RoamError(f"The standard output cannot be written: {reason_of(error)}.") from None
+
+
+def is_unheard(error: OSError) -> bool:
+    """Whether nobody reads the output any more: of a pipe that was closed Windows says "invalid argument"."""
+    is_closed = sys.platform == "win32" and error.errno == errno.EINVAL and error.filename is None
+    return is_closed or isinstance(error, BrokenPipeError)
 
 
 def discard_output() -> None:

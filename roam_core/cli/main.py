@@ -14,7 +14,7 @@ from types import ModuleType
 from roam_core import __version__
 from roam_core.cancel import Cancelled
 from roam_core.cli.environment import take_threads
-from roam_core.cli.lines import discard_output, flush_output
+from roam_core.cli.lines import discard_output, flush_output, is_unheard
 from roam_core.cli.parser import Parser
 from roam_core.cli.stopping import Stopped, raising
 from roam_core.errors import RoamError
@@ -69,13 +69,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         with suppress(OSError):  # the terminal may be gone
             print(STOPPED, file=sys.stderr)
         return stopped.exit_code
-    except BrokenPipeError:
-        # The reader of our output went away: nobody is left to be told.
-        discard_output()
-        return UNHEARD
     except OSError as error:
         # What reads and writes files tells of them by itself; what is left is mostly the output of a command.
         discard_output()
+        if is_unheard(error):  # the reader of our output went away: nobody is left to be told
+            return UNHEARD
         what = f"{error.filename} cannot be used" if error.filename else "The standard output cannot be written"
         print(f"roam: {what}: {reason_of(error)}.", file=sys.stderr)
         return FAILED

@@ -73,5 +73,6 @@ def _own_program() -> Path | None:
     if BUNDLE is not None:
         return Path(sys.executable)
     own = sys.argv[0] if Path(sys.argv[0]).stem == "roam" else ""  # another `roam` may come first on the path
-    found = shutil.which(own) or shutil.which("roam")
+    # On Windows pip's program leaves its `.exe` out of the word, and Python 3.11 does not look for it there.
+    found = shutil.which(own) or shutil.which(f"{own}.exe") or shutil.which("roam")
     return Path(found).absolute() if found else None

@@ -85,6 +85,7 @@ def _imported() -> None:
         for frame in FRAMES:
             mask[:] = 0
             cv2.ellipse(mask, (40 + 2 * frame, 36), (22, 14), 20.0 * frame, 0, 360, 255, -1)
-            cv2.imwrite(str(Path(folder) / f"mask.{frame:04d}.png"), mask)
+            # OpenCV itself writes to no folder of Windows whose name has accents, as that of a user may.
+            (Path(folder) / f"mask.{frame:04d}.png").write_bytes(cv2.imencode(".png", mask)[1].tobytes())
         read = read_shapes(folder, clip, ImportOptions(masks=MaskOptions(keys=KeyChoice.REDUCED)))
     keys_from_mask(list(read.layer.shapes()), mask > 0, FRAMES[1])

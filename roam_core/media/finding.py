@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from roam_core.media.numbering import NamePattern, parse_pattern
+from roam_core.media.numbering import NamePattern, parse_pattern, spelled_otherwise
 
 LEVELS = 3
 """Folders that are looked into: the project's own, the one above it, and the one above that."""
@@ -30,6 +30,17 @@ def is_there(path: Path) -> bool:
         return False
 
 
+def origin_in(folder: Path) -> str:
+    """The folder that the relative path of a plate begins in: a project's own, behind its links.
+
+    A drive of Windows that stands for a network folder, or for another one, stays what it is called: plates are named
+    by it, and no relative path leads from one drive to another.
+    """
+    given, real = os.path.abspath(folder), os.path.realpath(folder)  # noqa: PTH100
+    one, other = (os.path.splitdrive(each)[0].lower() for each in (given, real))
+    return real if one == other else given
+
+
 def places_near(folder: Path, lost: Path) -> Iterator[Path]:
     """Places where the plate `lost` may lie now, the nearest to `folder` first; each of them is there.
 
@@ -48,7 +59,9 @@ def places_near(folder: Path, lost: Path) -> Iterator[Path]:
 
 def _has_frame(folder: Path, pattern: NamePattern) -> bool:
     with os.scandir(folder) as entries:
-        return any(pattern.number_in_any_letters(entry.name) is not None for entry in entries)
+        names = [entry.name for entry in entries]
+    is_followed = any(pattern.number_in_any_letters(name) is not None for name in names)
+    return is_followed or bool(spelled_otherwise(folder, names, pattern))
 
 
 def _holds_anything(folder: Path) -> bool:

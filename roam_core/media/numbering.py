@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+import unicodedata
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -160,7 +162,7 @@ def find_pattern(folder: Path, pattern: NamePattern) -> FileSequence | None:
     """The files in `folder` that follow `pattern`, or None.
 
     A file whose extension is in other letters (`.PNG` for `.png`) follows it, too, where it is the only one of its
-    number.
+    number. Where none does, those do whose names the disk takes for its own (`spelled_otherwise`).
     """
     names = file_names(folder)
     numbered = [(number, name) for name in names if (number := pattern.number_of(name)) is not None]
@@ -169,7 +171,37 @@ def find_pattern(folder: Path, pattern: NamePattern) -> FileSequence | None:
         number = None if name in exact else pattern.number_in_any_letters(name)
         if number is not None and number not in taken:
             numbered.append((number, name))
+    numbered = numbered or spelled_otherwise(folder, names, pattern)
     return _sequence(folder, numbered, pattern) if numbered else None
+
+
+def spelled_otherwise(folder: Path, names: Iterable[str], pattern: NamePattern) -> list[tuple[int, str]]:
+    """Numbers and names of those that follow `pattern` but for their case or how accents are written.
+
+    None on a disk that tells such names apart: on that of Windows or macOS either opens the same file.
+    """
+    alike = NamePattern(folded(pattern.prefix), pattern.width, folded(pattern.suffix))
+    found = [(number, name) for name in names if (number := alike.number_of(folded(name))) is not None]
+    if not found:
+        return []
+    name = folded(found[0][1])
+    digits = name[len(alike.prefix) : len(name) - len(alike.suffix)]
+    return found if os.path.exists(folder / f"{pattern.prefix}{digits}{pattern.suffix}") else []  # noqa: PTH110
+
+
+def listed_name(file: Path) -> str:
+    """The name of a file that is there as its folder lists it.
+
+    On a disk of Windows or macOS it may be given in other case, or with its accents written otherwise.
+    """
+    names = file_names(file.parent)
+    alike = [] if file.name in names else [name for name in names if folded(name) == folded(file.name)]
+    return next((name for name in alike if file.samefile(file.with_name(name))), file.name)
+
+
+def folded(name: str) -> str:
+    """A name as all those that some file systems do not tell from it: in small letters, accents written in one way."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name).casefold())
 
 
 def find_sequences(folder: Path, extensions: Collection[str]) -> list[FileSequence]:

@@ -15,6 +15,7 @@ from roam_core.media.numbering import (
     file_names,
     find_pattern,
     find_sequences,
+    listed_name,
     parse_pattern,
     varying_pattern,
 )
@@ -186,6 +187,7 @@ def _open_file(file: Path, layer: str) -> PlateSource:
     if file.suffix.lower() in MOVIE_EXTENSIONS or _is_animation(file):
         return _movie(file, layer)
     found = find_sequences(file.parent, {file.suffix.lower()})
+    file = file.with_name(listed_name(file))
     owner = next((sequence for sequence in found if sequence.holds(file.name)), None)
     sequence = owner or FileSequence(file.parent, {1: file.name}, None)
     if file.suffix.lower() in _image_extensions():

@@ -6,7 +6,7 @@ import os
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from roam_core.media.finding import is_there
+from roam_core.media.finding import is_there, origin_in
 from roam_core.roto.animated import Animatable, Animated, Interpolation, Slopes, ValueKey
 from roam_core.roto.bounds import MAX_DEPTH, MAX_SPAN, Count, require
 from roam_core.roto.keyframe import Keyframe
@@ -99,7 +99,7 @@ def _read_path(document: Document, folder: Path) -> Path:
     path, absolute = (Path(PurePosixPath(word)) for word in words)
     if path.is_absolute():
         return path
-    path = Path(os.path.normpath(Path(os.path.realpath(folder)) / path))
+    path = Path(os.path.normpath(Path(origin_in(folder)) / path))
     return absolute if words[1] and absolute.is_absolute() and not is_there(path) and is_there(absolute) else path
 
 

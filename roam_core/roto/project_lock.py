@@ -113,5 +113,5 @@ def _written(path: Path) -> Holder | None:
 def _user() -> str:
     try:
         return getpass.getuser()
-    except (OSError, KeyError):
+    except (OSError, KeyError, ImportError):  # Windows has no `pwd` to ask where the environment says nothing
         return "somebody"

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from roam_core.media.finding import origin_in
 from roam_core.roto.animated import Animatable, Animated, ValueKey
 from roam_core.roto.bounds import require_bounds
 from roam_core.roto.migrate import VERSION
@@ -81,7 +82,7 @@ def _relative(path: Path, folder: Path) -> str:
     if not path.is_absolute():
         return path.as_posix()
     try:
-        return Path(os.path.relpath(path, os.path.realpath(folder))).as_posix()
+        return Path(os.path.relpath(path, origin_in(folder))).as_posix()
     except ValueError:  # another drive
         return path.as_posix()
 

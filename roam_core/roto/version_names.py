@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable
 from pathlib import PurePath
+
+from roam_core.media.numbering import folded
 
 _NUMBER = re.compile(r"(?<![^\W\d_])[vV]([0-9]+)")
 """A v with digits that is no end of a word, as in `rev2` or `hdv1080`."""
@@ -26,8 +27,8 @@ def next_version(name: str, there: Iterable[str]) -> tuple[str, str]:
     number = found or _last_number(stem)
     assert number is not None
     before, digits, after = stem[: number.start(1)], number[1], stem[number.end(1) :] + path.suffix
-    pattern = re.compile(f"{re.escape(_folded(before))}([0-9]+){re.escape(_folded(after))}")
-    held = {int(match[1]): each for each in there if (match := pattern.fullmatch(_folded(each)))}
+    pattern = re.compile(f"{re.escape(folded(before))}([0-9]+){re.escape(folded(after))}")
+    held = {int(match[1]): each for each in there if (match := pattern.fullmatch(folded(each)))}
     following = int(digits) + 1
     free = max(held) + 1 if following in held else following
     return f"{before}{free:0{len(digits)}}{after}", held.get(following, "")
@@ -35,7 +36,3 @@ def next_version(name: str, there: Iterable[str]) -> tuple[str, str]:
 
 def _last_number(stem: str) -> re.Match[str] | None:
     return next(reversed(list(_NUMBER.finditer(stem))), None)
-
-
-def _folded(name: str) -> str:
-    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name).casefold())

@@ -26,6 +26,8 @@ INIT_SUFFIXES = (".roam", ".png", ".exr", ".tif", ".tiff", ".jpg")
 DIGITS = 6
 """Decimals of a frame: what seconds counted in another rate leave behind them."""
 _ESCAPED = re.compile(r"(?:%(?!0[1-9]d)[0-9a-fA-F]{2})+")
+_DRIVE = "[a-zA-Z](?::|%3[aA])"
+"""How a drive of Windows begins in a URL, where some programs write the colon by its number."""
 Steps = tuple[Step, ...] | Callable[[Path | None], tuple[Step, ...]]
 """The steps of every job, or what gives them by what a job begins with."""
 
@@ -217,8 +219,8 @@ def _without_scheme(url: str) -> str:
         return place
     host, slash, rest = place[2:].partition("/")
     if host.lower() in ("", "localhost"):
-        return rest if re.match(r"[a-zA-Z]:", rest) else f"/{rest}"
-    return f"{host}{slash}{rest}" if re.fullmatch(r"[a-zA-Z]:", host) else place
+        return rest if re.match(_DRIVE, rest) else f"/{rest}"
+    return f"{host}{slash}{rest}" if re.fullmatch(_DRIVE, host) else place
 
 
 def _decoded(text: str) -> str:

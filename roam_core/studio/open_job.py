@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -156,6 +157,6 @@ def _path(name: str, kind: str, flow: str, place: str, folder: Path) -> dict[str
 def _replaced(word: str, pairs: Sequence[tuple[str, str]]) -> str:
     """A word with the paths of this machine as parameters, which a farm maps to its own."""
     for path, parameter in pairs:
-        if path and (word == path or word.startswith(f"{path}/")):
-            return parameter + word[len(path) :].replace("\\", "/")
+        if path and (word == path or word.startswith((f"{path}/", f"{path}{os.sep}"))):
+            return parameter + word[len(path) :].replace(os.sep, "/")
     return word

@@ -15,7 +15,7 @@ from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
 from roam_core.media.decoding import image_extensions
-from roam_core.media.numbering import find_pattern, find_sequences, parse_pattern
+from roam_core.media.numbering import find_pattern, find_sequences, listed_name, parse_pattern
 from roam_core.system_errors import reason_of
 from roam_core.translatable import sentence
 
@@ -143,7 +143,7 @@ def _sequence_of(path: Path) -> list[Path]:
     else:
         is_picture = path.is_file() and path.suffix.lower() in image_extensions()
         found = find_sequences(path.parent, {path.suffix.lower()}) if is_picture else []
-        sequence = next((each for each in found if each.holds(path.name)), None)
+        sequence = next((each for each in found if each.holds(listed_name(path))), None)
     return [path] if sequence is None else [path.parent / name for name in sorted(sequence.names.values())]
 
 

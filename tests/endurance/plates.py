@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import os
 import random
-import resource
 import shutil
 import sys
 import tempfile
@@ -143,6 +142,8 @@ def is_sentence(text: str) -> bool:
 
 def peak() -> int:
     """The most bytes that this process has held."""
+    import resource  # Windows has no such module, and collects the tests that use this one
+
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss << 10
 
 

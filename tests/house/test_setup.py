@@ -58,6 +58,20 @@ def test_in_a_folder_that_was_moved_everything_is_installed_anew(checkout: Path)
     assert "pip install" in said
 
 
+@pytest.mark.parametrize("left", ["another release", "nothing"])
+def test_where_the_python_is_another_by_now_everything_is_installed_anew(checkout: Path, left: str) -> None:
+    """It does not find what was installed for the one before: `make run` ended in a ModuleNotFoundError."""
+    python = checkout / ".venv" / "bin" / "python"
+    if left == "nothing":
+        python.unlink()
+        python.symlink_to(checkout / "python3.10")
+    else:
+        python.write_text('#!/bin/sh\necho "No module named pip" >&2; exit 1\n', encoding="utf-8")
+    said = steps(checkout)
+    assert 'test -z "yes" && test -x .venv/bin/python; } || python3 -m venv --clear .venv' in said
+    assert "pip install" in said
+
+
 NEEDS_SHELL = pytest.mark.skipif(os.name == "nt", reason="Windows needs no system libraries")
 
 
@@ -90,6 +104,17 @@ def system_libraries(programs: Path, *words: str) -> tuple[int, str]:
 def test_libraries_that_are_there_are_no_matter_for_how_many_architectures(programs: Path, said: str) -> None:
     stand_in(programs, "dpkg-query", f'printf "{said}"')
     assert system_libraries(programs, "--test") == (0, "")
+
+
+@NEEDS_SHELL
+@pytest.mark.parametrize("name", ["libglib2.0-0", "libglib2.0-0t64"])
+def test_what_qts_core_itself_needs_is_among_them_however_the_release_calls_it(programs: Path, name: str) -> None:
+    """A bare Debian has no GLib, and none of the other libraries brings it: the window ended in an ImportError."""
+    all_but = 'case " $* " in *" libglib2.0-0 "*) ;; *) printf "install ok installed" ;; esac'
+    stand_in(programs, "dpkg-query", all_but)
+    assert "--no-install-recommends libglib2.0-0\n" in system_libraries(programs)[1]
+    stand_in(programs, "dpkg-query", f'{all_but}\ncase " $* " in *" {name} "*) printf "install ok installed" ;; esac')
+    assert system_libraries(programs) == (0, "")
 
 
 @NEEDS_SHELL

@@ -7,6 +7,7 @@ import os
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -283,6 +284,54 @@ def test_a_process_is_alive_or_not_and_a_group_of_them_is_none() -> None:
     assert is_alive(os.getpid())
     assert not is_alive(0)
     assert not is_alive(-os.getpgid(0))
+
+
+class Kernel32:
+    """What Windows says of its processes: 8 runs, 12 has ended but somebody holds it, 16 is another user's."""
+
+    def __init__(self) -> None:
+        self.error, self.held = 0, set[int]()
+        self.OpenProcess = Mock(side_effect=self.open)
+        self.WaitForSingleObject = Mock(side_effect=lambda handle, _: {8: 0x102, 12: 0}[handle])
+        self.CloseHandle = Mock(side_effect=lambda handle: self.held.remove(handle))
+
+    def open(self, access: int, inherits: bool, process: int) -> int | None:
+        assert (access, inherits) == (0x100000, False)
+        if process in (8, 12):
+            self.held.add(process)
+            return process
+        self.error = 5 if process == 16 else 87
+        return None
+
+
+@pytest.fixture
+def windows(monkeypatch: pytest.MonkeyPatch) -> Iterator[Kernel32]:
+    """A machine that runs Windows, as far as processes are asked about."""
+    kernel = Kernel32()
+    monkeypatch.setattr(writing.sys, "platform", "win32")
+    monkeypatch.setattr(writing.ctypes, "WinDLL", lambda *_, **__: kernel, raising=False)
+    monkeypatch.setattr(writing.ctypes, "get_last_error", lambda: kernel.error, raising=False)
+    monkeypatch.setattr(os, "kill", lambda *_: pytest.fail("a signal would end the process"))
+    yield kernel
+    assert kernel.held == set()
+
+
+@pytest.mark.parametrize(("process", "alive"), [(8, True), (12, False), (16, True), (20, False), (1 << 40, False)])
+@pytest.mark.usefixtures("windows")
+def test_windows_is_asked_whether_a_process_runs(process: int, alive: bool) -> None:
+    """Every process was one that runs: no native crash was told, and after one the project stayed open by it."""
+    assert is_alive(process) is alive
+
+
+@pytest.mark.usefixtures("windows")
+def test_on_windows_what_an_ended_process_left_goes_and_what_a_running_one_writes_stays(tmp_path: Path) -> None:
+    old = time.time() - STALE_SECONDS - 60.0
+    for process in (8, 12):
+        left = tmp_path / f".roam-{process}-{'0' * 16}.tmp"
+        left.write_bytes(b"")
+        os.utime(left, (old, old))
+    sweep(tmp_path)
+    assert names(tmp_path) == [f".roam-8-{'0' * 16}.tmp"]
 
 
 def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:

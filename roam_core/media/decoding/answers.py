@@ -136,12 +136,19 @@ class SharedFile:
             done += count
         return picture
 
-    def close(self) -> None:
-        """Let go of it."""
-        self._file.close()
+    def let_go_of_name(self) -> None:
+        """Have nothing of it be left however this process ends: both have it open by now, and need no name of it.
+
+        Windows keeps the name of a file that is open.
+        """
         if self.handle < 0:
             with suppress(OSError):
                 Path(self.name).unlink()
+
+    def close(self) -> None:
+        """Let go of it."""
+        self._file.close()
+        self.let_go_of_name()
 
 
 def write_pixels(file: BinaryIO, picture: Image) -> dict[str, Any]:

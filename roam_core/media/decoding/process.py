@@ -131,6 +131,7 @@ class DecoderProcess:
         if not self._line(START_SECONDS):
             died = self._death(START_SECONDS)
             raise _not_started(said_by(died))
+        self._shared.let_go_of_name()
         self._is_ready = True
 
     def _line(self, seconds: float) -> bytes:

@@ -88,7 +88,7 @@ DAMAGES: dict[str, Callable[[Path], object]] = {
     "deep": lambda path: path.write_bytes(b"[" * 100_000),
     "huge": lambda path: (path.touch(), os.truncate(path, 1 << 40)),
     "a folder": lambda path: (path.mkdir(), (path / "file").touch()),
-    "a pipe": os.mkfifo,
+    "a pipe": lambda path: os.mkfifo(path),
     "an endless device": lambda path: path.symlink_to("/dev/zero"),
     "a link to nothing": lambda path: path.symlink_to(path.parent / "nothing"),
     "wrong types": lambda path: path.write_text('{"keys": 3, "recent": {}, "based_on": []}', encoding="utf-8"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import io
 import json
 import os
 import signal
@@ -17,6 +18,7 @@ from typing import IO, Any
 import pytest
 
 from roam_core.cancel import Cancelled
+from roam_core.cli import lines, main
 from roam_core.cli.keeping import PAUSE, SHARE, Keeper, kept
 from roam_core.cli.overwriting import project_writer
 from roam_core.cli.stopping import STOPPING, Stopped, cancelling, raising
@@ -327,6 +329,24 @@ def test_help_that_does_not_arrive_is_told(words: list[str], buffered: bool) -> 
             done = subprocess.run([*command, *words], **given)
         assert done.returncode == 1
         assert done.stderr == b"roam: The standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize(("system", "status"), [("win32", 141), ("linux", 1)])
+@pytest.mark.parametrize("printing", [lambda: lines.print_text("frames"), lambda: print("frames")])
+def test_a_reader_of_windows_that_went_away_is_told_nothing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], system: str, status: int, printing: Any
+) -> None:
+    """A pipe that is closed refuses what is written with "invalid argument" there, as `roam info P | more` found."""
+
+    class Closed(io.StringIO):
+        def write(self, _text: str) -> int:
+            raise OSError(errno.EINVAL, "Invalid argument")
+
+    monkeypatch.setattr(sys, "platform", system)
+    monkeypatch.setattr(sys, "stdout", Closed())
+    monkeypatch.setattr(sys.modules["roam_core.cli.main"], "_run", lambda _: (printing(), 0)[1])
+    assert main(["info"]) == status
+    assert ("Invalid argument" in capsys.readouterr().err) is (status == 1)
 
 
 # ---- frames that cannot be read --------------------------------------------------------------------------------------

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import tempfile
+from pathlib import Path
 
+import cv2
 import pytest
 
 from roam_core.cli import main, prepare
@@ -32,6 +35,15 @@ def test_every_configuration_is_among_the_steps() -> None:
 def test_the_other_steps_do_their_work(name: str) -> None:
     steps = dict(prepare.work())
     steps[name]()
+
+
+def test_masks_are_made_in_a_folder_whose_name_has_accents(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where a user of Windows is called so: OpenCV takes names in the letters of the machine there."""
+    write = cv2.imwrite
+    monkeypatch.setattr(cv2, "imwrite", lambda path, *given: path.isascii() and write(path, *given))
+    (tmp_path / "J\u00fcrgen").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "J\u00fcrgen"))
+    dict(prepare.work())["masks"]()
 
 
 def test_mattes_of_hard_and_soft_shapes_that_move_are_made(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 from roam_core.arrays import Float32, UInt8
 from roam_core.media import decoding
 from roam_core.media.decoding.pool import Pool
+from roam_core.media.numbering import folded
 
 WIDTH, HEIGHT = 16, 12
 OF_SPEC = {"x", "y", "full_x", "full_y", "full_width", "full_height"}
@@ -119,3 +121,21 @@ def processes() -> Iterator[Pool]:
 def apart(processes: Pool, monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
     """From its call on, this test decodes in other processes."""
     return lambda: monkeypatch.setattr(decoding, "_pool", processes)
+
+
+@pytest.fixture
+def folding_disk(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A disk as those of Windows and macOS: a name in other case, or with its accents written otherwise, is found."""
+    stat = os.stat
+
+    def found(path: Any, **options: Any) -> os.stat_result:
+        try:
+            return stat(path, **options)
+        except FileNotFoundError:
+            place = Path(os.fsdecode(path))
+            for entry in place.parent.iterdir():
+                if folded(entry.name) == folded(place.name):
+                    return stat(entry, **options)
+            raise
+
+    monkeypatch.setattr(os, "stat", found)

@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -240,6 +241,27 @@ def test_where_there_is_no_room_for_pictures_no_frame_is_damaged(tmp_path: Path,
     )
     done = subprocess.run([sys.executable, "-c", script, path], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout.startswith("NoRoom There is no room for decoded pictures")
+
+
+def test_without_files_in_memory_none_is_left_by_a_program_that_is_killed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On macOS each lay in the folder for temporary files until the system cleared it: as large as the largest picture.
+
+    Both processes have it open: the name alone is given up.
+    """
+    path = written(tmp_path, "p")
+    expected = open_clip(path).read(1)
+    monkeypatch.delattr(os, "memfd_create", raising=False)
+    (tmp_path / "temporary").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
+    pool = Pool()
+    monkeypatch.setattr(decoding, "_pool", pool)
+    for _ in range(2):
+        np.testing.assert_array_equal(open_clip(path).read(1), expected)
+        assert os.name == "nt" or list((tmp_path / "temporary").iterdir()) == []
+    pool.close()
+    assert list((tmp_path / "temporary").iterdir()) == []
 
 
 def test_where_no_shared_file_can_be_made_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,6 +10,8 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame, open_clip
+from roam_core.media.finding import is_there
+from roam_core.media.opening import files_of
 from tests.unit.media.conftest import WriteFrames, write_bytes_png, write_image, write_movie
 
 
@@ -59,6 +61,38 @@ def test_one_image_opens_its_sequence(write_frames: WriteFrames) -> None:
     assert plate.frames == (9, 10, 11)
     assert plate.path == folder / "p.%d.png"
     assert plate.frame_name(9) == "p.9"
+
+
+SPELLED = [("p.", ".png", "P.", ".png"), ("Gro\u0308\u00dfe_", ".png", "Gr\u00f6\u00dfe_", ".PNG")]
+"""What stands before and behind the number on the disk, and in the path that is opened."""
+
+
+@pytest.mark.parametrize(("before", "after", "given_before", "given_after"), SPELLED)
+@pytest.mark.parametrize("number", ["0010", "%04d", "####", "%d"])
+@pytest.mark.usefixtures("folding_disk")
+def test_a_name_that_the_disk_takes_for_another_opens_the_same_plate(
+    write_frames: WriteFrames, before: str, after: str, given_before: str, given_after: str, number: str
+) -> None:
+    """Qt composes the accents of every name on macOS; Finder decomposes them, and other files keep what they have."""
+    folder = write_frames([f"{before}{frame:04d}{after}" for frame in (9, 10, 11)])
+    given = folder / f"{given_before}{number}{given_after}"
+    plate = open_clip(given)
+    assert plate.frames == (9, 10, 11)
+    assert plate.read(11).shape == plate.read(9).shape
+    assert is_there(plate.path)
+    assert open_clip(plate.path).frames == plate.frames
+    found = files_of(given)
+    assert found is None if number == "0010" else found is not None and set(found.names) == {9, 10, 11}
+
+
+@pytest.mark.parametrize("name", ["P.0010.png", "P.%04d.png"])
+def test_names_that_the_disk_tells_apart_are_others(write_frames: WriteFrames, name: str) -> None:
+    folder = write_frames(["p.0009.png", "p.0010.png"])
+    if (folder / "P.0010.png").exists():
+        pytest.skip("this disk does not tell them apart")
+    with pytest.raises(RoamError):
+        open_clip(folder / name)
+    assert not is_there(folder / name)
 
 
 def test_negative_frames(write_frames: WriteFrames) -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 import json
+import subprocess
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -85,6 +87,39 @@ def test_the_scripts_start_the_roam_that_wrote_them(tmp_path: Path, monkeypatch:
     monkeypatch.setattr("sys.argv", [str(tmp_path / "mine" / "roam")])
     assert main(["plugin", "nuke", str(tmp_path)]) == 0
     assert (tmp_path / "roam" / "program.txt").read_text(encoding="utf-8").strip() == str(tmp_path / "mine" / "roam")
+
+
+def test_on_windows_the_program_is_found_by_a_word_without_its_suffix(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """pip's `roam.exe` says that it is `roam`; the menu then told that ROAM was not found."""
+    program = tmp_path / "Scripts" / "roam.exe"
+    program.parent.mkdir()
+    program.write_text("#!/bin/sh\n", encoding="utf-8")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.setattr("sys.argv", [str(program.with_suffix(""))])
+    assert main(["plugin", "nuke", str(tmp_path)]) == 0
+    assert (tmp_path / "roam" / "program.txt").read_text(encoding="utf-8").strip() == str(program)
+
+
+def test_on_windows_no_console_opens_beside_the_other_program(
+    bridge: Any, desk: Desk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its window would flash at every call, and to close the one that stays ends ROAM's own."""
+    started: list[int] = []
+    no_window = 0x08000000  # as Windows' Python calls it by name
+    monkeypatch.setattr(subprocess, "CREATE_NO_WINDOW", no_window, raising=False)
+
+    def start(*_command: object, creationflags: int = 0, **_options: object) -> Any:
+        started.append(creationflags)
+        return subprocess.CompletedProcess([], 0, "", "")
+
+    monkeypatch.setattr(subprocess, "run", start)
+    monkeypatch.setattr(subprocess, "Popen", start)
+    bridge.run("info")
+    importlib.reload(bridge).open_window(desk.project)
+    assert started == [no_window, no_window]
 
 
 def test_on_a_full_disk_no_half_of_the_menu_is_left(

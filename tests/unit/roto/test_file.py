@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import json
+import ntpath
 import os
+import re
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
-from typing import Any
+from pathlib import Path, PureWindowsPath
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
 
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
+from roam_core.media import finding
 from roam_core.roto import (
     BlendMode,
     Clip,
@@ -25,6 +29,7 @@ from roam_core.roto import (
     Project,
     RotoShape,
     file,
+    to_json,
 )
 from roam_core.roto.migrate import VERSION
 
@@ -103,6 +108,37 @@ def test_media_are_found_from_where_the_project_lies(project: Project, tmp_path:
     (tmp_path / "shot").rename(tmp_path / "moved" / "shot")
     moved = file.load(tmp_path / "moved" / "shot" / "a.roam")
     assert moved.require_clip().path == tmp_path / "moved" / "plates" / "plate.%04d.exr"
+
+
+NETWORK = "//server/share/"
+"""What Windows leads the letter `Z:` to; `os.path.realpath` says so there."""
+
+
+@pytest.mark.parametrize(
+    ("plate", "folder", "written"),
+    [
+        ("Z:/show/plates/a.%04d.exr", "Z:/show/work", "../plates/a.%04d.exr"),
+        ("z:/show/plates/a.%04d.exr", "Z:/show/work", "../plates/a.%04d.exr"),
+        ("//server/share/show/plates/a.%04d.exr", "//server/share/show/work", "../plates/a.%04d.exr"),
+        ("C:/plates/a.%04d.exr", "C:/work", "../plates/a.%04d.exr"),
+        ("D:/plates/a.%04d.exr", "Z:/show/work", "D:/plates/a.%04d.exr"),
+    ],
+)
+def test_a_plate_on_the_projects_drive_of_windows_is_relative_to_it(
+    monkeypatch: pytest.MonkeyPatch, plate: str, folder: str, written: str
+) -> None:
+    """A letter that stands for a network folder, as studios have them, led to another drive: the path was absolute."""
+    windows = SimpleNamespace(**vars(ntpath))
+    windows.realpath = lambda path: re.sub(r"^[zZ]:[\\/]", NETWORK, str(path)).replace("/", "\\")
+    for module in (finding, to_json):
+        monkeypatch.setattr(module, "os", SimpleNamespace(path=windows))
+    monkeypatch.setattr(to_json, "Path", PureWindowsPath)
+    clip = Clip(Path("plate"), 1001, 1002, (8, 6))
+    object.__setattr__(clip, "path", PureWindowsPath(plate))  # it makes a path of this system of what it is given
+    document = json.loads("".join(to_json.pieces(Project(clip), cast(Path, PureWindowsPath(folder)))))
+    assert document["clip"]["path"] == written
+    lies = windows.normpath(windows.join(finding.origin_in(cast(Path, folder)), written))
+    assert lies.lower() == windows.normpath(plate).lower(), "read again it has the letter that the artist knows"
 
 
 def test_an_absolute_path_in_a_file_is_taken_as_it_is(project: Project, tmp_path: Path) -> None:

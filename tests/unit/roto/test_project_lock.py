@@ -25,6 +25,17 @@ def write(project: Path, other: Holder) -> None:
     lock_path(project).write_text(json.dumps({"type": TYPE, **asdict(other)}), encoding="utf-8")
 
 
+def test_where_nobody_says_who_this_is_it_is_somebody(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """On Windows a service has no user in its environment, and there is no `pwd`."""
+    for name in ("LOGNAME", "USER", "LNAME", "USERNAME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setitem(sys.modules, "pwd", None)
+    mine = take(project)
+    assert mine is not None
+    assert mine.user == "somebody"
+    release(project, mine)
+
+
 ELSEWHERE = Holder("another machine", "ann", 4711, 1.0e9, "mark")
 HERE = replace(ELSEWHERE, host=platform.node())
 

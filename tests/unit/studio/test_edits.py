@@ -209,6 +209,8 @@ def _plate_of(edit: Path, media: Any) -> Path:
     [
         ("file:///C:/show/plate.mov", "C:/show/plate.mov"),
         ("file://C:/show/plate.mov", "C:/show/plate.mov"),
+        ("file://localhost/C%3a/show/plate.mov", "C%3a/show/plate.mov"),  # as Premiere writes it
+        ("file:///C%3A/show/plate.mov", "C%3A/show/plate.mov"),
         ("file://server/show/plate.mov", "//server/show/plate.mov"),
         ("file:/show/plate.mov", "/show/plate.mov"),
         ("file:plate.mov", "plate.mov"),

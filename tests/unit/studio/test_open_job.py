@@ -14,8 +14,9 @@ import pytest
 
 from roam_core.cli import main
 from roam_core.errors import RoamError
+from roam_core.studio import open_job
 from roam_core.studio.jobs import Job, steps_named
-from roam_core.studio.open_job import Shares, checked, template_of, written
+from roam_core.studio.open_job import Shares, _replaced, checked, template_of, written
 from tests.conftest import ROOT
 from tests.unit.studio.shots import put_gaps, put_plate
 
@@ -154,6 +155,18 @@ def test_results_go_to_their_place_wherever_the_plate_lies(plate: str, project: 
     assert export[:3] == ["export", "{{Param.Project}}", "{{Param.Out}}/sh010.nk"]
     assert "Param.Clip" not in json.dumps(made)
     assert "Clip" not in [each["name"] for each in made["parameterDefinitions"]]
+
+
+@pytest.mark.parametrize("separator", ["/", "\\"])
+def test_a_job_names_no_place_of_the_machine_that_wrote_it(separator: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """On Windows, whose paths have other strokes, results kept the drive of the artist's machine."""
+    monkeypatch.setattr(open_job.os, "sep", separator)
+    place = separator.join(("D:", "show", "out"))
+    words = [
+        _replaced(place + separator.join(("", *more)), [(place, "{{Param.Out}}")]) for more in ((), ("a", "b.png"))
+    ]
+    assert words == ["{{Param.Out}}", "{{Param.Out}}/a/b.png"]
+    assert _replaced(f"{place}put", [(place, "{{Param.Out}}")]) == f"{place}put"
 
 
 def test_results_in_a_folder_above_are_to_be_given(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,4 +1,4 @@
-"""What a region holds and leaves out, by the key's colours: what flow led astray is as sure of itself as what is right."""
+"""What a region holds and leaves out, by the key's colours: what flow led astray is as sure as what is right."""
 
 from __future__ import annotations
 
