@@ -37,7 +37,8 @@ class Standing:
     """Where a group stands: the frame, its picture, the shapes with all their keys so far, and what the engine knows.
 
     `view` is how that sees pictures; `began` is the frame whose outlines the landmarks go back to; `known_from` the one
-    on which all that is known of the shapes begins: each was given there (`provenance`).
+    on which all that is known of the shapes begins: each was given there (`provenance`), as a run in the direction
+    `forward` begins.
     """
 
     frame: int
@@ -47,6 +48,7 @@ class Standing:
     view: EngineView
     began: int
     known_from: int
+    forward: bool = True
 
 
 class GroupTracker:
@@ -108,7 +110,7 @@ class GroupTracker:
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
         view = EngineView.of_key(picture, self.params)
         engine = self._begun(picture, given, frame, parts, view)
-        self._standing = Standing(frame, picture, given, engine, view, frame, frame)
+        self._standing = Standing(frame, picture, given, engine, view, frame, frame, forward)
 
     def _begun(
         self,
@@ -147,6 +149,7 @@ class GroupTracker:
         MissingFrame
             when a part of the picture cannot be read; it stands there too.
         """
+        self._turn_to(frame)
         standing = self.standing
         began = time.perf_counter()
         picture = _prepared(image)
@@ -200,6 +203,15 @@ class GroupTracker:
                     soft = turned(drawn.feather, drawn.points, solved[k].points)
                     shapes[k] = set_engine_keys(shape, [engine_key(frame, solved[k], soft, stamped)])
         return tuple(shapes)
+
+    def _turn_to(self, frame: int) -> None:
+        """Begin anew where a run that was begun between keys goes the other way than it was begun for."""
+        standing, forward = self.standing, self._leads_forward_to(frame)
+        if standing.frame != standing.known_from or standing.forward is forward or standing.frame == frame:
+            return
+        ways = (parts_at(standing.shapes, standing.frame, forward=way) for way in (forward, not forward))
+        if any(not np.array_equal(one.points, other.points) for one, other in zip(*ways, strict=True)):
+            self.start(standing.picture, standing.shapes, standing.frame, forward=forward)
 
     def _leads_forward_to(self, frame: int) -> bool:
         """The direction of a step to a frame: to where the group stands already, that in which it came there."""

@@ -207,6 +207,20 @@ def test_a_second_step_to_a_frame_has_the_direction_of_the_first(config: str, bl
         assert directions == ["forward" if frames[-1] > begun else "backward"] * 3
 
 
+def test_a_tracker_that_begins_between_keys_goes_back_as_a_run_does(config: str, blob_shot: Shot) -> None:
+    shape = tracked(blob_shot, config)
+    early, begun = shape.keys[:3], blob_shot.frames[5]
+    shape = replace(shape, keys=(*early, Keyframe(blob_shot.frames[-1] + 4, early[-1].points + 15.0)))
+    tracker = Tracker(config)
+    tracker.start(blob_shot.read(begun), shape, begun)
+    stepped = tracker.step(blob_shot.read(begun - 1), begun - 1).key
+    *_, last = track(blob_shot.read, [shape], [begun, begun - 1], config)
+    assert stepped is not None
+    assert last.results[0].key is not None
+    assert stepped.inputs == last.results[0].key.inputs
+    np.testing.assert_array_equal(stepped.points, last.results[0].key.points)
+
+
 def test_what_a_correction_moved_is_the_artists_whoever_made_its_key(config: str, blob_shot: Shot) -> None:
     tracker = Tracker(config)
     tracker.start(blob_shot.read(1001), blob_shot.shape(), 1001)
