@@ -323,7 +323,7 @@ class _Solving:
 def _for_the_union(union: RegionState, params: RegionParams) -> RegionParams:
     """What the union is carried with: its parts have the poses.
 
-    Where nothing was seen of it, they tell where it is: it is not looked for beyond where it was last.
+    Where nothing was seen of it, they tell where it is: what its key expects beyond its last place is not looked at.
     """
     params = replace(params, pose=None)
     return replace(params, redetection=replace(params.redetection, whole=0.0)) if union.is_lost else params
