@@ -28,7 +28,7 @@ from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
 
-REVISION = 41
+REVISION = 42
 """Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
 FILL = "fill"
 """The direction of a key that was filled from both sides."""

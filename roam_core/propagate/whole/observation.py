@@ -147,7 +147,7 @@ def _drawn_to(
     And it as it looks there, carried by that motion. `possible (rows, columns)`: where the object may be.
     """
     if params.background is not None:
-        drawn = correction(key.behind(grid), key.later, grid.grey_of(frame), possible, params.background.agreed)
+        drawn = correction(key.behind(grid), key.later, grid.grey_of(frame), possible, params.background)
         key = key.with_surroundings_moved(drawn)
     view = key.behind(grid)
     if params.exposure is not None:

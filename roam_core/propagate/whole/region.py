@@ -77,8 +77,8 @@ def step(
     if state.pose is not None and params.pose is not None:
         state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params, covers))
     carried = _carried(state, frame, params, token, tuple(covers))
-    is_returning, resemblance = carried.state.last_seen.returning > 0, _resemblance(carried.state, frame)
-    if not is_returning and not _is_doubted(carried.state, resemblance, params):
+    is_returning = carried.state.last_seen.returning > 0
+    if not is_returning and not _is_doubted(carried.state, params):
         return carried
 
     def carried_from(found: RegionState) -> RegionStep:
@@ -90,14 +90,12 @@ def step(
         again = carried_from(known)
         if again.state.trust > params.believed and not _is_background(again, params):
             return again
-    if not _is_doubted(carried.state, resemblance, params):
+    if not _is_doubted(carried.state, params):
         return carried
     found = _as_last_seen(state, carried.state, frame, params)
     if found is not None:
         again = carried_from(found)
-        compared = min(_promise(again.state, carried.state), _resemblance(again.state, frame))
-        promised = min(carried.state.trust, resemblance)
-        if is_better(again.state.trust, compared, promised, params) and not _is_background(again, params):
+        if _is_taken(again, carried.state, params):
             return again
     observation = carried.observation
     if observation is None or not _is_gone(carried.state, observation, params):
@@ -105,6 +103,18 @@ def step(
     grid = observation.sources.grid
     nothing = Field.of_coverage(grid, np.zeros(grid.shape, np.float32))
     return _along(replace(state, covers=tuple(covers)), observation, nothing, params)
+
+
+def _is_taken(again: RegionStep, carried: RegionState, params: RegionParams) -> bool:
+    """Whether what was found elsewhere is taken in place of what was `carried` on.
+
+    Neither promises more than it looks alike. But light that is not told speaks against what is right, too: by itself
+    what was found has to promise hardly less.
+    """
+    trust, compared = again.state.trust, min(_promise(again.state, carried), again.state.resemblance)
+    if trust <= carried.trust - params.better or _is_background(again, params):
+        return False
+    return is_better(trust, compared, min(carried.trust, carried.resemblance), params)
 
 
 def _is_background(stepped: RegionStep, params: RegionParams) -> bool:
@@ -129,27 +139,17 @@ def _is_gone(state: RegionState, observation: Observation, params: RegionParams)
     return state.trust < params.believed and not (observation.sources.expected.remembered > 0.5).any()
 
 
-def _resemblance(state: RegionState, frame: PreparedFrame) -> float:
-    """How much what the region holds and what lies around it look as on the key, in [0, 1]; 1 where that tells nothing.
-
-    A region that holds background or leaves some of the object out may be as sure as a good one: flow led it there.
-    """
-    if not state.is_told_by_colours or state.is_lost:
-        return 1.0
-    return state.appearance.resemblance_of(frame, state.region)
-
-
-def _is_doubted(state: RegionState, resemblance: float, params: RegionParams) -> bool:
+def _is_doubted(state: RegionState, params: RegionParams) -> bool:
     """Whether so little is to be expected of a frame that the object is looked for on it by its colours.
 
-    So is one of too little `resemblance`, and one that has come back of late: what is seen of it need not be all. A
+    So is one of too little resemblance, and one that has come back of late: what is seen of it need not be all. A
     limb that is held to its pose soon has lookalikes: only where less is to be expected of it. What its colours do not
     tell from its surroundings has them everywhere: only where nothing is left of it.
     """
     if state.last_seen.returning > 0 and state.is_told_by_colours:
         return True
     bound = params.doubted
-    if resemblance < bound:
+    if state.resemblance < bound:
         return True
     if state.trust < bound and not state.appearance.is_distinct:
         bound = min(bound, params.hopeless)

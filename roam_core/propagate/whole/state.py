@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -87,6 +88,17 @@ class RegionState:
     def is_told_by_colours(self) -> bool:
         """Whether the object's colours tell it from its surroundings, and no pose holds it: then it is known again."""
         return self.appearance.is_distinct and not self.is_posed
+
+    @cached_property
+    def resemblance(self) -> float:
+        """How much the region and what lies around it look as on the key, in [0, 1]; 1 where that tells nothing.
+
+        A region that holds background or leaves some of the object out may be as sure as a good one: flow led it there.
+        The frame is seen in the light of the key, out of shadows.
+        """
+        if not self.is_told_by_colours or self.is_lost:
+            return 1.0
+        return self.appearance.resemblance_of(self.frame, self.region)
 
     @property
     def agreement_as_one_piece(self) -> float | None:

@@ -23,6 +23,7 @@ from roam_core.kernels.local_match import OUTSIDE
 from roam_core.motion.flow import cell_flow, flow_similarity
 from roam_core.params.evidence import BackgroundParams
 from roam_core.proposal.cues.key_view import KeyView, lab, trimap
+from roam_core.proposal.cues.known_again import known_again, local_means
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,12 +117,15 @@ class Background:
         return likeness, np.sqrt(squared)
 
 
-def correction(view: KeyView, later: Sequence[LaterView], picture: UInt8, inside: Bools, least: float) -> Array:
+def correction(
+    view: KeyView, later: Sequence[LaterView], picture: UInt8, inside: Bools, params: BackgroundParams
+) -> Array:
     """The motion `(3, 3)` that draws to the picture what the motion of the surroundings has carried there.
 
     That adds up from frame to frame. `view` is the key, so carried; where nothing of its background is in sight, the
     `later` views are asked. `picture (rows, columns)` is the luma and `inside (rows, columns)` the object on the frame.
-    The identity where less than `least` of the background agree.
+    The identity where too little of the background agrees, or where less than half of it is still known again, so
+    drawn: over a faint texture flow goes along with what moves beside it.
     """
     grid, seen = view.grid, view.seen
     known = view.in_sight & ~inside & (view.coverage < 0.5)
@@ -134,7 +138,20 @@ def correction(view: KeyView, later: Sequence[LaterView], picture: UInt8, inside
         return np.eye(3)
     grey = np.asarray(cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), dtype=np.uint8)
     drawn, agreement = flow_similarity(cell_flow(grey, picture), known, grid)
-    return drawn if agreement >= least else np.eye(3)
+    if agreement < params.agreed:
+        return np.eye(3)
+    carried = drawn @ grid.map_to_image
+    moved, still_known = grid.warped(grey, carried), grid.warped(known.astype(np.uint8), carried) > 0
+    before = _count_known_again(grey, known, picture, params)
+    after = _count_known_again(moved, still_known, picture, params)
+    return drawn if after >= 0.5 * before else np.eye(3)
+
+
+def _count_known_again(grey: UInt8, known: Bools, picture: UInt8, params: BackgroundParams) -> int:
+    """How many cells of a luma `(rows, columns)`, as far as it is `known`, a picture shows at their place."""
+    lumas, (window, alike, flat) = (grey, picture), (params.window, params.alike, params.texture)
+    means = local_means(grey, window), local_means(picture, window)
+    return int(np.count_nonzero(known_again(lumas, means, known, window, alike, flat)))
 
 
 def _sums(values: Float32, side: int) -> Float32:

@@ -13,10 +13,11 @@ from functools import cached_property
 import cv2
 import numpy as np
 
-from roam_core.arrays import Array, Bools, Float32, UInt8
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.features import PreparedFrame
 from roam_core.params.evidence import ExposureParams
 from roam_core.proposal.cues.key_view import KeyView
+from roam_core.proposal.cues.known_again import known_again, local_means
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,13 +84,14 @@ def light_since(view: KeyView, frame: PreparedFrame, inside: Bools, last: Light,
     seen = view.plate.seen
     known = view.in_sight & ~inside & (view.coverage < params.beside)
     seen_luma = np.asarray(cv2.cvtColor(seen, cv2.COLOR_RGB2GRAY), np.uint8)
-    before, now = _means(seen_luma, params.window), _means(luma, params.window)
-    usable = _known_again((seen_luma, luma), (before, now), known, params.flat / contrast, params)
+    before, now = local_means(seen_luma, params.window), local_means(luma, params.window)
+    flat = params.flat / contrast
+    usable = known_again((seen_luma, luma), (before, now), known, params.window, params.alike, flat)
     usable &= _is_exposed(before, now, params)
     chosen = np.flatnonzero(usable)
     chosen = chosen[:: len(chosen) // params.most + 1]  # those beside each other overlap, and tell the same
     colours_then, colours = (
-        np.ascontiguousarray(_means(each, params.window).reshape(-1, 3)[chosen].T) for each in (seen, picture)
+        np.ascontiguousarray(local_means(each, params.window).reshape(-1, 3)[chosen].T) for each in (seen, picture)
     )
     patches = _Patches(before.ravel()[chosen], now.ravel()[chosen], colours_then, colours, contrast)
     light = _veiled(patches, last, params) or _multiplied(patches, last, params)
@@ -207,28 +209,6 @@ def _shades(patches: _Patches, light: Light, params: ExposureParams) -> tuple[fl
     if np.mean(nearest < shadow.within) < shadow.agreed:
         return ()
     return tuple(float(np.exp(each)) for each in told)
-
-
-def _known_again(
-    lumas: tuple[UInt8, UInt8], means: tuple[Float32, Float32], known: Bools, flat: float, params: ExposureParams
-) -> Bools:
-    """The cells `(rows, columns)` around which two lumas of these means show the same, and nothing but what is `known`.
-
-    Those of a deviation under `flat` count for less.
-    """
-    window = np.ones((params.window, params.window), np.uint8)
-    whole = cv2.erode(known.astype(np.uint8), window, borderType=cv2.BORDER_CONSTANT, borderValue=0)
-    values = [np.asarray(luma, np.float32) for luma in lumas]
-    variance_then, covariance, variance = (
-        _means(values[i] * values[j], params.window) - means[i] * means[j] for i, j in ((0, 0), (0, 1), (1, 1))
-    )
-    least = np.sqrt(np.maximum(variance_then * variance, np.float32(flat**4)))
-    return np.asarray((whole > 0) & (covariance > params.alike * least))
-
-
-def _means(picture: UInt8 | Float32, window: int) -> Float32:
-    """The mean of each channel around each cell."""
-    return np.asarray(cv2.blur(np.asarray(picture, np.float32), (window, window)))
 
 
 def _is_exposed(before: Float32, now: Float32, params: ExposureParams) -> Bools:

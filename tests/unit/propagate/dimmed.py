@@ -1,5 +1,5 @@
-"""Drawn shots whose light falls: a dark body that bends before a wall that becomes as dark as it was; and a body that
-goes through the shadow of a line that goes over all of the picture.
+"""Drawn shots whose light falls: a dark body that bends before a wall that becomes as dark as it was; a body that goes
+through the shadow of a line that goes over all of the picture; and one that goes into the dark, which stays there.
 """
 
 from __future__ import annotations
@@ -35,6 +35,18 @@ def shaded_body(count: int, by: float) -> tuple[list[UInt8], list[UInt8]]:
 
     def light(x: Array, k: int) -> Array:
         return np.asarray(1.0 - by / (1.0 + np.exp((x[..., None] - SIZE[1] * k / (count - 1)) / 3.0)))
+
+    return _body((150, 150, 140), (90, 80, 75), radius, light, count)
+
+
+def body_into_the_dark(count: int, by: float) -> tuple[list[UInt8], list[UInt8]]:
+    """Its pictures and masks. To the right there is less and less light, by the share `by` at last: always the same."""
+
+    def radius(angle: Array, _: int) -> Array:
+        return np.full(angle.shape, 40.0)
+
+    def light(x: Array, _: int) -> Array:
+        return np.asarray(1.0 - by * np.clip((x[..., None] - SIZE[1] / 4) / (SIZE[1] / 2), 0.0, 1.0))
 
     return _body((150, 150, 140), (90, 80, 75), radius, light, count)
 

@@ -11,16 +11,18 @@ import pytest
 from roam_core import RotoShape, fill_span, keys_from_mask, render_matte, shapes_from_mask, track
 from roam_core.arrays import UInt8
 from roam_core.features import PreparedFrame
+from roam_core.geometry import similarity
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate import TrackMemory
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.whole.region import step
 from roam_core.propagate.whole.state import begin
-from tests.unit.propagate.dimmed import SIZE, dimmed_body, shaded_body
+from tests.unit.propagate.dimmed import SIZE, body_into_the_dark, dimmed_body, shaded_body
 
 BEST = params_for("best+region.levels=none")
 """As they are: a wall in haze would be told from the body by its levels alone."""
 COUNT, BY = 13, 0.45
+MIDDLE = np.array([[SIZE[1] / 2, SIZE[0] / 2]])
 Shot = tuple[list[UInt8], list[UInt8]]
 
 
@@ -131,3 +133,25 @@ def test_a_shadow_whose_edge_crosses_the_body_changes_nothing_of_it() -> None:
     )
     assert known > 0.97
     assert known > unknown + 0.1
+
+
+def test_what_a_shadow_goes_over_stands_still_and_looks_as_on_the_key() -> None:
+    """Over a faint texture flow goes along with the body: drawn so, the wall would leave the key's light untold."""
+    pictures, masks = shaded_body(COUNT, 0.55)
+    region = BEST.region
+    assert region is not None
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(masks[0]))
+    state = begin(PreparedFrame(pictures[0]), parts, region)
+    for picture in pictures[1:]:
+        state = step(state, PreparedFrame(picture), region).state
+        assert state.resemblance > 0.7
+        assert state.is_told_by_colours
+        assert np.hypot(*(similarity.apply(state.key.surroundings[:2], MIDDLE) - MIDDLE)[0]) < 2.0
+    assert state.key.light.exposure == pytest.approx(0.45, rel=0.1)
+
+
+def test_one_that_goes_into_the_dark_is_not_left_for_what_looks_more_like_it() -> None:
+    """The wall tells nothing of it: it stays as dark as it was. So the body looks less and less as on its key."""
+    pictures, masks = body_into_the_dark(COUNT + 3, 0.7)
+    *_, last = track(lambda frame: pictures[frame], shapes_from_mask(masks[0]), range(COUNT + 3), BEST)
+    assert min(overlaps([last.results[0].shape], masks, range(1, COUNT + 3))) > 0.92
