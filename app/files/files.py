@@ -61,7 +61,7 @@ class Files(QObject):
     overtaken(show) : what was opened has come, but the document was changed meanwhile and not saved: it takes the
         document's place when `show` is called.
     contested(path, holder) : a project was not opened, because the `Holder` has it open.
-    opened(path) : the project or clip that the artist named is open.
+    opened(path) : the project or clip that the artist named is open. demo_opened() : the demo is.
     renumbered(before) : the plate that was relinked, or opened with its project, has the pictures of the clip `before`
         under other numbers; the keys are on the frames on which they were.
     looked(found) : the clip that `look_at` was asked about, as a `FoundClip`.
@@ -76,6 +76,7 @@ class Files(QObject):
     overtaken = Signal(object)
     contested = Signal(object, object)
     opened = Signal(object)
+    demo_opened = Signal()
     looked = Signal(object)
     renumbered = Signal(object)
 
@@ -237,7 +238,7 @@ class Files(QObject):
             report.partial(Found(project, source, tr(DEMO)))
             return tr(DEMO)
 
-        self._replace_by(work)
+        self._replace_by(work, then=self.demo_opened.emit)
 
     def open_recovered(self, found: Recovery) -> None:
         """Open what a journal holds, as unsaved changes of the artist's own file."""
@@ -354,10 +355,10 @@ class Files(QObject):
 
     def _open(self, text: str, read: Callable[[], Found | Holder], *, origin: Path | None = None) -> None:
         """Read on the worker and show what comes; `origin` is what `opened` tells afterwards."""
-        self._replace_by(reading_work(text, read), origin)
+        self._replace_by(reading_work(text, read), origin, None if origin is None else lambda: self.opened.emit(origin))
 
-    def _replace_by(self, work: Work, origin: Path | None = None) -> None:
-        """Let what `work` finds take the document's place, which the artist agreed to leave as it is now.
+    def _replace_by(self, work: Work, origin: Path | None = None, then: Callable[[], object] | None = None) -> None:
+        """Let what `work` finds take the document's place, which the artist agreed to leave as it is now; `then` tells.
 
         What they do until it comes is theirs to decide about again.
         """
@@ -366,9 +367,9 @@ class Files(QObject):
         def take(found: Found | Holder) -> Callable[[], object] | None:
             draws = self._view.is_in_use and not was_drawing
             if not draws and (not self._document.is_modified or self._document.project is left):
-                self._take(found, origin)
+                self._take(found, origin, then)
                 return None
-            return lambda: self._take(found, origin)
+            return lambda: self._take(found, origin, then)
 
         self._start(work, take)
 
@@ -398,13 +399,13 @@ class Files(QObject):
         job.partial.connect(arrive)
         job.ended.connect(end)
 
-    def _take(self, found: Found | Holder, origin: Path | None) -> None:
+    def _take(self, found: Found | Holder, origin: Path | None, then: Callable[[], object] | None) -> None:
         if isinstance(found, Holder):
             self.contested.emit(origin, found)
             return
         self._show(found)
-        if origin is not None:
-            self.opened.emit(origin)
+        if then is not None:
+            then()
         if found.before is not None:
             self.renumbered.emit(found.before)
 

@@ -53,6 +53,7 @@ class Recovering(QObject):
         self.elsewhere: tuple[Path, ...] = ()
         """Where journals were kept before, while those of this window could not lie where they do now."""
         files.opened.connect(self._offer_for)
+        files.demo_opened.connect(self._offer_on_plate)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -79,7 +80,12 @@ class Recovering(QObject):
         """What was opened: what a crash left of the project, or of work on the clip that has no file."""
         if path.suffix.lower() == PROJECT_SUFFIX:
             self._look(self._ask, lambda found: recovery.offered(found, path))
-        elif (plate := self._files.plate) is not None:
+        else:
+            self._offer_on_plate()
+
+    def _offer_on_plate(self) -> None:
+        """What a crash left of work on the clip that is open, in a project that has no file."""
+        if (plate := self._files.plate) is not None:
             self._look(self._ask, lambda found: recovery.unsaved_on(found, plate.path))
 
     def _look(

@@ -185,6 +185,24 @@ def test_a_clip_that_is_opened_brings_what_was_drawn_on_it_and_never_saved(
     assert window.document.project == lost
 
 
+def test_the_demo_brings_what_a_crash_left_of_work_on_it(
+    qtbot: QtBot, window: MainWindow, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from app.files import files
+    from app.files.reading import clip_project
+
+    folder = write_clip(tmp_path / "demo", 2)  # in place of the shot, which takes seconds to render
+    monkeypatch.setattr(files, "demo_project", lambda report: clip_project(folder))
+    crash(root, write_clip(tmp_path / "other", 2), 1)
+    lost = crash(root, folder, 2)
+    window.files.open_demo()
+    dialog = asked(qtbot, window)
+    assert [row[:2] for row in rows(dialog)] == [["untitled", "2 edits in 2 shapes"]]
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        qtbot.mouseClick(dialog.recover, Qt.MouseButton.LeftButton)
+    assert window.document.project == lost
+
+
 def test_declining_is_remembered_and_the_file_menu_still_has_it(qtbot: QtBot, window: MainWindow, root: Path) -> None:
     lost = crash(root, None, 1)
     window.recovering.offer()
